@@ -86,6 +86,17 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.cascadeBlend), OptionTable.CascadeBlend.Label, OptionTable.CascadeBlend.Tooltip,
             options => true, volume => volume.cascadeBlend);
 
+        /// <summary>Not part of any preset.</summary>
+        internal static readonly OptionField ContactShadows = new OptionField(
+            nameof(ShadowOptions.contactShadowMetres), OptionTable.ContactShadowMetres.Label,
+            OptionTable.ContactShadowMetres.Tooltip,
+            options => true, volume => volume.contactShadowMetres);
+
+        internal static readonly OptionField ContactShadowSteps = new OptionField(
+            nameof(ShadowOptions.contactShadowSteps), OptionTable.ContactShadowSteps.Label,
+            OptionTable.ContactShadowSteps.Tooltip,
+            options => options.HasContactShadows, volume => volume.contactShadowSteps);
+
         /// <summary>Not part of any preset; set by the feature unless a Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
             nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,

@@ -25,6 +25,13 @@ namespace Penumbra.Editor
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.reflectionProbes)));
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.cascadeBlend)),
                                           OptionFields.CascadeBlend.label);
+            SerializedProperty contact =
+                settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.contactShadowMetres));
+            EditorGUILayout.PropertyField(contact, OptionFields.ContactShadows.label);
+            if (contact.floatValue > 0.0f)
+                EditorGUILayout.PropertyField(
+                    settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.contactShadowSteps)),
+                    OptionFields.ContactShadowSteps.label);
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.debugView)),
                                           OptionFields.DebugView.label);
             CustomFields.BeginAsMeasured(settings, ((PenumbraShadows)target).Settings);

@@ -14,6 +14,8 @@ namespace Penumbra.Editor
 
         private SerializedDataParameter preset;
         private SerializedDataParameter cascadeBlend;
+        private SerializedDataParameter contactShadows;
+        private SerializedDataParameter contactShadowSteps;
         private SerializedDataParameter debugView;
         private LookOverride look;
 
@@ -27,6 +29,8 @@ namespace Penumbra.Editor
             foreach (OptionField option in OptionFields.All)
                 if (option.IsInVolume) options[option] = Unpack(serializedObject.FindProperty(option.name));
             cascadeBlend = Unpack(serializedObject.FindProperty(OptionFields.CascadeBlend.name));
+            contactShadows = Unpack(serializedObject.FindProperty(OptionFields.ContactShadows.name));
+            contactShadowSteps = Unpack(serializedObject.FindProperty(OptionFields.ContactShadowSteps.name));
             debugView = Unpack(serializedObject.FindProperty(OptionFields.DebugView.name));
             look = new LookOverride(serializedObject);
             renderers = null;
@@ -43,6 +47,8 @@ namespace Penumbra.Editor
             foreach (OptionField option in OptionFields.All)
                 if (VolumeAdvice.Shows(option, state.volume)) PropertyField(options[option], option.label);
             PropertyField(cascadeBlend, OptionFields.CascadeBlend.label);
+            PropertyField(contactShadows, OptionFields.ContactShadows.label);
+            PropertyField(contactShadowSteps, OptionFields.ContactShadowSteps.label);
             PropertyField(debugView, OptionFields.DebugView.label);
             foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
         }

@@ -6,33 +6,41 @@ namespace Penumbra.Editor
 {
     /// <summary>
     /// The overrides of a Volume, or of several that overlap, that affect which program is used; null is not
-    /// overridden. Numbers are omitted, as they would make the combinations endless; the only one that matters is an
-    /// angular diameter of 0.
+    /// overridden. Numbers are omitted, as they would make the combinations endless; all that matters of them is whether
+    /// the angular diameter and the length of contact shadows are 0.
     /// </summary>
     internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
     {
         private readonly (QualityPreset? preset, bool? hasWidth, ShadowTechnique? technique, bool? mask,
-            bool? conservativeMask, bool? halfResolution, bool? denoise) values;
+            bool? conservativeMask, bool? halfResolution, bool? denoise, bool? contactShadows) values;
 
-        private VolumeOverrides((QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?) values)
+        private VolumeOverrides((QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?, bool?) values)
         {
             this.values = values;
         }
 
         /// <summary>
-        /// The overrides of `volume`: two variants if it sets an angular diameter of 0, which is larger while it
+        /// The overrides of `volume`: two variants for each number that it sets to 0, which is larger while the Volume
         /// fades in.
         /// </summary>
         internal static IEnumerable<VolumeOverrides> Of(PenumbraShadowsVolume volume)
         {
-            float? degrees = Value(volume.angularDiameterDegrees);
-            yield return Of(volume, degrees.HasValue ? degrees > 0.0f : (bool?)null);
-            if (degrees.HasValue && !(degrees > 0.0f)) yield return Of(volume, true);
+            foreach (bool? hasWidth in AboveZero(volume.angularDiameterDegrees))
+                foreach (bool? hasContactShadows in AboveZero(volume.contactShadowMetres))
+                    yield return Of(volume, hasWidth, hasContactShadows);
         }
 
-        private static VolumeOverrides Of(PenumbraShadowsVolume volume, bool? hasWidth) =>
+        private static IEnumerable<bool?> AboveZero(VolumeParameter<float> parameter)
+        {
+            float? value = Value(parameter);
+            yield return value.HasValue ? value > 0.0f : (bool?)null;
+            if (value.HasValue && !(value > 0.0f)) yield return true;
+        }
+
+        private static VolumeOverrides Of(PenumbraShadowsVolume volume, bool? hasWidth, bool? hasContactShadows) =>
             new VolumeOverrides((Value(volume.preset), hasWidth, Value(volume.technique), Value(volume.mask),
-                                 Value(volume.conservativeMask), Value(volume.halfResolution), Value(volume.denoise)));
+                                 Value(volume.conservativeMask), Value(volume.halfResolution), Value(volume.denoise),
+                                 hasContactShadows));
 
         /// <summary>Both overrides combined; this one has priority.</summary>
         internal VolumeOverrides After(in VolumeOverrides earlier) =>
@@ -40,7 +48,8 @@ namespace Penumbra.Editor
                                  values.technique ?? earlier.values.technique, values.mask ?? earlier.values.mask,
                                  values.conservativeMask ?? earlier.values.conservativeMask,
                                  values.halfResolution ?? earlier.values.halfResolution,
-                                 values.denoise ?? earlier.values.denoise));
+                                 values.denoise ?? earlier.values.denoise,
+                                 values.contactShadows ?? earlier.values.contactShadows));
 
         /// <summary>Sets these overrides, and no others, in the temporary Volume `stack`.</summary>
         internal void Fill(PenumbraShadowsVolume stack)
@@ -53,6 +62,9 @@ namespace Penumbra.Editor
             Set(stack.conservativeMask, values.conservativeMask);
             Set(stack.halfResolution, values.halfResolution);
             Set(stack.denoise, values.denoise);
+            Set(stack.contactShadowMetres, values.contactShadows.HasValue
+                                               ? (values.contactShadows.Value ? OptionTable.ContactShadowMetres.Max : 0.0f)
+                                               : (float?)null);
         }
 
         private static T? Value<T>(VolumeParameter<T> parameter) where T : struct =>

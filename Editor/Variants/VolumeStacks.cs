@@ -57,6 +57,7 @@ namespace Penumbra.Editor
             choices.conservativeMask = options.conservativeMask;
             choices.halfResolution = options.halfResolution;
             choices.denoise = options.denoise;
+            choices.contactShadowMetres = options.HasContactShadows ? OptionTable.ContactShadowMetres.Max : 0.0f;
             return choices;
         }
     }

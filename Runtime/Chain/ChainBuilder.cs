@@ -28,32 +28,44 @@ namespace Penumbra
 
         internal void Add(TechniqueGraph graph)
         {
-            int firstTexture = textures.Count;
+            var placed = new int[graph.textures.Length];
+            int next = textures.Count;
+            for (int i = 0; i < placed.Length; ++i) placed[i] = i == graph.source ? Source(graph) : next++;
             int firstBuffer = buffers.Count;
             for (int i = 0; i < graph.textures.Length; ++i)
             {
+                if (i == graph.source) continue;
                 // Both textures of a history are written, in alternate frames.
                 int previousOf = graph.textures[i].previousOf;
                 int written = previousOf == TechniqueGraph.None ? i : previousOf;
                 textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i),
                                               graph.passes.Any(pass => pass.depth == i), IsFiltered(graph, i)));
                 if (written != i)
-                    histories.Add(new ChainHistory { now = firstTexture + written, before = firstTexture + i });
+                    histories.Add(new ChainHistory { now = placed[written], before = placed[i] });
             }
             foreach (GraphBuffer buffer in graph.buffers)
                 buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,
-                                            Moved(buffer.texture, firstTexture), buffer.indirect));
-            foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, firstTexture, firstBuffer));
+                                            Place(buffer.texture, placed), buffer.indirect));
+            foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, placed, firstBuffer));
             foreach (GraphBinding texture in graph.filterTextures)
                 globals.Add(new ChainGlobal
                 {
-                    texture = Binding(texture, firstTexture, firstBuffer), afterStep = steps.Count - 1,
+                    texture = Binding(texture, placed, firstBuffer), afterStep = steps.Count - 1,
                 });
-            if (graph.visibility != TechniqueGraph.None) visibility = firstTexture + graph.visibility;
-            if (graph.mask != TechniqueGraph.None) Mask = firstTexture + graph.mask;
+            if (graph.visibility != TechniqueGraph.None) visibility = placed[graph.visibility];
+            if (graph.mask != TechniqueGraph.None) Mask = placed[graph.mask];
         }
 
-        private static int Moved(int index, int first) => index == TechniqueGraph.None ? ShadowChain.None : first + index;
+        // The visibility so far, which the graph reads under a name of its own.
+        private int Source(TechniqueGraph graph)
+        {
+            if (visibility == ShadowChain.None)
+                throw new InvalidOperationException("graph '" + graph.name + "' reads the visibility of a graph before it");
+            return visibility;
+        }
+
+        private static int Place(int index, int[] placed) =>
+            index == TechniqueGraph.None ? ShadowChain.None : placed[index];
 
         private static bool IsWrittenByKernels(TechniqueGraph graph, int texture) =>
             graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(false, texture));
@@ -72,18 +84,19 @@ namespace Penumbra
                    graph.passes.Any(pass => pass.Reads(false, texture) && pass.runs > written);
         }
 
-        private ChainStep Step(GraphPass pass, int firstTexture, int firstBuffer)
+        private ChainStep Step(GraphPass pass, int[] placed, int firstBuffer)
         {
-            ChainBinding Bound(GraphBinding binding) => Binding(binding, firstTexture, firstBuffer);
+            ChainBinding Bound(GraphBinding binding) => Binding(binding, placed, firstBuffer);
             var step = new ChainStep
             {
                 pass = pass, reads = pass.reads.Select(Bound).ToArray(), writes = pass.writes.Select(Bound).ToArray(),
             };
-            step.depth = Moved(pass.depth, firstTexture);
+            step.depth = Place(pass.depth, placed);
             if (pass.kind == PassKind.Compute)
             {
-                step.threadsOf = Moved(pass.groups.texelsOf, firstTexture);
-                step.indirect = Moved(pass.groups.indirect, firstBuffer);
+                step.threadsOf = Place(pass.groups.texelsOf, placed);
+                int indirect = pass.groups.indirect;
+                step.indirect = indirect == TechniqueGraph.None ? ShadowChain.None : firstBuffer + indirect;
             }
             for (int i = 0; i < step.reads.Length; ++i)
                 if (pass.eachMip && !step.reads[i].isBuffer && pass.Writes(false, pass.reads[i].index))
@@ -91,11 +104,11 @@ namespace Penumbra
             return step;
         }
 
-        private static ChainBinding Binding(in GraphBinding binding, int firstTexture, int firstBuffer)
+        private static ChainBinding Binding(in GraphBinding binding, int[] placed, int firstBuffer)
         {
             ChainBinding bound = default;
             bound.isBuffer = binding.isBuffer;
-            bound.index = (binding.isBuffer ? firstBuffer : firstTexture) + binding.index;
+            bound.index = binding.isBuffer ? firstBuffer + binding.index : placed[binding.index];
             if (binding.property == null) return bound;
             bound.property = Shader.PropertyToID(binding.property);
             if (!binding.isBuffer) bound.sizeProperty = Shader.PropertyToID(SizeName(binding.property));

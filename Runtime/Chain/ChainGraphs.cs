@@ -11,7 +11,8 @@ namespace Penumbra
         private const int Denoise = 4;
         private const int Conservative = 8; // with Mask
         private const int SecondFormat = 16;
-        private const int Bits = 5;
+        private const int ContactShadows = 32;
+        private const int Bits = 6;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -30,12 +31,21 @@ namespace Penumbra
             PenumbraShadowsGraphs.PcssConservativeDenoised, PenumbraShadowsGraphs.PcssConservativeHalfDenoised,
         };
 
+        // Each reads the visibility of the graphs before it.
+        private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
+        {
+            if (options.HasContactShadows) yield return PenumbraScreenTraceGraphs.ScreenTrace;
+        }
+
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs));
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace);
 
         /// <summary>In the order in which they run.</summary>
-        internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options)
+        internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options) =>
+            OfVisibility(options).Concat(OverVisibility(options)).ToArray();
+
+        private static IEnumerable<TechniqueGraph> OfVisibility(in ShadowOptions options)
         {
             int bits = ScreenBits(options);
             TechniqueGraph screen = (bits & Conservative) == 0
@@ -47,7 +57,8 @@ namespace Penumbra
 
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) =>
-            (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) | ScreenBits(options);
+            (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
+            (options.HasContactShadows ? ContactShadows : 0) | ScreenBits(options);
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>

@@ -32,6 +32,7 @@ namespace Penumbra
             SetCascades(commands, TechniqueTable.Cascades[(int)frame.options.technique], frame.uniforms);
             SetMask(commands, frame);
             DenoiseParameters.Default.SetGlobal(commands);
+            frame.options.ContactShadows().SetGlobal(commands);
             commands.SetGlobalVector(ScreenSize, TextureSize.Drawn(ChainTexture.OfScreen(1), frame).Uniform);
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;

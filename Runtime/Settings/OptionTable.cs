@@ -179,6 +179,26 @@ namespace Penumbra
             internal const float Max = 0.5f;
         }
 
+        internal static class ContactShadowMetres
+        {
+            internal const string Label = "Contact Shadows";
+            internal const string Tooltip =
+                "Length in metres of contact shadows, 0 to 2: a march towards the sun over the camera's depth " +
+                "darkens what the shadow map's bias or texels lose. What the camera does not see casts none, and " +
+                "beside things that stand free it darkens too much. 0: none.";
+            internal const float Min = 0.0f;
+            internal const float Max = 2.0f;
+        }
+
+        internal static class ContactShadowSteps
+        {
+            internal const string Label = "Contact Shadow Steps";
+            internal const string Tooltip =
+                "Texture fetches per pixel along the ray of contact shadows, 1 to 64. Too few miss thin casters.";
+            internal const int Min = 1;
+            internal const int Max = 64;
+        }
+
         internal static class DebugView
         {
             internal const string Label = "Debug View";

@@ -43,6 +43,16 @@ namespace Penumbra
         [Range(OptionTable.CascadeBlend.Min, OptionTable.CascadeBlend.Max)]
         public float cascadeBlend;
 
+        /// <summary>Length of the rays of contact shadows, for every preset; 0: none.</summary>
+        [Tooltip(OptionTable.ContactShadowMetres.Tooltip)]
+        [Range(OptionTable.ContactShadowMetres.Min, OptionTable.ContactShadowMetres.Max)]
+        public float contactShadowMetres;
+
+        /// <summary>Samples along each of these rays.</summary>
+        [Tooltip(OptionTable.ContactShadowSteps.Tooltip)]
+        [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
+        public int contactShadowSteps = ScreenTraceParameters.Default.traceSteps;
+
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugView debugView;
 
@@ -78,6 +88,8 @@ namespace Penumbra
                                         ? custom
                                         : ShadowPresets.Options(preset).Under(angularDiameterDegrees, softnessCapMetres);
             options.cascadeBlend = cascadeBlend;
+            options.contactShadowMetres = contactShadowMetres;
+            options.contactShadowSteps = contactShadowSteps;
             options.debugView = debugView;
             return options.Clamped();
         }

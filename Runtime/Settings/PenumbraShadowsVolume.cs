@@ -81,6 +81,16 @@ namespace Penumbra
         public ClampedFloatParameter cascadeBlend = new ClampedFloatParameter(0.1f, OptionTable.CascadeBlend.Min,
                                                                               OptionTable.CascadeBlend.Max);
 
+        [Tooltip(OptionTable.ContactShadowMetres.Tooltip)]
+        public ClampedFloatParameter contactShadowMetres =
+            new ClampedFloatParameter(ScreenTraceParameters.Default.traceLengthMetres,
+                                      OptionTable.ContactShadowMetres.Min, OptionTable.ContactShadowMetres.Max);
+
+        [Tooltip(OptionTable.ContactShadowSteps.Tooltip)]
+        public ClampedIntParameter contactShadowSteps =
+            new ClampedIntParameter(ScreenTraceParameters.Default.traceSteps, OptionTable.ContactShadowSteps.Min,
+                                    OptionTable.ContactShadowSteps.Max);
+
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
 
@@ -105,6 +115,8 @@ namespace Penumbra
                 options = ShadowPresets.Options(preset.value)
                     .Under(before.angularDiameterDegrees, before.softnessCapMetres);
                 options.cascadeBlend = before.cascadeBlend;
+                options.contactShadowMetres = before.contactShadowMetres;
+                options.contactShadowSteps = before.contactShadowSteps;
                 options.debugView = before.debugView;
             }
             if (angularDiameterDegrees.overrideState) options.angularDiameterDegrees = angularDiameterDegrees.value;
@@ -123,6 +135,8 @@ namespace Penumbra
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
             if (cascadeBlend.overrideState) options.cascadeBlend = cascadeBlend.value;
+            if (contactShadowMetres.overrideState) options.contactShadowMetres = contactShadowMetres.value;
+            if (contactShadowSteps.overrideState) options.contactShadowSteps = contactShadowSteps.value;
             if (debugView.overrideState) options.debugView = debugView.value;
             return options.Clamped();
         }

@@ -114,6 +114,18 @@ namespace Penumbra
         [Range(OptionTable.CascadeBlend.Min, OptionTable.CascadeBlend.Max)]
         [NonSerialized] public float cascadeBlend;
 
+        /// <summary>
+        /// Length of the rays of contact shadows, 0 to 2; 0: none. Set by the feature and the Volume, by no preset.
+        /// </summary>
+        [Tooltip(OptionTable.ContactShadowMetres.Tooltip)]
+        [Range(OptionTable.ContactShadowMetres.Min, OptionTable.ContactShadowMetres.Max)]
+        [NonSerialized] public float contactShadowMetres;
+
+        /// <summary>Samples along each of these rays, 1 to 64; set with their length.</summary>
+        [Tooltip(OptionTable.ContactShadowSteps.Tooltip)]
+        [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
+        [NonSerialized] public int contactShadowSteps;
+
         /// <summary>Drawn over the image; set by the feature and the Volume, by no preset.</summary>
         [NonSerialized] public DebugView debugView;
 
@@ -126,7 +138,8 @@ namespace Penumbra
             discRadiusMetres.Equals(other.discRadiusMetres) &&
             mask == other.mask && conservativeMask == other.conservativeMask &&
             halfResolution == other.halfResolution && denoise == other.denoise &&
-            cascadeBlend.Equals(other.cascadeBlend) && debugView == other.debugView;
+            cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
+            contactShadowSteps == other.contactShadowSteps && debugView == other.debugView;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
 
@@ -161,6 +174,11 @@ namespace Penumbra
                                                    OptionTable.DiscRadiusMetres.Max);
             options.cascadeBlend = Mathf.Clamp(FiniteOr(cascadeBlend, 0.0f), OptionTable.CascadeBlend.Min,
                                                OptionTable.CascadeBlend.Max);
+            options.contactShadowMetres = Mathf.Clamp(FiniteOr(contactShadowMetres, 0.0f),
+                                                      OptionTable.ContactShadowMetres.Min,
+                                                      OptionTable.ContactShadowMetres.Max);
+            options.contactShadowSteps = Mathf.Clamp(contactShadowSteps, OptionTable.ContactShadowSteps.Min,
+                                                     OptionTable.ContactShadowSteps.Max);
             return options;
         }
 
@@ -173,6 +191,17 @@ namespace Penumbra
         internal bool CanMaskConservatively => mask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
 
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
+
+        internal bool HasContactShadows => contactShadowMetres > 0.0f;
+
+        /// <summary>Of the pass of contact shadows; what no option sets is as the study measures it.</summary>
+        internal ScreenTraceParameters ContactShadows()
+        {
+            ScreenTraceParameters parameters = ScreenTraceParameters.Default;
+            parameters.traceLengthMetres = contactShadowMetres;
+            parameters.traceSteps = contactShadowSteps;
+            return parameters;
+        }
 
         /// <summary>The technique makes maps from the shadow map before its filter.</summary>
         internal bool HasMaps => TechniqueTable.Graphs[(int)technique].Length > 0;

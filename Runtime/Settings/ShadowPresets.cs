@@ -6,8 +6,15 @@ namespace Penumbra
     /// </summary>
     public static class ShadowPresets
     {
-        /// <summary>Custom has no options of its own: it starts as Medium.</summary>
-        public static ShadowOptions Options(QualityPreset preset) =>
-            PresetTable.Rows[(int)(preset == QualityPreset.Custom ? QualityPreset.Medium : preset)];
+        /// <summary>
+        /// Custom has no options of its own: it starts as Medium. None has contact shadows; their steps are those that
+        /// the study measures.
+        /// </summary>
+        public static ShadowOptions Options(QualityPreset preset)
+        {
+            ShadowOptions options = PresetTable.Rows[(int)(preset == QualityPreset.Custom ? QualityPreset.Medium : preset)];
+            options.contactShadowSteps = ScreenTraceParameters.Default.traceSteps;
+            return options;
+        }
     }
 }

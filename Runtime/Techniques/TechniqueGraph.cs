@@ -32,6 +32,11 @@ namespace Penumbra
         /// <summary>The texture that contains the result; None if a filter computes it.</summary>
         internal int visibility = None;
 
+        /// <summary>
+        /// The texture that no pass writes: the visibility of the graphs before this one. None if it needs none.
+        /// </summary>
+        internal int source = None;
+
         /// <summary>The texture that is 0 outside penumbrae.</summary>
         internal int mask = None;
     }

@@ -7,11 +7,10 @@
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/exactness.h"
 #include "ShaderLibrary/inputs.h"
+#include "ShaderLibrary/random_camera.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
-
-using Vector = glm::vec<3, long double>;
 
 constexpr int kRow = 16 + 3 + 3;  // matrix by rows, (u, v, depth), and three more numbers
 constexpr float kWidth = 1920.0f;
@@ -24,45 +23,6 @@ const std::string kPoint =
     "In(12), In(13), In(14), In(15));"
     "const float2 pixel = float2(1.0 / 1920.0, 1.0 / 1080.0);"
     "const ScreenPoint at = ScreenPointOf(m, float2(In(16), In(17)), In(18));";
-
-struct RandomCamera {
-  std::array<float, 16> rows;  // of (uv, depth, 1) to homogeneous world
-  Vector eye;
-};
-
-// Lenses from 20 to 100 degrees, asymmetric, near planes from 1 cm to 1 m, either depth direction and row
-// order.
-RandomCamera random_camera(Random& random) {
-  const auto direction = [&] {
-    return glm::normalize(
-        Vector(random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f)));
-  };
-  const Vector forward = direction();
-  const Vector right = glm::normalize(glm::cross(direction(), forward));
-  const Vector up = glm::cross(forward, right);
-  const long double tangent = random.between(0.18f, 1.2f);
-  const Vector across = right * (2.0L * tangent * 16.0L / 9.0L);
-  const Vector down = up * (tangent * (random.integer(0, 1) == 0 ? -2.0L : 2.0L));
-  const Vector origin = forward - across * static_cast<long double>(random.between(0.3f, 0.7f)) -
-                        down * static_cast<long double>(random.between(0.3f, 0.7f));
-  const Vector eye(random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
-                   random.between(-50.0f, 50.0f));
-  const long double near = std::pow(10.0f, random.between(-2.0f, 0.0f));
-  const long double far = near * 1000.0L;
-  const bool reversed = random.integer(0, 1) == 0;
-  const long double scale = (reversed ? 1.0L : -1.0L) * near * far / (far - near);
-  const long double offset = reversed ? -near / (far - near) : far / (far - near);
-  RandomCamera camera;
-  camera.eye = eye;
-  for (int row = 0; row < 4; ++row) {
-    const auto part = [&](const Vector& v, long double w) { return row < 3 ? v[row] : w; };
-    const long double of_depth = part(eye, 1.0L) / scale;
-    const long double columns[] = {part(across, 0.0L), part(down, 0.0L), of_depth,
-                                   part(origin, 0.0L) - offset * of_depth};
-    for (int k = 0; k < 4; ++k) camera.rows[std::size_t(4 * row + k)] = static_cast<float>(columns[k]);
-  }
-  return camera;
-}
 
 // Depths at which something is seen: between 1/1000 and all of the way from far to near.
 std::vector<float> random_points(std::uint32_t seed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,8 +68,10 @@ struct PassAnswer {
 // Runs a pass with a depth image and a source, both rounds: as it ships, and counting.
 class PassRunner {
  public:
-  explicit PassRunner(const std::string& pass)
-      : compiled_(compile_pass(shaders::PackageShader(shaders::package_shader_file()), pass, {}, true)),
+  explicit PassRunner(const std::string& pass,
+                      const std::filesystem::path& shader = shaders::package_shader_file(),
+                      bool reversed_z = true)
+      : compiled_(compile_pass(shaders::PackageShader(shader), pass, {}, reversed_z)),
         plain_(test_device(), compiled_, ProgramOnDevice::Module::as_shipped, kTarget),
         counting_(test_device(), compiled_, ProgramOnDevice::Module::counting, kTarget) {}
 

@@ -56,6 +56,38 @@ constexpr const char* kTiles = R"({
   "visibility": "visibility"}],
 "techniques": [{"name": "tiles", "title": "Tiles", "family": "tiles", "source": "s", "graph": "tiles"}]})";
 
+// Two techniques over the screen, the second darkened by a graph that reads what it made.
+constexpr const char* kDarker = R"({
+"structs": [
+  {"name": "First", "doc": "First.", "fields": [{"name": "taps", "type": "int", "unit": "1", "doc": "taps", "default": 4}]},
+  {"name": "Second", "doc": "Second.", "fields": [{"name": "share", "type": "float", "unit": "1", "doc": "share", "default": 1}]}],
+"defaults": {"family": "f", "source": "s"},
+"graphs": [
+  {"name": "first", "textures": [{"name": "visibility", "format": "r8"}, {"name": "mask", "divisor": 4, "format": "r8"}],
+   "passes": [
+     {"name": "Mask", "kind": "raster", "shader": "V.shader", "writes": ["mask"]},
+     {"name": "First", "kind": "raster", "shader": "V.shader", "reads": {"_Mask": "mask"}, "writes": ["visibility"],
+      "parameters": ["First"]}],
+   "keywords": ["_MASK"], "visibility": "visibility", "mask": "mask"},
+  {"name": "darker", "textures": [{"name": "before", "format": "r8"}, {"name": "after", "format": "r8"}],
+   "source": "before",
+   "passes": [
+     {"name": "Darker", "kind": "raster", "shader": "V.shader", "reads": {"_Source": "before"}, "writes": ["after"],
+      "parameters": ["Second"]}],
+   "keywords": ["_DARKER"], "visibility": "after"}],
+"techniques": [
+  {"name": "both", "title": "Both", "graph": "darker", "after": "one", "values": {"share": 0.5}}]})";
+
+// With the technique that it follows before it.
+std::string darker() {
+  std::string text = kDarker;
+  const std::string list = "\"techniques\": [";
+  return text.insert(
+      text.find(list) + list.size(),
+      R"({"name": "one", "title": "One", "graph": "first", "keywords": ["_ONE"], "values": {"taps": 9},
+      "bias": {"depth": 2, "normal": 0.5}},)");
+}
+
 class PassGraphTest : public testing::Test {
  protected:
   PassGraphTest() {
@@ -300,6 +332,47 @@ TEST_F(PassGraphTest, APartsTexturesAndPassesAreTakenOver) {
   EXPECT_THAT(problem(text, "[\"variance\"]", "[" + many + "]"), HasSubstr("at most 256 passes"));
 }
 
+TEST_F(PassGraphTest, AGraphMayReadTheVisibilityOfATechniqueBeforeIt) {
+  const TechniqueList list = read_technique_list(files_.write("t.technique.json", darker()));
+  const Technique& both = list.find("both");
+  EXPECT_THAT(names(both.graph), ElementsAre("Mask", "First", "Darker"));
+  EXPECT_THAT(both.graph.passes.back().reads, ElementsAre(std::pair("_Source", "visibility")));
+  EXPECT_EQ(both.graph.visibility, "after");
+  EXPECT_EQ(both.graph.mask, "mask");
+  EXPECT_EQ(both.graph.source, "");
+  EXPECT_EQ(both.graph.texture("before"), nullptr);
+  EXPECT_THAT(both.all_keywords(), ElementsAre("_ONE", "_MASK", "_DARKER"));
+  EXPECT_EQ(both.values.at("taps"), (std::vector<double>{9.0}));
+  EXPECT_EQ(both.values.at("share"), (std::vector<double>{0.5}));
+  EXPECT_EQ(both.bias.normal, 0.5);
+  EXPECT_EQ(graph_problem(both.graph), std::nullopt);
+}
+
+TEST_F(PassGraphTest, AWrongSourceIsFound) {
+  const std::string text = darker();
+  const auto wrong = [&](const std::string& from, const std::string& to) { return problem(text, from, to); };
+  EXPECT_THAT(
+      wrong(R"("graph": "darker", "after": "one")", R"("graph": "darker")"),
+      AllOf(HasSubstr("reads the visibility of another, its source 'before'"), HasSubstr("\"after\"")));
+  EXPECT_THAT(wrong(R"("graph": "darker", "after": "one")", R"("graph": "first", "after": "one")"),
+              HasSubstr("the graph has no source"));
+  EXPECT_THAT(wrong(R"("after": "one")", R"("after": "on")"), HasSubstr("'on'"));
+  EXPECT_THAT(wrong(R"("source": "before")", R"("source": "befor")"), HasSubstr("no texture 'befor'"));
+  EXPECT_THAT(wrong(R"("source": "before")", R"("source": "after")"), HasSubstr("no pass writes 'before'"));
+  EXPECT_THAT(wrong(R"({"name": "Darker", "kind")",
+                    R"({"name": "Fill", "kind": "raster", "shader": "V.shader", "writes": ["before"]},
+                       {"name": "Darker", "kind")"),
+              HasSubstr("a pass writes 'before', the visibility of the graph before"));
+  EXPECT_THAT(wrong(R"({"name": "before", "format": "r8"})", R"({"name": "before", "format": "rg16f"})"),
+              HasSubstr("the source 'before' has the format rg16f"));
+  EXPECT_THAT(
+      wrong(R"({"name": "before", "format": "r8"})", R"({"name": "before", "divisor": 2, "format": "r8"})"),
+      HasSubstr("not one texel for each pixel"));
+  EXPECT_THAT(wrong(R"("reads": {"_Source": "before"}, )", ""), HasSubstr("nothing reads 'before'"));
+  EXPECT_THAT(wrong(R"({"name": "after", "format": "r8"})", R"({"name": "mask", "format": "r8"})"),
+              HasSubstr("'after'"));
+}
+
 TEST_F(PassGraphTest, WhatATargetLacksIsSaidOfTheTextureThatNeedsIt) {
   const PassGraph tiles = read(kTiles);
   const GraphPass& mark = tiles.passes[0];
@@ -324,7 +397,7 @@ TEST(TexelFormats, AreThoseOfTheDeviceRoom) {
 
 TEST(LibraryGraphs, OfTheLibraryAreThoseThatWereMeasured) {
   const TechniqueList list = read_technique_list(PENUMBRA_SOURCE_DIR);
-  EXPECT_EQ(list.techniques.size(), 76U);
+  EXPECT_EQ(list.techniques.size(), 79U);
   const PassGraph& graph = list.find("screen-pcss-angular-24-16-half-masked-denoised").graph;
   std::vector<std::string> names;
   for (const GraphPass& pass : graph.passes) names.push_back(pass.name);

@@ -13,15 +13,20 @@ namespace Penumbra.Tests
         private static readonly string[] Passes =
         {
             "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample", "DenoiseHorizontal",
-            "DenoiseVertical", "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip",
+            "DenoiseVertical", "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace",
         };
 
         private static ChainPrograms Of(QualityPreset preset, params PenumbraShadowsVolume[] volumes) =>
             ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = preset } }, volumes);
 
         private static ChainPrograms Of(ShadowOptions custom, params PenumbraShadowsVolume[] volumes) =>
-            ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = QualityPreset.Custom, custom = custom } },
-                             volumes);
+            ChainPrograms.Of(new[]
+            {
+                new PenumbraShadowsSettings
+                {
+                    preset = QualityPreset.Custom, custom = custom, contactShadowMetres = custom.contactShadowMetres,
+                },
+            }, volumes);
 
         private static PenumbraShadowsVolume Volume(Action<PenumbraShadowsVolume> set)
         {
@@ -169,6 +174,20 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void ContactShadowsAreKeptWhereAFeatureOrAVolumeHasThem()
+        {
+            string[] alone = { "Resolve _PENUMBRA_PCSS" };
+            var settings = new PenumbraShadowsSettings { preset = QualityPreset.Reference };
+            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)), Is.EquivalentTo(alone));
+            PenumbraShadowsVolume volume = Volume(one => Override(one.contactShadowMetres, 0.25f));
+            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, new[] { volume })),
+                        Is.EquivalentTo(alone.Append("ScreenTrace")));
+            settings.contactShadowMetres = 0.5f;
+            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)),
+                        Is.EquivalentTo(alone.Append("ScreenTrace")));
+        }
+
+        [Test]
         public void AConservativeMaskHasPassesOfTwoShaders()
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
@@ -242,6 +261,7 @@ namespace Penumbra.Tests
             if (random.Next(3) == 0) Override(volume.conservativeMask, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.contactShadowMetres, random.Next(2) * 0.5f);
             if (random.Next(3) == 0) Override(volume.filterSamples, random.Next(1, 65));
         }
 
@@ -267,14 +287,16 @@ namespace Penumbra.Tests
                 Take(stack.conservativeMask, meeting[i].conservativeMask);
                 Take(stack.halfResolution, meeting[i].halfResolution);
                 Take(stack.denoise, meeting[i].denoise);
-                if (meeting[i].angularDiameterDegrees.overrideState)
-                {
-                    float before = stack.angularDiameterDegrees.value;
-                    Override(stack.angularDiameterDegrees,
-                             before + (meeting[i].angularDiameterDegrees.value - before) * weight);
-                }
+                Blend(stack.angularDiameterDegrees, meeting[i].angularDiameterDegrees, weight);
+                Blend(stack.contactShadowMetres, meeting[i].contactShadowMetres, weight);
             }
             return stack;
+        }
+
+        private static void Blend(UnityEngine.Rendering.VolumeParameter<float> stack,
+                                  UnityEngine.Rendering.VolumeParameter<float> volume, float weight)
+        {
+            if (volume.overrideState) Override(stack, stack.value + (volume.value - stack.value) * weight);
         }
 
         private static void Take<T>(UnityEngine.Rendering.VolumeParameter<T> stack,

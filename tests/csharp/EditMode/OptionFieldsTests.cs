@@ -35,8 +35,8 @@ namespace Penumbra.Tests
         [Test]
         public void EveryOptionIsShownOnceWithItsLabelAndTooltip()
         {
-            OptionField[] all = OptionFields.All.Append(OptionFields.CascadeBlend).Append(OptionFields.DebugView)
-                .ToArray();
+            OptionField[] all = OptionFields.All.Append(OptionFields.CascadeBlend).Append(OptionFields.ContactShadows)
+                .Append(OptionFields.ContactShadowSteps).Append(OptionFields.DebugView).ToArray();
             Assert.That(all.Select(option => option.name), Is.EquivalentTo(Fields.Select(field => field.Name)));
             Assert.That(all.Select(option => option.label.text), Is.Unique);
             foreach (OptionField option in all)

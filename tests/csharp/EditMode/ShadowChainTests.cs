@@ -27,8 +27,13 @@ namespace Penumbra.Tests
         private static IEnumerable<ShadowOptions> EveryChain()
         {
             foreach (ShadowTechnique technique in System.Enum.GetValues(typeof(ShadowTechnique)))
-                for (int bits = 0; bits < 16; ++bits)
-                    yield return Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique, (bits & 8) != 0);
+                for (int bits = 0; bits < 32; ++bits)
+                {
+                    ShadowOptions options = Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique,
+                                                    (bits & 8) != 0);
+                    options.contactShadowMetres = (bits & 16) != 0 ? 0.5f : 0.0f;
+                    yield return options;
+                }
         }
 
         private static readonly string[] Mask = { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" };
@@ -48,6 +53,52 @@ namespace Penumbra.Tests
                 if (denoise) expected = expected.Concat(Denoise);
                 Assert.That(Names(Options(mask, half, denoise, ShadowTechnique.Pcss, conservative)), Is.EqualTo(expected));
             }
+        }
+
+        [TestCaseSource(nameof(EveryChain))]
+        public void ContactShadowsComeLastAndReadTheVisibilityBefore(ShadowOptions options)
+        {
+            options.contactShadowMetres = 0.0f;
+            string[] without = Names(options);
+            int before = ShadowChain.Of(options).Slots[ShadowChain.Output].divisor;
+            options.contactShadowMetres = 1e-3f;
+            ShadowChain chain = ShadowChain.Of(options);
+            Assert.That(Names(options), Is.EqualTo(without.Append("ScreenTrace")));
+            ChainStep trace = chain.Steps.Last();
+            ChainStep filtered = chain.Steps[chain.Steps.Count - 2];
+            Assert.That(trace.reads.Single().property, Is.EqualTo(Shader.PropertyToID("_PenumbraSourceTexture")));
+            Assert.That(trace.reads.Single().index, Is.EqualTo(filtered.Target));
+            Assert.That(trace.Target, Is.EqualTo(ShadowChain.Output));
+            Assert.That(chain.Slots[filtered.Target].divisor, Is.EqualTo(before));
+        }
+
+        /// <summary>As a pass that darkens them further would be written.</summary>
+        [Test]
+        public void GraphsThatReadTheVisibilityFollowOneAnother()
+        {
+            TechniqueGraph Darker(string name) => new TechniqueGraph
+            {
+                name = name,
+                textures = new[] { Texture("own"), Texture("before"), Texture("after") },
+                source = 1,
+                passes = new[]
+                {
+                    Pass(name + "Own", PassFrequency.Frame, 0),
+                    Pass(name, PassFrequency.Frame, 2, GraphBinding.Texture("_A", 0), GraphBinding.Texture("_B", 1)),
+                },
+                visibility = 2,
+            };
+            var chain = new ShadowChain(new[] { PenumbraShadowsGraphs.Pcss, Darker("First"), Darker("Second") }, null);
+            Assert.That(chain.Steps.Select(step => step.pass.program),
+                        Is.EqualTo(new[] { "Resolve", "FirstOwn", "First", "SecondOwn", "Second" }));
+            Assert.That(chain.Steps[2].reads.Select(read => read.index),
+                        Is.EqualTo(new[] { chain.Steps[1].Target, chain.Steps[0].Target }));
+            Assert.That(chain.Steps[4].reads.Select(read => read.index),
+                        Is.EqualTo(new[] { chain.Steps[3].Target, chain.Steps[2].Target }));
+            Assert.That(chain.Steps[4].Target, Is.EqualTo(ShadowChain.Output));
+            Assert.That(chain.Steps[1].Target, Is.Not.EqualTo(chain.Steps[0].Target), "it is read later");
+            Assert.That(() => new ShadowChain(new[] { Darker("Alone") }, null),
+                        Throws.InvalidOperationException.With.Message.Contains("Alone"));
         }
 
         [Test]

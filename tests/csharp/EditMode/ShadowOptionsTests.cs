@@ -152,6 +152,10 @@ namespace Penumbra.Tests
             volume.halfResolution.value = true;
             volume.denoise.overrideState = true;
             volume.denoise.value = false;
+            volume.contactShadowMetres.overrideState = true;
+            volume.contactShadowMetres.value = 0.125f;
+            volume.contactShadowSteps.overrideState = true;
+            volume.contactShadowSteps.value = 20;
             ShadowOptions options = volume.Over(Feature);
             Assert.That(options, Is.EqualTo(new ShadowOptions
             {
@@ -159,7 +163,7 @@ namespace Penumbra.Tests
                 filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
                 minFilterTexels = Feature.minFilterTexels, lightBleeding = 0.4f, mapBlurTexels = 3.0f,
                 mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, mask = false, conservativeMask = true,
-                halfResolution = true, denoise = false,
+                halfResolution = true, denoise = false, contactShadowMetres = 0.125f, contactShadowSteps = 20,
             }));
         }
 

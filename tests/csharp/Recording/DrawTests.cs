@@ -199,6 +199,39 @@ namespace Penumbra.Tests
             Assert.That(Border(), Is.Zero);
         }
 
+        [Test]
+        public void ContactShadowsAreTheFeaturesUnlessAVolumeHasThem()
+        {
+            Vector4 Trace()
+            {
+                urp.Device.Draws.Clear();
+                urp.Render(new FakeScene(), feature);
+                FakeDevice.DrawCall trace = Draw("ScreenTrace");
+                Assert.That(trace.Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"));
+                Assert.That(trace.Textures["_PenumbraSourceTexture"], Is.EqualTo(Draw("Resolve").Target));
+                return Vector(trace, "_PenumbraScreenTraceParameters0");
+            }
+            feature.Settings.contactShadowMetres = float.NaN;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Has.No.Member("ScreenTrace"));
+
+            feature.Settings.contactShadowMetres = 0.5f;
+            Assert.That(Trace().x, Is.EqualTo(0.5f));
+            Assert.That(Trace().z, Is.EqualTo(12.0f));
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            volume.preset.overrideState = true;  // has none of its own
+            volume.preset.value = QualityPreset.Low;
+            VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
+            Assert.That(Trace().x, Is.EqualTo(0.5f));
+            volume.contactShadowMetres.overrideState = volume.contactShadowSteps.overrideState = true;
+            volume.contactShadowMetres.value = 0.25f;
+            volume.contactShadowSteps.value = 24;
+            Assert.That(Trace().x, Is.EqualTo(0.25f));
+            Assert.That(Trace().z, Is.EqualTo(24.0f));
+            feature.Settings.contactShadowMetres = 0.0f;
+            Assert.That(Trace().x, Is.EqualTo(0.25f), "a Volume brings them in");
+        }
+
         // Of a point in front of an off-centre camera: projected as the device does it, put back by the uniform.
         [TestCase(true, true)]
         [TestCase(true, false)]

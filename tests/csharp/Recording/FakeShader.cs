@@ -13,6 +13,7 @@ namespace Penumbra.Tests
     {
         private const string FrameFile = "PenumbraShadows.shader";
         private const string MapFile = "PenumbraMaps.shader";
+        private const string TraceFile = "PenumbraScreenTrace.shader";
         private const string SumsFile = "SummedAreas.compute";
 
         /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
@@ -27,6 +28,8 @@ namespace Penumbra.Tests
             Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
             Maps = Install("Hidden/Penumbra/Maps", MapFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + MapFile] = Maps;
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + TraceFile] =
+                Install("Hidden/Penumbra/ScreenTrace", TraceFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + SumsFile] = Sums = Kernels(SumsFile);
             return Install(PenumbraShadows.ShaderName, FrameFile);
         }

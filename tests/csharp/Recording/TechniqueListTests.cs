@@ -79,6 +79,22 @@ namespace Penumbra.Tests
             Assert.That(DenoiseParameters.Default.noiseAmplitude, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "noiseAmplitude")));
         }
 
+        [Test]
+        public void ContactShadowsAreTheStudys()
+        {
+            ScreenTraceParameters parameters = ScreenTraceParameters.Default;
+            foreach (System.Reflection.FieldInfo field in typeof(ScreenTraceParameters).GetFields()
+                         .Where(field => !field.IsStatic))
+                Assert.That(Convert.ToSingle(field.GetValue(parameters)), Is.EqualTo(Value("screen-high-trace", field.Name)),
+                            field.Name);
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.contactShadowMetres = parameters.traceLengthMetres;
+            JsonElement[] passes = Technique("screen-high-trace").GetProperty("passes").EnumerateArray().ToArray();
+            Assert.That(ShadowChain.Of(options).Steps.Select(step => step.pass.program),
+                        Is.EqualTo(passes.Select(pass => pass.GetProperty("program").GetString())));
+            Assert.That(options.ContactShadows().Vector0, Is.EqualTo(parameters.Vector0));
+        }
+
         private static IEnumerable<QualityPreset> Presets() =>
             Enum.GetValues(typeof(QualityPreset)).Cast<QualityPreset>().Where(preset => preset != QualityPreset.Custom);
 

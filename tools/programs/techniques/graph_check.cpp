@@ -85,7 +85,7 @@ Found unknown_name(const PassGraph& graph) {
     if (!texture.previous_of.empty() && graph.texture(texture.previous_of) == nullptr)
       return GraphProblem{texture.where, "there is no texture '" + texture.previous_of + "'",
                           known_names(graph)};
-  for (const std::string& name : {graph.visibility, graph.mask})
+  for (const std::string& name : {graph.visibility, graph.mask, graph.source})
     if (!name.empty() && graph.texture(name) == nullptr)
       return GraphProblem{"", "there is no texture '" + name + "'", known_names(graph)};
   return std::nullopt;
@@ -128,6 +128,12 @@ bool is_read_later(const PassGraph& graph, const std::string& name) {
 Found wrong_use(const PassGraph& graph, const std::string& name, const std::string& where) {
   const bool written = std::any_of(graph.passes.begin(), graph.passes.end(),
                                    [&](const GraphPass& pass) { return writes_to(pass, name); });
+  if (name == graph.source && written)
+    return GraphProblem{where, "a pass writes '" + name + "', the visibility of the graph before this one",
+                        "let it write a texture of its own"};
+  if (name == graph.source)
+    return is_read(graph, name) ? std::nullopt
+                                : Found(GraphProblem{where, "nothing reads '" + name + "'", "delete it"});
   if (!written)
     return GraphProblem{where, "no pass writes '" + name + "'", "delete it, or let a pass write it"};
   if (!made_once(graph, name)) {
@@ -330,10 +336,15 @@ Found wrong_result(const PassGraph& graph) {
                         filters.empty() ? "add a pass of kind \"filter\", or \"visibility\": texture" : ""};
   if (!filters.empty()) return wrong_filter_graph(graph, *filters.front());
   if (Found found = wrong_image(*graph.texture(graph.visibility), "the visibility")) return found;
-  const GraphTexture& visibility = *graph.texture(graph.visibility);
-  if (visibility.divisor != 1)
-    return GraphProblem{visibility.where, "the visibility has not one texel for each pixel of the screen",
-                        "add a pass that brings it to the screen's size"};
+  for (const std::string& name : {graph.visibility, graph.source}) {
+    if (name.empty()) continue;
+    const GraphTexture& visibility = *graph.texture(name);
+    if (visibility.divisor != 1)
+      return GraphProblem{visibility.where, "the visibility has not one texel for each pixel of the screen",
+                          "add a pass that brings it to the screen's size"};
+  }
+  if (!graph.source.empty())
+    if (Found found = wrong_image(*graph.texture(graph.source), "the source")) return found;
   return graph.mask.empty() ? std::nullopt : wrong_image(*graph.texture(graph.mask), "the mask");
 }
 

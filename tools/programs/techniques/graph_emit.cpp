@@ -190,6 +190,7 @@ std::string csharp_graph(const NamedGraph& named) {
           .append(",\n");
   };
   output("visibility", graph.visibility);
+  output("source", graph.source);
   output("mask", graph.mask);
   return text + "        };\n";
 }

@@ -197,6 +197,7 @@ void add(PassGraph& graph, const PassGraph& part) {
   for (const Need need : part.needs) add_once(graph.needs, need);
   if (!part.visibility.empty()) graph.visibility = part.visibility;
   if (!part.mask.empty()) graph.mask = part.mask;
+  if (!part.source.empty()) graph.source = part.source;
 }
 
 }  // namespace
@@ -264,6 +265,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   read_needs(object, graph.needs);
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
+  graph.source = object.text("source", graph.source);
   object.finish();
   return graph;
 }

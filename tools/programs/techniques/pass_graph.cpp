@@ -143,6 +143,26 @@ PassGraph graph_of(FilterCall filter, const std::string& where) {
   return graph;
 }
 
+PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later) {
+  PassGraph both = earlier;
+  for (const GraphTexture& texture : later.textures)
+    if (texture.name != later.source) both.textures.push_back(texture);
+  both.buffers.insert(both.buffers.end(), later.buffers.begin(), later.buffers.end());
+  for (GraphPass pass : later.passes) {
+    for (auto& [shader_name, name] : pass.reads)
+      if (name == later.source) name = earlier.visibility;
+    if (pass.groups.texels_of == later.source && !later.source.empty())
+      pass.groups.texels_of = earlier.visibility;
+    both.passes.push_back(std::move(pass));
+  }
+  both.keywords.insert(both.keywords.end(), later.keywords.begin(), later.keywords.end());
+  for (const Need need : later.needs)
+    if (std::find(both.needs.begin(), both.needs.end(), need) == both.needs.end()) both.needs.push_back(need);
+  both.visibility = later.visibility;
+  if (!later.mask.empty()) both.mask = later.mask;
+  return both;
+}
+
 std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph) {
   std::vector<GraphPass> waiting = graph.passes;
   std::vector<GraphPass> ordered;

@@ -129,6 +129,7 @@ struct PassGraph {
   std::vector<std::string> keywords;  // on in every program that declares them
   std::vector<Need> needs{};          // each once
   std::string visibility;             // the texture that holds it; empty: a filter's
+  std::string source;                 // the texture that holds that of a graph before; may be empty
   std::string mask;                   // the texture that is below 0.5 where no penumbra is; may be empty
 
   const GraphTexture* texture(const std::string& name) const;
@@ -143,6 +144,9 @@ struct PassGraph {
 
 // A graph of that filter alone.
 PassGraph graph_of(FilterCall filter, const std::string& where);
+
+// Both, one after the other: the visibility of `earlier`, a texture, is the source of `later`.
+PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later);
 
 struct GraphProblem {
   std::string where;  // of the texture, buffer or pass; may be empty

@@ -83,12 +83,19 @@ class TechniqueReader {
     if (object.has("graph") && object.has("filter"))
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
     technique.manifest = manifest_;
-    technique.graph =
-        graph(object.has("graph") || object.has("filter") ? object : defaults_, technique.graph_name);
-    technique.keywords = read_keywords(of("keywords"), "keywords");
+    const Technique* earlier = object.has("after") ? &over_screen(object) : nullptr;
+    technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_, earlier,
+                            technique.graph_name);
+    if (earlier != nullptr) {
+      technique.keywords = earlier->keywords;
+      technique.unlimited = earlier->unlimited;
+      if (!of("bias").has("bias")) technique.bias = earlier->bias;
+    }
+    for (const std::string& keyword : read_keywords(of("keywords"), "keywords"))
+      technique.keywords.push_back(keyword);
     if (of("lights").has("lights")) technique.lights = read_lights(of("lights"));
     const std::vector<ParameterField> fields = list_.fields_of(technique);
-    read_values(object.object("values"), fields, technique);
+    read_values(object.object("values"), fields, earlier, technique);
     if (of("unlimited").has("unlimited"))
       read_unlimited(of("unlimited").object("unlimited"), fields, technique);
     if (!technique.unlimited.empty() && technique.graph.filter() == nullptr)
@@ -138,7 +145,17 @@ class TechniqueReader {
                   "write \"lights\": [\"spot\"]");
   }
 
-  PassGraph graph(JsonObject& from, std::string& name) {
+  // A technique above this one whose visibility is a texture, which another graph can read.
+  const Technique& over_screen(JsonObject& object) const {
+    const std::string name = required_text(object, "after");
+    std::vector<std::string> known;
+    for (const Technique& other : list_.techniques)
+      if (other.graph.over_screen()) known.push_back(other.name);
+    require_known(object, "after", "technique over the screen", name, known);
+    return list_.find(name);
+  }
+
+  PassGraph graph(JsonObject& from, const Technique* earlier, std::string& name) {
     const bool alone = from.has("filter");
     const char* key = alone ? "filter" : "graph";
     PassGraph graph;
@@ -151,6 +168,14 @@ class TechniqueReader {
       require_known(from, key, "graph", name, known);
       graph = graphs_.at(name);
     }
+    if (graph.source.empty() != (earlier == nullptr))
+      from.fail(key,
+                earlier == nullptr
+                    ? "the graph reads the visibility of another, its source '" + graph.source + "'"
+                    : "the graph has no source, and would not read the visibility before it",
+                earlier == nullptr ? "name the technique that makes it: \"after\": technique"
+                                   : "leave out \"after\", or give the graph a \"source\"");
+    if (earlier != nullptr) graph = in_sequence(earlier->graph, graph);
     return checked(from, key, std::move(graph));
   }
 
@@ -207,11 +232,14 @@ class TechniqueReader {
   }
 
   // Every field has a value, and every value is a field's.
-  void read_values(JsonObject own, const std::vector<ParameterField>& fields, Technique& technique) {
+  void read_values(JsonObject own, const std::vector<ParameterField>& fields, const Technique* earlier,
+                   Technique& technique) {
     for (const ParameterField& field : fields) {
       JsonObject& from = own.has(field.name) ? own : shared_values_;
       if (from.has(field.name)) {
         technique.values[field.name] = value_of(from, field);
+      } else if (earlier != nullptr && earlier->values.contains(field.name)) {
+        technique.values[field.name] = earlier->values.at(field.name);
       } else if (!field.otherwise.empty()) {
         technique.values[field.name] = field.otherwise;
       } else {

@@ -28,7 +28,6 @@ struct InputData
     float2 normalizedScreenSpaceUV;
 };
 
-half4 _MainLightPosition;
 half4 _MainLightColor;
 half4 _AdditionalLightsCount;
 float4 _FPParams0;

@@ -37,4 +37,6 @@ float4 LoadOfThisEye(Texture2DArray image, int2 texel)
 }
 #endif
 
+float4 _MainLightPosition; // xyz: the unit direction towards a directional light
+
 #endif
