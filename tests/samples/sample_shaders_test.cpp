@@ -139,6 +139,31 @@ ENDHLSL
 )";
 }
 
+// The page's fog, with a shadow map and without, of a surface that the pass knows of.
+std::string volumetric_shader() {
+  return R"(Shader "Volumetric" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
+HLSLPROGRAM
+#pragma vertex Vertex
+#pragma fragment Fragment
+)" + first_block("Documentation~/volumetric.md") +
+         R"(
+struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
+Varyings Vertex(float4 p : POSITION)
+{
+    Varyings v;
+    v.position = TransformObjectToHClip(p.xyz);
+    v.world = TransformObjectToWorld(p.xyz);
+    return v;
+}
+half4 Fragment(Varyings v) : SV_Target
+{
+    return FogBefore(v.world, v.position.xy);
+}
+ENDHLSL
+} } }
+)";
+}
+
 // Each keyword that it lists changes the shader: one that does not is a finding.
 TEST_F(SampleShaders, ReadmesCompilesWithAndWithoutAShadowMap) {
   write("Readme.shader", readme_shader());
@@ -152,6 +177,14 @@ TEST_F(SampleShaders, FunctionsThatReadBakesCompileForEveryTarget) {
   write("Bakes.shader", bakes_shader());
   const nlohmann::json report = validate(path("Bakes.shader").string());
   EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_THAT(findings(report), IsEmpty());
+}
+
+TEST_F(SampleShaders, FogOfThePageCompilesForEveryTarget) {
+  write("Volumetric.shader", volumetric_shader());
+  const nlohmann::json report = validate(path("Volumetric.shader").string());
+  EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
