@@ -66,6 +66,12 @@ int PenumbraMainLightCascadeCount()
     return min(max(int(_PenumbraMainLightParams.x), 1), 4);
 }
 
+// World metres to atlas UV and stored depth, of a cascade of 0 .. count - 1.
+float4x4 PenumbraMainLightMatrix(int cascade)
+{
+    return _MainLightWorldToShadow[cascade];
+}
+
 // Whether filters read the next cascade at some pixels near this position. cascade: its own.
 bool PenumbraMainLightInBorder(float3 positionWS, int cascade)
 {

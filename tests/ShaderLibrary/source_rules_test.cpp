@@ -82,7 +82,8 @@ TEST(ShaderSources, TestTheDepthDirectionInOneFile) {
 TEST(ShaderSources, NamePipelineGlobalsInPipelinesOnly) {
   for (const std::string& name :
        files_with(R"(_MainLight\w+|_CascadeShadow\w+|_HD\w*Shadow\w+|_AdditionalLight\w+|unity_Matrix\w+)")) {
-    EXPECT_TRUE(name.starts_with("Pipelines/") || name == "Shadows.hlsl" || name == "SpotShadows.hlsl")
+    EXPECT_TRUE(name.starts_with("Pipelines/") || name == "Shadows.hlsl" || name == "SpotShadows.hlsl" ||
+                name == "VolumetricShadows.hlsl")
         << name;
   }
   EXPECT_EQ(files_with(R"(_MainLightWorldToShadow|_CascadeShadowSplit\w+)"), Names{"Pipelines/Urp.hlsl"});

@@ -1,5 +1,5 @@
-// Shadows.hlsl and SpotShadows.hlsl compile by their one include, for every keyword, in both depth
-// conventions and without gather.
+// Shadows.hlsl, SpotShadows.hlsl and VolumetricShadows.hlsl compile by their one include, for every keyword,
+// in both depth conventions and without gather.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -33,6 +33,9 @@ shaders::CompileResult compile_with(const std::string& umbrellas, const std::str
 const std::string kShadows = "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl\"\n";
 const std::string kSpotShadows =
     "#include \"Packages/com.penumbra.shadows/ShaderLibrary/SpotShadows.hlsl\"\n";
+const std::string kVolumetricShadows =
+    "#include \"Packages/com.penumbra.shadows/ShaderLibrary/VolumetricShadows.hlsl\"\n";
+const std::string kRay = "PenumbraMainLightRayVisibility(positionWS, normalWS, pixel.x, int(pixel.y), 0.5)";
 const std::string kMainLight = "PenumbraMainLightVisibility(positionWS, normalWS, pixel.xy)";
 const std::string kSpotLight =
     "PenumbraAdditionalLightVisibility(int(pixel.x), positionWS, normalWS, pixel.xy, 0.05)";
@@ -97,6 +100,25 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   EXPECT_EQ(
       binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_WEBGPU", "1"}}), "sampler_PenumbraPointClamp"),
       gathers);
+}
+
+// Alone and beside the other, which reads raw depths or compares; also where raw reads are undefined.
+TEST_P(UrpInclude, OfRaysComparesAloneAndBesideIt) {
+  for (const std::string& umbrellas :
+       {kVolumetricShadows, kVolumetricShadows + kShadows, kShadows + kVolumetricShadows}) {
+    const bool both = umbrellas != kVolumetricShadows;
+    for (const Defines& more :
+         {Defines{}, Defines{{"UNITY_REVERSED_Z", "1"}}, Defines{{"SHADER_API_GLES3", "1"}}}) {
+      Defines defines = more;
+      defines.emplace_back(GetParam(), "1");
+      const shaders::CompileResult result =
+          compile_with(umbrellas, both ? kRay + " * " + kMainLight : kRay, defines);
+      for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
+      ASSERT_FALSE(result.spirv.empty());
+      EXPECT_TRUE(binds(result, "sampler_PenumbraLinearClampCompare"));
+      EXPECT_FALSE(!both && binds(result, "sampler_PenumbraPointClamp"));
+    }
+  }
 }
 
 TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {

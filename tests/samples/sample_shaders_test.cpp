@@ -78,6 +78,18 @@ TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
   EXPECT_THAT(findings(report), IsEmpty());
 }
 
+TEST_F(SampleShaders, PlanarAndBlobShadowsCompileForEveryTarget) {
+  for (const char* name : {"PlanarShadow", "BlobShadow"}) {
+    const nlohmann::json report =
+        validate(kSource + "/Samples~/PlanarAndBlobShadows/Shaders/" + name + ".shader",
+                 {"--keywords=-INSTANCING_ON"});
+    EXPECT_EQ(passes(report), std::set<std::string>{name});
+    EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+    EXPECT_EQ(report["summary"]["failed"], 0);
+    EXPECT_THAT(findings(report), IsEmpty());
+  }
+}
+
 // A page's first block of HLSL.
 std::string first_block(const std::string& page_file) {
   std::ifstream file(kSource + "/" + page_file, std::ios::binary);
@@ -139,6 +151,58 @@ ENDHLSL
 )";
 }
 
+// The page's fog, with a shadow map and without, of a surface that the pass knows of.
+std::string volumetric_shader() {
+  return R"(Shader "Volumetric" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
+HLSLPROGRAM
+#pragma vertex Vertex
+#pragma fragment Fragment
+)" + first_block("Documentation~/volumetric.md") +
+         R"(
+struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
+Varyings Vertex(float4 p : POSITION)
+{
+    Varyings v;
+    v.position = TransformObjectToHClip(p.xyz);
+    v.world = TransformObjectToWorld(p.xyz);
+    return v;
+}
+half4 Fragment(Varyings v) : SV_Target
+{
+    return FogBefore(v.world, v.position.xy);
+}
+ENDHLSL
+} } }
+)";
+}
+
+// The page's vertex program, which leaves out what has no shadow by a clip.
+std::string planar_shader() {
+  return R"(Shader "Planar" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
+HLSLPROGRAM
+#pragma vertex Vertex
+#pragma fragment Fragment
+)" + first_block("Documentation~/planar-and-blob.md") +
+         R"(
+struct Varyings { float4 position : SV_POSITION; float valid : TEXCOORD0; };
+Varyings Vertex(float4 p : POSITION)
+{
+    const float4 shadow = InShadow(p.xyz, 0.5);
+    Varyings v;
+    v.position = TransformWorldToHClip(shadow.xyz);
+    v.valid = shadow.w;
+    return v;
+}
+half4 Fragment(Varyings v) : SV_Target
+{
+    clip(v.valid - 0.9999);
+    return half4(0.4, 0.4, 0.4, 1.0);
+}
+ENDHLSL
+} } }
+)";
+}
+
 // Each keyword that it lists changes the shader: one that does not is a finding.
 TEST_F(SampleShaders, ReadmesCompilesWithAndWithoutAShadowMap) {
   write("Readme.shader", readme_shader());
@@ -152,6 +216,22 @@ TEST_F(SampleShaders, FunctionsThatReadBakesCompileForEveryTarget) {
   write("Bakes.shader", bakes_shader());
   const nlohmann::json report = validate(path("Bakes.shader").string());
   EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_THAT(findings(report), IsEmpty());
+}
+
+TEST_F(SampleShaders, PlanarShadowOfThePageCompilesForEveryTarget) {
+  write("Planar.shader", planar_shader());
+  const nlohmann::json report = validate(path("Planar.shader").string());
+  EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_THAT(findings(report), IsEmpty());
+}
+
+TEST_F(SampleShaders, FogOfThePageCompilesForEveryTarget) {
+  write("Volumetric.shader", volumetric_shader());
+  const nlohmann::json report = validate(path("Volumetric.shader").string());
+  EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }

@@ -45,6 +45,20 @@ class Pages(unittest.TestCase):
                 self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in measure.md")
 
 
+class Volumetric(unittest.TestCase):
+    def test_rows_are_means_over_scenes(self):
+        def one(scene, jittered, rmse, blocks):
+            return {"scene": scene, "extinction_per_metre": 0.05, "samples": 8, "jittered": jittered, "rmse": rmse,
+                    "rmse_of_blocks": blocks}
+
+        text = page.volumetric({"device": "d", "command": "c", "picture": [160, 90], "map": [64, 32], "cascades": 2,
+                                "longest_ray_metres": 50.0, "places_of_the_exact_answer": 256, "block_pixels": 4,
+                                "records": [one("a", False, 0.2, 0.1), one("a", True, 0.3, 0.02),
+                                            one("b", False, 0.2, 0.3), one("b", True, 0.3, 0.02)]})
+        # Means 0.2 ± 12.706 * 0.1 where the scenes differ.
+        self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 ± 1.271 | 0.020 ± 0.000 |"), text)
+
+
 class PresetSteps(unittest.TestCase):
     def test_devices_are_paired_by_technique_and_light(self):
         figures = dict(rmse_all=0.1, bias=0.0, leak_rate=0.0, false_shadow_rate=0.0, fetches_penumbra_mean=4.0, invalid=0)

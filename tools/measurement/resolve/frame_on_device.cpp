@@ -145,6 +145,16 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));
 }
 
+// What techniques without a shadow map read: the plane of the ground, and the balls that stand for objects.
+void add_stand_ins(const scene::Frame& frame, UniformValues& values) {
+  values.set("_PenumbraPlane", glm::vec4(0.0F, 1.0F, 0.0F, static_cast<float>(frame.ground_metres)));
+  std::vector<glm::vec4> balls(scene::kMostBalls, glm::vec4(0.0F));
+  for (std::size_t i = 0; i < frame.balls.size(); ++i)
+    balls.at(i) = glm::vec4(glm::dvec4(frame.balls[i].centre, frame.balls[i].radius));
+  values.set("_PenumbraBalls", std::span<const glm::vec4>(balls));
+  values.set("_PenumbraBallCount", static_cast<int>(frame.balls.size()));
+}
+
 MapLayout layout_of(const scene::Frame& frame) {
   const parameters::CascadeSet& set = frame.cascades;
   MapLayout layout{frame.atlas.width, frame.atlas.height, set.tile_resolution, {}};
@@ -195,6 +205,7 @@ FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& fram
       main_light_params_(main_light_params(frame)) {
   atlas_.upload_bytes(frame.atlas.texels);
   add_light_uniforms(frame, uniforms_);
+  add_stand_ins(frame, uniforms_);
   uniforms_.set_integers("_PenumbraImageSize", {width_, height_, 0, 0});
 }
 

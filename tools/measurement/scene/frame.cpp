@@ -77,12 +77,18 @@ struct Rasteriser::State {
       : scene(given),
         mesh(device, checked(given), CutOuts(given)),
         shadow_map(device, mesh),
-        seen(device, mesh) {}
+        seen(device, mesh),
+        ground_metres(ground_level(given.mesh) + given.origin.y),
+        balls(object_balls(given.mesh, kMostBalls)) {
+    for (Ball& ball : balls) ball.centre += given.origin;
+  }
 
   const Scene& scene;
   MeshOnDevice mesh;
   ShadowMapPasses shadow_map;
   SeenSurfacesPass seen;
+  double ground_metres;
+  std::vector<Ball> balls;
 };
 
 Rasteriser::Rasteriser(gpu::Device& device, const Scene& scene)
@@ -99,6 +105,8 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   frame.camera = scene.camera;
   frame.camera.position += scene.origin;
   frame.receivers = state_->seen.draw(scene, settings);
+  frame.ground_metres = state_->ground_metres;
+  frame.balls = state_->balls;
   if (scene.spot_light) {
     frame.spot_shadow = spot_shadow_of(scene, settings.shadows);
     frame.cascades = conventions_of(*frame.spot_shadow);

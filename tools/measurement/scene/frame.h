@@ -16,6 +16,7 @@
 #include "parameters/receiver_fit.h"
 #include "parameters/spot_light.h"
 #include "scene/scene.h"
+#include "scene/stand_ins.h"
 
 namespace penumbra::gpu {
 class Device;
@@ -96,6 +97,8 @@ struct FrameSettings {
   glm::dvec2 lens_shift{0.0};
 };
 
+inline constexpr std::size_t kMostBalls = 16;
+
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
@@ -106,6 +109,8 @@ struct Frame {
   FrameSettings settings;
   ShadowAtlas atlas;
   Receivers receivers;
+  double ground_metres = 0.0;  // ground_level() in world space
+  std::vector<Ball> balls;     // object_balls() in world space, at most kMostBalls
 };
 
 // A scene on the device: its mesh is uploaded and its shaders are compiled once for any number of frames.
