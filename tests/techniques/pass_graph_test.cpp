@@ -319,12 +319,13 @@ TEST(TexelFormats, AreThoseOfTheDeviceRoom) {
     const TexelFormat* found = find_texel_format(gpu::name(format));
     ASSERT_NE(found, nullptr) << gpu::name(format);
     EXPECT_EQ(found->depth, gpu::is_depth(format)) << gpu::name(format);
+    EXPECT_EQ(found->stencil, gpu::has_stencil(format)) << gpu::name(format);
   }
 }
 
 TEST(LibraryGraphs, OfTheLibraryAreThoseThatWereMeasured) {
   const TechniqueList list = read_technique_list(PENUMBRA_SOURCE_DIR);
-  EXPECT_EQ(list.techniques.size(), 76U);
+  EXPECT_EQ(list.techniques.size(), 77U);
   const PassGraph& graph = list.find("screen-pcss-angular-24-16-half-masked-denoised").graph;
   std::vector<std::string> names;
   for (const GraphPass& pass : graph.passes) names.push_back(pass.name);
