@@ -151,6 +151,108 @@ TEST_F(GpuRaster, ClampsToTheDepthRangeWhenAskedAndClipsOtherwise) {
   EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 0.0F)) << "clamped";
 }
 
+class GpuStencil : public GpuRaster {
+ protected:
+  // Depth 1/2, and this stencil.
+  void begin(std::uint8_t stencil) {
+    RasterShaders made = shaders(Format::depth32s8, false);
+    made.stencil.emplace().reference = stencil;
+    made.stencil->front.pass = StencilOperation::replace;
+    pass_of(made, sheet(0.5F)).draw({{}, &*image_, 1.0F}, {tile_at(0, 0, 2, 6)});
+  }
+  // A sheet at that depth, which is drawn where it is nearer.
+  void draw(const StencilState& state, float depth, bool turned = false) {
+    std::vector<Corner> corners = sheet(depth);
+    if (turned)
+      for (std::size_t at = 0; at < corners.size(); at += 3) std::swap(corners[at], corners[at + 1]);
+    RasterShaders made = shaders(Format::depth32s8, false);
+    made.depth_write = false;
+    made.keep = true;
+    made.stencil = state;
+    pass_of(made, corners).draw({{}, &*image_, 1.0F}, {tile_at(0, 0, 2, 6)});
+  }
+  // Whether a stencil test of that reference leaves every texel, or none.
+  bool passes(StencilTest test, std::uint8_t reference, std::uint8_t read_mask = 255) {
+    RasterShaders made = shaders(Format::depth32s8, true);
+    made.depth_test = DepthTest::always;
+    made.depth_write = false;
+    made.keep_depth = true;
+    made.stencil.emplace().reference = reference;
+    made.stencil->read_mask = read_mask;
+    made.stencil->front.test = test;
+    const Image colour(*device, Format::rgba32f, 2, 2), other(*device, Format::r32f, 2, 2);
+    pass_of(made, sheet(0.75F)).draw({{&colour, &other}, &*image_, 0.0F}, {tile_at(0, 0, 2, 6)});
+    const std::vector<float> drawn = other.download<float>();
+    EXPECT_EQ(drawn, std::vector<float>(4, drawn.front()));
+    EXPECT_EQ(image_->download<float>(), std::vector<float>(4, 0.5F)) << "the depth is kept";
+    return drawn.front() != 0.0F;
+  }
+  std::uint8_t stencil_after(std::uint8_t before, const StencilState& state, float depth,
+                             bool turned = false) {
+    begin(before);
+    draw(state, depth, turned);
+    for (int value = 0; value < 256; ++value)
+      if (passes(StencilTest::equal, static_cast<std::uint8_t>(value)))
+        return static_cast<std::uint8_t>(value);
+    ADD_FAILURE() << "no value";
+    return 0;
+  }
+
+  void SetUp() override {
+    GpuRaster::SetUp();
+    image_.emplace(*device, Format::depth32s8, 2, 2);
+  }
+  void TearDown() override {
+    image_.reset();
+    GpuRaster::TearDown();
+  }
+  std::optional<Image> image_;
+};
+
+// Front faces before the depth, behind it, back faces, and fragments that fail the stencil test.
+TEST_F(GpuStencil, EachFaceAndOutcomeHasItsOperation) {
+  StencilState state;
+  state.reference = 9;
+  state.front = {StencilTest::always, StencilOperation::keep, StencilOperation::decrement_wrap,
+                 StencilOperation::increment_wrap};
+  state.back = {StencilTest::less, StencilOperation::invert, StencilOperation::increment,
+                StencilOperation::zero};
+  EXPECT_EQ(stencil_after(20, state, 0.25F), 21);
+  EXPECT_EQ(stencil_after(255, state, 0.25F), 0);
+  EXPECT_EQ(stencil_after(20, state, 0.75F), 19);
+  EXPECT_EQ(stencil_after(0, state, 0.75F), 255);
+  EXPECT_EQ(stencil_after(20, state, 0.25F, true), 0);
+  EXPECT_EQ(stencil_after(20, state, 0.75F, true), 21);
+  EXPECT_EQ(stencil_after(255, state, 0.75F, true), 255);
+  EXPECT_EQ(stencil_after(9, state, 0.25F, true), 246) << "9 is not less than 9";
+  state.write_mask = 0x0F;
+  EXPECT_EQ(stencil_after(0xA5, state, 0.25F, true), 0xA0);
+}
+
+TEST_F(GpuStencil, EveryTestComparesTheReferenceWithTheStencil) {
+  const std::vector<std::pair<StencilTest, std::array<bool, 3>>> passing{
+      {StencilTest::never, {false, false, false}},       {StencilTest::less, {true, false, false}},
+      {StencilTest::equal, {false, true, false}},        {StencilTest::less_equal, {true, true, false}},
+      {StencilTest::greater, {false, false, true}},      {StencilTest::not_equal, {true, false, true}},
+      {StencilTest::greater_equal, {false, true, true}}, {StencilTest::always, {true, true, true}}};
+  begin(7);
+  for (const auto& [test, expected] : passing)
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_EQ(passes(test, static_cast<std::uint8_t>(6 + i)), expected[i])
+          << static_cast<int>(test) << ", " << 6 + i;
+  EXPECT_TRUE(passes(StencilTest::equal, 0x17, 0x0F));
+}
+
+TEST_F(GpuStencil, IsClearedWithTheDepth) {
+  begin(7);
+  RasterShaders made = shaders(Format::depth32s8, false);
+  pass_of(made, sheet(0.5F)).draw({{}, &*image_, 1.0F}, {tile_at(0, 0, 2, 6)});
+  EXPECT_TRUE(passes(StencilTest::equal, 0));
+  made = shaders(Format::depth32, false);
+  made.stencil.emplace();
+  EXPECT_THROW(RasterPass(*device, made), std::invalid_argument) << "no stencil there";
+}
+
 TEST_F(GpuRaster, RefusesTargetsAndTilesThatDoNotFit) {
   RasterPass pass = pass_of(shaders(Format::depth32, false), sheet(0.5F));
   const Image depth(*device, Format::depth32, 4, 4);

@@ -75,6 +75,57 @@ TEST(RasterState, BlendsAreThoseOfTheirTargets) {
   EXPECT_THAT(state_of("Blend One One BlendOp Max BlendOp Add").blends, ElementsAre(Blend::add, Blend::add));
 }
 
+RasterState with_stencil(const std::string& commands) {
+  const shaderlab::ParsedShader parsed = shaderlab::parse_shader(
+      "Shader \"A\" { SubShader { Pass {\n" + commands + "\nHLSLPROGRAM\nENDHLSL } } }", "a.shader");
+  EXPECT_THAT(parsed.diagnostics, testing::IsEmpty()) << commands;
+  const std::vector<shaderlab::Program> programs = shaderlab::programs(parsed.shader);
+  return raster_state(shaderlab::render_commands(programs.at(0)), "a.shader", 1, true, StencilTarget::has);
+}
+
+TEST(RasterState, StencilIsThatOfBothFacesOrOfOne) {
+  using gpu::StencilFace;
+  using gpu::StencilOperation;
+  using gpu::StencilTest;
+  EXPECT_EQ(with_stencil("Cull Off").stencil, std::nullopt);
+  EXPECT_EQ(with_stencil("Stencil { Ref 0 }").stencil, gpu::StencilState{});
+  const gpu::StencilState state = *with_stencil(
+                                       "Stencil { Ref 3 ReadMask 15 WriteMask 240 Comp notequal Pass Zero "
+                                       "ZFailFront DecrWrap ZFailBack incrwrap FailBack Invert CompBack 4 }")
+                                       .stencil;
+  EXPECT_EQ(state.reference, 3);
+  EXPECT_EQ(state.read_mask, 15);
+  EXPECT_EQ(state.write_mask, 240);
+  EXPECT_EQ(state.front, (StencilFace{StencilTest::not_equal, StencilOperation::keep,
+                                      StencilOperation::decrement_wrap, StencilOperation::zero}));
+  EXPECT_EQ(state.back, (StencilFace{StencilTest::less_equal, StencilOperation::invert,
+                                     StencilOperation::increment_wrap, StencilOperation::zero}));
+  const std::vector<std::pair<std::string, StencilOperation>> operations{
+      {"Keep", StencilOperation::keep},
+      {"Zero", StencilOperation::zero},
+      {"Replace", StencilOperation::replace},
+      {"IncrSat", StencilOperation::increment},
+      {"DecrSat", StencilOperation::decrement},
+      {"Invert", StencilOperation::invert},
+      {"IncrWrap", StencilOperation::increment_wrap},
+      {"DecrWrap", StencilOperation::decrement_wrap}};
+  for (std::size_t number = 0; number < operations.size(); ++number) {
+    const auto& [word, operation] = operations[number];
+    EXPECT_EQ(with_stencil("Stencil { Pass " + word + " }").stencil->front.pass, operation) << word;
+    EXPECT_EQ(with_stencil("Stencil { PassBack " + std::to_string(number) + " }").stencil->back.pass,
+              operation)
+        << word;
+  }
+  const std::vector<std::string> tests{"Never",   "Less",     "Equal",  "LEqual",
+                                       "Greater", "NotEqual", "GEqual", "Always"};
+  for (std::size_t number = 0; number < tests.size(); ++number)
+    EXPECT_EQ(with_stencil("Stencil { Comp " + tests[number] + " }").stencil->back.test,
+              static_cast<StencilTest>(number))
+        << tests[number];
+  EXPECT_EQ(with_stencil("Stencil { Ref 1 } Stencil { Comp Less }").stencil->reference, 0)
+      << "the later one replaces the earlier";
+}
+
 TEST(RasterState, WhatIsNotDrawnIsRefusedAtItsLine) {
   EXPECT_EQ(refusal("Cull Off ColorMask RGBA Conservative False"), "no error");
   EXPECT_THAT(refusal("\nBlend DstColor Zero"),
@@ -83,7 +134,8 @@ TEST(RasterState, WhatIsNotDrawnIsRefusedAtItsLine) {
   EXPECT_THAT(refusal("BlendOp Sub"), HasSubstr("Add, Min and Max"));
   EXPECT_THAT(refusal("ZTest NotEqual"), HasSubstr("'ZTest NotEqual'"));
   EXPECT_THAT(refusal("ColorMask RGB"), HasSubstr("all channels are written"));
-  EXPECT_THAT(refusal("Stencil { Ref 1 }"), HasSubstr("'Stencil' is not drawn here"));
+  EXPECT_THAT(refusal("Stencil { Ref 1 }"),
+              AllOf(HasSubstr("'Stencil' is not drawn here"), HasSubstr("the pass has no stencil")));
   EXPECT_THAT(refusal("AlphaToMask On"), HasSubstr("'AlphaToMask On'"));
 }
 

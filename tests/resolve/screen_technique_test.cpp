@@ -66,7 +66,9 @@ class EveryScreenTechnique : public testing::TestWithParam<std::string> {};
 TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  const CastersOnDevice casters(test_device(), scene::built_in("colonnade"));
+  const scene::Scene colonnade = scene::built_in("colonnade");
+  CastersOnDevice casters(test_device(), colonnade);
+  casters.add_volumes(test_device(), colonnade);
   for (const bool reversed_z : {true, false}) {
     GraphRunner runner(test_device(),
                        compile(technique_graph(library_techniques(), library_techniques().find(GetParam()),

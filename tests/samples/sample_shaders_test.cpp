@@ -90,6 +90,18 @@ TEST_F(SampleShaders, PlanarAndBlobShadowsCompileForEveryTarget) {
   }
 }
 
+TEST_F(SampleShaders, TheShadowVolumesCompileForEveryTarget) {
+  for (const std::string name : {"Count", "Darken"}) {
+    const nlohmann::json report =
+        validate(kSource + "/Samples~/ShadowVolumes/Shaders/ShadowVolume" + name + ".shader",
+                 {"--keywords=-INSTANCING_ON"});  // which the stand-ins do not tell apart
+    EXPECT_EQ(passes(report), (std::set<std::string>{"ShadowVolume" + name}));
+    EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+    EXPECT_EQ(report["summary"]["failed"], 0);
+    EXPECT_THAT(findings(report), IsEmpty());
+  }
+}
+
 // A page's first block of HLSL.
 std::string first_block(const std::string& page_file) {
   std::ifstream file(kSource + "/" + page_file, std::ios::binary);

@@ -31,7 +31,7 @@ ENDHLSL } } } })",
   for (const RenderCommand& command : render_commands(found[0])) {
     std::string line = std::to_string(command.place.line) + ": " + command.name;
     for (const std::string& value : command.values) line += " " + value;
-    lines.push_back(line + (command.has_block ? " {}" : ""));
+    lines.push_back(line + (command.block.empty() ? "" : " {}"));
   }
   EXPECT_THAT(lines, ElementsAre("3: Cull Off", "4: ZWrite Off", "5: Cull 2", "5: Offset 1.5 -1",
                                  "5: Blend 1 One One Zero One", "5: ZTest 0", "6: Stencil {}"));

@@ -57,6 +57,15 @@ TEST(MapMebibytes, CountMipLevelsAndSamples) {
   EXPECT_EQ(map_mebibytes(record, {samples}), 4.0 + 16.0);
 }
 
+TEST(TechniqueRows, HaveNoShadowMapWhereVolumesAreDrawn) {
+  for (const auto& [name, fact] : facts_of(techniques::read_own_techniques()).techniques)
+    EXPECT_EQ(fact.has_shadow_map, name != "shadow-volume") << name;
+  FactsOfTechniques facts;
+  facts.techniques["bilinear"].has_shadow_map = false;
+  for (const TechniqueRow& row : technique_rows(synthetic::results(), facts))
+    EXPECT_EQ(row.map_mebibytes == 0.0, row.choice.technique == "bilinear");
+}
+
 TEST(TechniqueRows, HaveTheErrorUnderEachLightInRecordOrder) {
   const Results results = synthetic::results();
   EXPECT_TRUE(technique_rows(results, {}).empty());

@@ -47,6 +47,19 @@ constexpr const char* kSeen = R"({
   "visibility": "visibility"}],
 "techniques": [{"name": "seen", "title": "Seen", "family": "seen", "source": "s", "graph": "seen"}]})";
 
+// Counted in the stencil of the camera's depth; again not in the order in which they have to run.
+constexpr const char* kVolumes = R"({
+"graphs": [{"name": "volumes",
+  "textures": [
+    {"name": "visibility", "format": "r32f"},
+    {"name": "depth", "format": "depth32s8"}],
+  "passes": [
+    {"name": "Lit", "kind": "raster", "shader": "L.shader", "stencil": "depth", "writes": ["visibility"]},
+    {"name": "Count", "kind": "casters", "casters": "volumes", "shader": "L.shader", "stencil": "depth"},
+    {"name": "Depth", "kind": "casters", "shader": "L.shader", "depth": "depth"}],
+  "visibility": "visibility"}],
+"techniques": [{"name": "volumes", "title": "Volumes", "family": "volumes", "source": "s", "graph": "volumes"}]})";
+
 class CasterGraph : public testing::Test {
  protected:
   CasterGraph() {
@@ -102,7 +115,7 @@ TEST_F(CasterGraph, ADepthHasADepthFormatAndNothingElseDoes) {
   EXPECT_THAT(problem(kLayers, R"({"name": "behind", "extent": "map", "format": "depth32"})",
                       R"({"name": "behind", "extent": "map", "format": "r32f"})"),
               AllOf(HasSubstr("'Second' has 'behind' as its depth, of format r32f"),
-                    HasSubstr("depth16, depth24 and depth32")));
+                    HasSubstr("depth16, depth24, depth32 and depth32s8")));
   EXPECT_THAT(problem(kLayers, R"("format": "depth32"},
     {"name": "second")",
                       R"("format": "depth32", "mips": 2},
@@ -164,6 +177,46 @@ TEST_F(CasterGraph, DrawsOpaqueCastersOrBlendedOnes) {
               AllOf(HasSubstr("unknown kind of casters 'blend'"), HasSubstr("did you mean 'blended'?")));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster", "casters": "blended")"),
               HasSubstr("unknown key"));
+}
+
+TEST_F(CasterGraph, AStencilIsTestedAfterWhatChangesItAndThatAfterItsDepth) {
+  const TechniqueList volumes = list(kVolumes);
+  const PassGraph& graph = volumes.techniques.at(0).graph;
+  std::vector<std::string> names;
+  for (const GraphPass& pass : graph.passes) names.push_back(pass.name);
+  EXPECT_THAT(names, ElementsAre("Depth", "Count", "Lit"));
+  EXPECT_EQ(graph.passes[1].casters, DrawnCasters::volumes);
+  EXPECT_EQ(graph.passes[1].stencil, "depth");
+  EXPECT_TRUE(graph.draws(DrawnCasters::volumes) && graph.draws_casters() && graph.needs_camera());
+  EXPECT_THAT(techniques_json(volumes),
+              AllOf(HasSubstr("\"casters\": \"volumes\""), HasSubstr("\"stencil\": \"depth\"")));
+  EXPECT_THAT(emit_graphs_csharp(volumes), testing::IsEmpty()) << "the feature draws no such passes";
+}
+
+TEST_F(CasterGraph, AStencilHasAFormatASizeAndADepth) {
+  EXPECT_THAT(problem(kVolumes, "depth32s8", "depth32"),
+              AllOf(HasSubstr("as its stencil, of format depth32"), HasSubstr("give it depth32s8")));
+  EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})", R"("shader": "L.shader"})"),
+              AllOf(HasSubstr("'Count' writes nothing")));
+  EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})",
+                      R"("shader": "L.shader", "depth": "depth"})"),
+              AllOf(HasSubstr("'Count' draws shadow volumes without a stencil to count in")));
+  EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})",
+                      R"("shader": "L.shader", "depth": "depth", "stencil": "depth"})"),
+              AllOf(HasSubstr("'Count' has a depth and a stencil"), HasSubstr("leave out \"depth\"")));
+  EXPECT_THAT(problem(kVolumes, R"("stencil": "depth"})", R"("stencil": "dpth"})"),
+              HasSubstr("there is no texture 'dpth'"));
+  EXPECT_THAT(problem(kVolumes, R"("depth": "depth"})", R"("stencil": "depth"})"),
+              HasSubstr("as its stencil, whose depth no casters draw"));
+  EXPECT_THAT(problem(kVolumes, R"("name": "depth", )", R"("name": "depth", "divisor": 2, )"),
+              HasSubstr("'Lit' draws into 'visibility' and depth 'depth', which differ in size or samples"));
+  EXPECT_THAT(problem(kVolumes, R"("name": "depth", )", R"("name": "depth", "extent": "map", )"),
+              HasSubstr("has a stencil, and is not drawn over the screen once a frame"));
+  EXPECT_THAT(problem(kVolumes, R"("writes": ["visibility"])",
+                      R"("writes": ["visibility"], "reads": {"_Depth": "depth"})"),
+              HasSubstr("'Lit' reads 'depth', which is its stencil"));
+  EXPECT_THAT(problem(kVolumes, R"("writes": ["visibility"])", R"("writes": ["visibility"], "runs": "bake")"),
+              HasSubstr("'Lit' has a stencil, and is not drawn over the screen once a frame"));
 }
 
 TEST_F(CasterGraph, HasNoKeysOfOtherPasses) {

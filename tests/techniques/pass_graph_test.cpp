@@ -392,6 +392,7 @@ TEST(TexelFormats, AreThoseOfTheDeviceRoom) {
     const TexelFormat* found = find_texel_format(gpu::name(format));
     ASSERT_NE(found, nullptr) << gpu::name(format);
     EXPECT_EQ(found->depth, gpu::is_depth(format)) << gpu::name(format);
+    EXPECT_EQ(found->stencil, gpu::has_stencil(format)) << gpu::name(format);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "input/input_error.h"
 #include "scene/cut_out.h"
+#include "scene/shadow_volume.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -138,7 +139,7 @@ void CastersOnDevice::add_part(const gpu::Device& device, const scene::Scene& sc
   Part part{buffer_of(device, indices),
             static_cast<std::uint32_t>(indices.size()),
             material.cut_out && !blended,
-            blended,
+            blended ? techniques::DrawnCasters::blended : techniques::DrawnCasters::opaque,
             {},
             std::nullopt,
             gpu::Sampler(device, wrap_of(cut_out.wrap_u), wrap_of(cut_out.wrap_v))};
@@ -158,7 +159,26 @@ void CastersOnDevice::add_part(const gpu::Device& device, const scene::Scene& sc
   parts_.push_back(std::move(part));
 }
 
-const gpu::Buffer* CastersOnDevice::vertices(const std::string& semantic) const {
+void CastersOnDevice::add_volumes(const gpu::Device& device, const scene::Scene& scene) {
+  const scene::ShadowVolume volume = scene::shadow_volume(scene);
+  has_volumes_ = true;
+  if (volume.indices.empty()) return;
+  volume_positions_.emplace(buffer_of(device, volume.positions));
+  parts_.push_back({buffer_of(device, volume.indices),
+                    static_cast<std::uint32_t>(volume.indices.size()),
+                    false,
+                    techniques::DrawnCasters::volumes,
+                    {},
+                    std::nullopt,
+                    gpu::Sampler(device, gpu::SamplerWrap::clamp, gpu::SamplerWrap::clamp)});
+}
+
+const gpu::Buffer* CastersOnDevice::vertices(const std::string& semantic, techniques::DrawnCasters of) const {
+  if (of == techniques::DrawnCasters::volumes) {
+    if (semantic == "POSITION0") return &*volume_positions_;
+    throw InputError("", "a pass of shadow volumes reads the vertex input " + semantic,
+                     "they have POSITION0 alone");
+  }
   const auto found = vertices_.find(semantic);
   return found == vertices_.end() ? nullptr : &found->second;
 }

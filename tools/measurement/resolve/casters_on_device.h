@@ -11,6 +11,7 @@
 #include "gpu/resources.h"
 #include "resolve/uniform_values.h"
 #include "scene/scene.h"
+#include "techniques/pass_graph.h"
 
 namespace penumbra::resolve {
 
@@ -21,7 +22,7 @@ class CastersOnDevice {
     gpu::Buffer indices;
     std::uint32_t index_count = 0;
     bool alpha_test = false;
-    bool blended = false;  // drawn by passes of blended casters, by those alone
+    techniques::DrawnCasters casters = techniques::DrawnCasters::opaque;  // drawn by passes of these alone
     // _BaseColor (linear, alpha is the cut-out's factor), _Cutoff, _BaseMap_ST, _BaseMap_TexelSize.
     UniformValues uniforms;
     // Of a cut-out, RGB linear; else white. Of blended casters with mip levels, as textures in Unity have
@@ -34,12 +35,18 @@ class CastersOnDevice {
   // both.
   CastersOnDevice(const gpu::Device& device, const scene::Scene& scene);
 
+  // The shadow volumes (scene/shadow_volume.h) of the scene that this is of, as one more part, which has no
+  // material. Throws as shadow_volume() does.
+  void add_volumes(const gpu::Device& device, const scene::Scene& scene);
+
+  bool has_volumes() const { return has_volumes_; }
+
   const std::vector<Part>& parts() const { return parts_; }
   const gpu::Image& base_map(const Part& part) const { return part.base_map ? *part.base_map : white_; }
 
   // Of that semantic, so many floats for each vertex; null: scenes have none of it. Colours are white, as
-  // Unity gives them for meshes without.
-  const gpu::Buffer* vertices(const std::string& semantic) const;
+  // Unity gives them for meshes without. Throws InputError for volumes, which have positions alone.
+  const gpu::Buffer* vertices(const std::string& semantic, techniques::DrawnCasters of) const;
   static int components(const std::string& semantic);  // 0: none
   static std::string semantics();                      // all, for messages
 
@@ -51,6 +58,8 @@ class CastersOnDevice {
                 const std::vector<std::uint32_t>& indices);
 
   std::map<std::string, gpu::Buffer> vertices_;
+  std::optional<gpu::Buffer> volume_positions_;  // where a triangle casts
+  bool has_volumes_ = false;
   gpu::Image white_;
   std::vector<Part> parts_;
   UniformValues uniforms_;

@@ -58,13 +58,13 @@ TargetFormats target_formats(const ShadowGraph& source, const GraphPass& pass, g
     formats.colours.push_back(measured_format(*graph.texture(name)));
     formats.samples = graph.texture(name)->samples;
   }
+  formats.stencil = !pass.stencil.empty();
+  if (const GraphTexture* depth = graph.texture(formats.stencil ? pass.stencil : pass.depth)) {
+    formats.depth = measured_format(*depth);
+    formats.samples = depth->samples;
+  }
   if (pass.kind == PassKind::casters) {
     formats.casters = formats.keep = true;  // cleared before the first draw
-    const GraphTexture* depth = graph.texture(pass.depth);
-    if (depth != nullptr) {
-      formats.depth = measured_format(*depth);
-      formats.samples = depth->samples;
-    }
     formats.depth_is_shadow_map = pass.depth == techniques::shadow_map_name;
     if (formats.depth_is_shadow_map) formats.depth = shadow_map;
     return formats;
@@ -335,6 +335,8 @@ class GraphRunner::Run {
     const GraphPass& pass = runner_.graph().passes[index];
     if (frame_.casters() == nullptr)
       throw std::invalid_argument("a graph of casters needs those of the frame");
+    if (pass.casters == techniques::DrawnCasters::volumes && !frame_.casters()->has_volumes())
+      throw std::invalid_argument("a graph of shadow volumes needs those of the frame's casters");
     for (const auto& [shader_name, name] : pass.writes) sequence_.clear(resources_.texture(name), 0.0F);
     if (resources_.is_texture(pass.depth))
       sequence_.clear(resources_.texture(pass.depth), runner_.graph_.source.reversed_z ? 0.0F : 1.0F);
@@ -342,8 +344,7 @@ class GraphRunner::Run {
     const gpu::Buffer* counts = counter.buffer ? &counter.buffer->buffer() : nullptr;
     for (int cascade = 0; cascade < cascades; ++cascade)
       for (const CastersOnDevice::Part& part : frame_.casters()->parts())
-        if (part.blended == (pass.casters == techniques::DrawnCasters::blended))
-          add_part(index, cascade, part, counts, std::exchange(counter, {}));
+        if (part.casters == pass.casters) add_part(index, cascade, part, counts, std::exchange(counter, {}));
   }
 
   void require_other_textures(const GraphPass& pass, const ProgramOnDevice& used) const {
@@ -379,7 +380,7 @@ class GraphRunner::Run {
     used.set_uniforms(steps_.back().bindings, {});
     gpu::VertexStreams streams;
     for (const std::string& semantic : used.vertex_inputs())
-      streams.inputs.push_back(frame_.casters()->vertices(semantic));
+      streams.inputs.push_back(frame_.casters()->vertices(semantic, pass.casters));
     streams.indices = &part.indices;
     gpu::RasterTile tile = geometry_.tile(pass, cascade, 0);
     tile.vertex_count = part.index_count;

@@ -59,7 +59,7 @@ class GraphRunner {
 
   // The camera is read by graphs that run over the screen or draw what it sees. Throws InputError when a
   // program binds a texture, sampler or buffer that neither the graph nor the harness provides;
-  // std::invalid_argument without a camera or the frame's casters, where they are needed.
+  // std::invalid_argument without a camera, or the frame's casters or their volumes, where they are needed.
   GraphResult run(const FrameOnDevice& frame, const CameraImage* camera, const RunOptions& options = {});
   GraphResult run(const FrameOnDevice& frame, const RunOptions& options = {}) {
     return run(frame, nullptr, options);

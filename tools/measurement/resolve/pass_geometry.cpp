@@ -28,7 +28,7 @@ bool runs_for_each_tile(const GraphPass& pass, const GraphTexture& target) {
 const GraphTexture* PassGeometry::first_written_texture(const GraphPass& pass) const {
   for (const auto& [shader_name, name] : pass.writes)
     if (resources_.is_texture(name)) return graph_.texture(name);
-  return graph_.texture(pass.depth);
+  return graph_.texture(pass.stencil.empty() ? pass.depth : pass.stencil);
 }
 
 int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
@@ -50,6 +50,8 @@ gpu::RasterTargets PassGeometry::targets(const GraphPass& pass, int cascade, int
     targets.depth = &shadow_map;
   else if (!pass.depth.empty())
     targets.depth = target(pass.depth);
+  else if (!pass.stencil.empty())
+    targets.depth = target(pass.stencil);
   return targets;
 }
 

@@ -20,7 +20,7 @@ class PassGeometry {
                const GraphExtents& extents)
       : graph_(graph), resources_(resources), extents_(extents) {}
 
-  // The first of those that it writes, its depth last; null: none.
+  // The first of those that it writes, its depth or stencil last; null: none.
   const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
 
   // Levels of a texture that is made for so many cascades: in the last no tile is smaller than a texel.

@@ -32,10 +32,18 @@ gpu::RasterShaders raster_shaders(const CompiledProgram& program, const std::vec
   shaders.depth = targets.depth;
   shaders.samples = targets.samples;
   shaders.keep = targets.keep;
+  shaders.keep_depth = targets.stencil;
   if (program.render_commands.empty() && !targets.casters) return shaders;
   const RasterState state =
-      raster_state(program.render_commands, program.file, targets.colours.size(), targets.reversed_z);
+      raster_state(program.render_commands, program.file, targets.colours.size(), targets.reversed_z,
+                   targets.stencil ? StencilTarget::has : StencilTarget::none);
   shaders.blends = state.blends;
+  shaders.stencil = state.stencil;
+  if (targets.stencil && state.depth_write)
+    throw InputError(program.file, "pass '" + program.name + "' writes the depth that its stencil belongs to",
+                     "give it ZWrite Off");
+  shaders.depth_test = state.depth_test;
+  shaders.depth_write = state.depth_write;
   if (!targets.casters) return shaders;
   if (!state.both_faces)
     throw InputError(program.file,
@@ -44,8 +52,6 @@ gpu::RasterShaders raster_shaders(const CompiledProgram& program, const std::vec
   if (targets.depth_is_shadow_map && state.depth_write)
     throw InputError(program.file, "pass '" + program.name + "' writes depth into the shadow map",
                      "give it ZWrite Off");
-  shaders.depth_test = state.depth_test;
-  shaders.depth_write = state.depth_write;
   shaders.depth_clamp = state.depth_clamp;
   shaders.constant_depth_bias = state.constant_depth_bias;
   shaders.slope_depth_bias = state.slope_depth_bias;

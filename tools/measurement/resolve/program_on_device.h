@@ -34,6 +34,7 @@ struct TargetFormats {
   std::vector<gpu::Format> colours;
   std::optional<gpu::Format> depth{};
   int samples = 1;
+  bool stencil = false;  // of the depth, both of which are kept
   bool keep = false;     // what the targets hold outside of the tiles that are drawn
   bool casters = false;  // triangles of the scene instead of one over the tile
   bool depth_is_shadow_map = false;

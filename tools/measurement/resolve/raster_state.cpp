@@ -1,6 +1,7 @@
 #include "resolve/raster_state.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 
@@ -62,6 +63,75 @@ gpu::DepthTest depth_test(const State& state, bool reversed_z) {
   if (state.is({"always"}) || state.is({"8"}) || state.is({"off"}) || state.is({"0"}))
     return DepthTest::always;
   state.refuse("the depth tests are Less, LEqual, Equal, GEqual, Greater and Always");
+}
+
+gpu::StencilTest stencil_test(const State& state) {
+  using gpu::StencilTest;
+  constexpr std::array tests{"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"};
+  for (std::size_t at = 0; at < tests.size(); ++at)
+    if (state.is({tests[at]}) || state.is({std::to_string(at + 1)})) return static_cast<StencilTest>(at);
+  if (state.is({"0"}) || state.is({"disabled"})) return StencilTest::always;
+  state.refuse("the tests are Never, Less, Equal, LEqual, Greater, NotEqual, GEqual and Always");
+}
+
+gpu::StencilOperation stencil_operation(const State& state) {
+  using gpu::StencilOperation;
+  // In the order of UnityEngine.Rendering.StencilOp.
+  constexpr std::array<std::pair<const char*, StencilOperation>, 8> operations{
+      {{"keep", StencilOperation::keep},
+       {"zero", StencilOperation::zero},
+       {"replace", StencilOperation::replace},
+       {"incrsat", StencilOperation::increment},
+       {"decrsat", StencilOperation::decrement},
+       {"invert", StencilOperation::invert},
+       {"incrwrap", StencilOperation::increment_wrap},
+       {"decrwrap", StencilOperation::decrement_wrap}}};
+  for (std::size_t at = 0; at < operations.size(); ++at)
+    if (state.is({operations[at].first}) || state.is({std::to_string(at)})) return operations[at].second;
+  state.refuse("the operations are Keep, Zero, Replace, IncrSat, DecrSat, Invert, IncrWrap and DecrWrap");
+}
+
+std::uint8_t stencil_number(const State& state) {
+  int number = -1;
+  const std::string text = state.values.size() == 1 ? state.values.front() : "";
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number < 0 || number > 255)
+    state.refuse("it takes a number from 0 to 255");
+  return static_cast<std::uint8_t>(number);
+}
+
+// Comp, Pass, Fail and ZFail are of both faces, with Front or Back behind them of one.
+gpu::StencilState stencil_state(const RenderCommand& command, const std::string& pass) {
+  gpu::StencilState result;
+  for (const RenderCommand& inner : command.block) {
+    const State state(inner, pass);
+    std::string name = lower(inner.name);
+    if (name == "ref") {
+      result.reference = stencil_number(state);
+    } else if (name == "readmask") {
+      result.read_mask = stencil_number(state);
+    } else if (name == "writemask") {
+      result.write_mask = stencil_number(state);
+    } else {
+      const bool front = name.ends_with("front"), back = name.ends_with("back");
+      if (front) name.resize(name.size() - 5);
+      if (back) name.resize(name.size() - 4);
+      for (gpu::StencilFace* face : {&result.front, &result.back}) {
+        if ((front && face != &result.front) || (back && face != &result.back)) continue;
+        if (name == "comp")
+          face->test = stencil_test(state);
+        else if (name == "pass")
+          face->pass = stencil_operation(state);
+        else if (name == "fail")
+          face->fail = stencil_operation(state);
+        else if (name == "zfail")
+          face->depth_fail = stencil_operation(state);
+        else
+          state.refuse("there is no such state here");
+      }
+    }
+  }
+  return result;
 }
 
 // A leading number is a target's, unless it is followed by nothing.
@@ -136,7 +206,7 @@ bool is_whole_mask(const std::string& mask) {
 }  // namespace
 
 RasterState raster_state(const std::vector<RenderCommand>& commands, const std::string& pass,
-                         std::size_t targets, bool reversed_z) {
+                         std::size_t targets, bool reversed_z, StencilTarget stencil) {
   RasterState result;
   if (reversed_z) result.depth_test = gpu::DepthTest::greater_equal;
   const float away_from_viewer = reversed_z ? -1.0F : 1.0F;
@@ -163,7 +233,11 @@ RasterState raster_state(const std::vector<RenderCommand>& commands, const std::
       Words mask = state.values;
       if (!mask.empty() && targets > 0 && !is_whole_mask(mask.front()))
         state.refuse("all channels are written: RGBA");
-    } else if (name == "stencil" || ((name == "alphatomask" || name == "conservative") && state.on())) {
+    } else if (name == "stencil") {
+      if (stencil == StencilTarget::none)
+        state.refuse("the pass has no stencil: name one in its manifest's \"stencil\"");
+      result.stencil = stencil_state(command, pass);
+    } else if ((name == "alphatomask" || name == "conservative") && state.on()) {
       state.refuse("there is no such state here");
     }
   }

@@ -76,7 +76,7 @@ CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& raste
                   settings_.edge_samples};
   if (std::any_of(subjects_.begin(), subjects_.end(),
                   [](const Subject& subject) { return subject.graph.graph.draws_casters(); }))
-    setup.casters = std::make_unique<const resolve::CastersOnDevice>(device_, scene);
+    setup.casters = casters_of(scene);
   setup.inputs = std::make_unique<const resolve::FrameInputs>(inputs_of(setup));
   if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
   for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
@@ -88,6 +88,15 @@ CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& raste
     for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
   return setup;
+}
+
+std::unique_ptr<const resolve::CastersOnDevice> CaseBuilder::casters_of(const scene::Scene& scene) const {
+  auto casters = std::make_unique<resolve::CastersOnDevice>(device_, scene);
+  if (std::any_of(subjects_.begin(), subjects_.end(), [](const Subject& subject) {
+        return subject.graph.graph.draws(techniques::DrawnCasters::volumes);
+      }))
+    casters->add_volumes(device_, scene);
+  return casters;
 }
 
 reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const scene::Receivers& receivers,

@@ -80,6 +80,7 @@ class CaseBuilder {
 
  private:
   void enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const;
+  std::unique_ptr<const resolve::CastersOnDevice> casters_of(const scene::Scene& scene) const;
   reference::VisibilityImage traced(const CaseSetup& setup, const scene::Receivers& receivers, int samples,
                                     const std::string& work) const;
   reference::VisibilityImage traced_edges(const CaseSetup& setup, scene::Rasteriser& rasteriser) const;

@@ -43,7 +43,11 @@ double bytes_of(const techniques::GraphTexture& texture, const resolve::GraphExt
 FactsOfTechniques facts_of(const techniques::TechniqueList& list) {
   FactsOfTechniques facts;
   for (const techniques::Technique& technique : list.techniques)
-    facts.techniques[technique.name] = {technique.use_when, technique.not_when, technique.graph.textures, {}};
+    facts.techniques[technique.name] = {technique.use_when,
+                                        technique.not_when,
+                                        technique.graph.textures,
+                                        {},
+                                        !technique.graph.draws(techniques::DrawnCasters::volumes)};
   return facts;
 }
 
@@ -110,6 +114,7 @@ std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTe
       return each.technique == choice.technique && choice_of(results, each) == choice;
     });
     row.map_mebibytes = map_mebibytes(*record, fact.textures);
+    if (!fact.has_shadow_map) row.map_mebibytes -= map_mebibytes(*record, {});
     row.cycles = fact.cycles;
     row.use_when = fact.use_when;
     row.not_when = fact.not_when;

@@ -24,6 +24,7 @@ struct TechniqueFacts {
   std::string not_when{};
   std::vector<techniques::GraphTexture> textures{};
   std::optional<ProgramCycles> cycles{};
+  bool has_shadow_map = true;  // shadow volumes have none
 };
 
 // The lines and textures are the manifests' as they are now, not as they were when the figures were measured:

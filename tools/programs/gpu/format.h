@@ -10,11 +10,13 @@
 namespace penumbra::gpu {
 
 // Numbers without a letter are fractions from 0 to 1, f are floats, ui unsigned integers. depth24 is 32 bits
-// per texel in memory, depth in the low 24, the rest zero.
+// per texel in memory, depth in the low 24, the rest zero. depth32s8 is depth32 with 8 bits of stencil, which
+// passes alone see: shaders and copies have its depth.
 enum class Format {
   depth16,
   depth24,
   depth32,
+  depth32s8,
   r8,
   rg8,
   rgba8,
@@ -38,8 +40,9 @@ enum class Format {
 std::span<const Format> all_formats();
 
 bool is_depth(Format format);
-bool is_integer(Format format);  // shaders read and write whole numbers
-std::size_t texel_bytes(Format format);
+bool has_stencil(Format format);
+bool is_integer(Format format);          // shaders read and write whole numbers
+std::size_t texel_bytes(Format format);  // of a copy
 const char* name(Format format);
 std::optional<Format> find_format(std::string_view name);
 

@@ -44,8 +44,9 @@ struct Attachments {
     description.samples = static_cast<vk::SampleCountFlagBits>(samples);
     description.loadOp = load;
     description.storeOp = vk::AttachmentStoreOp::eStore;
-    description.stencilLoadOp = vk::AttachmentLoadOp::eDontCare;
-    description.stencilStoreOp = vk::AttachmentStoreOp::eDontCare;
+    description.stencilLoadOp = has_stencil(format) ? load : vk::AttachmentLoadOp::eDontCare;
+    description.stencilStoreOp =
+        has_stencil(format) ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eDontCare;
     description.initialLayout = description.finalLayout = layout_of(format);
     list.emplace_back(std::uint32_t(descriptions.size()), layout_of(format));
     descriptions.push_back(description);
@@ -60,7 +61,9 @@ vk::raii::RenderPass make_render_pass(const DeviceState& device, const RasterSha
   if (shaders.resolve)
     for (const Format colour : shaders.colours)
       attachments.add(device, colour, 1, vk::AttachmentLoadOp::eDontCare, attachments.resolves);
-  if (shaders.depth) attachments.add(device, *shaders.depth, shaders.samples, load, attachments.depth);
+  if (shaders.depth)
+    attachments.add(device, *shaders.depth, shaders.samples,
+                    shaders.keep_depth ? vk::AttachmentLoadOp::eLoad : load, attachments.depth);
   vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, nullptr, attachments.colours);
   if (shaders.resolve) subpass.pResolveAttachments = attachments.resolves.data();
   if (shaders.depth) subpass.pDepthStencilAttachment = attachments.depth.data();
@@ -102,6 +105,30 @@ vk::CompareOp compare_of(DepthTest test) {
   return vk::CompareOp::eAlways;
 }
 
+vk::StencilOpState stencil_of(const StencilFace& face, const StencilState& state) {
+  using Op = vk::StencilOp;
+  constexpr std::array operations{Op::eKeep,
+                                  Op::eZero,
+                                  Op::eReplace,
+                                  Op::eIncrementAndClamp,
+                                  Op::eDecrementAndClamp,
+                                  Op::eIncrementAndWrap,
+                                  Op::eDecrementAndWrap,
+                                  Op::eInvert};
+  constexpr std::array tests{vk::CompareOp::eNever,          vk::CompareOp::eLess,
+                             vk::CompareOp::eEqual,          vk::CompareOp::eLessOrEqual,
+                             vk::CompareOp::eGreater,        vk::CompareOp::eNotEqual,
+                             vk::CompareOp::eGreaterOrEqual, vk::CompareOp::eAlways};
+  const auto operation = [&](StencilOperation one) { return operations.at(static_cast<std::size_t>(one)); };
+  return {operation(face.fail),
+          operation(face.pass),
+          operation(face.depth_fail),
+          tests.at(static_cast<std::size_t>(face.test)),
+          state.read_mask,
+          state.write_mask,
+          state.reference};
+}
+
 std::vector<vk::PipelineColorBlendAttachmentState> blends_of(const RasterShaders& shaders) {
   std::vector<vk::PipelineColorBlendAttachmentState> states;
   for (std::size_t at = 0; at < shaders.colours.size(); ++at)
@@ -117,6 +144,8 @@ void check(const Device& device, const RasterShaders& shaders) {
   if (shaders.vertex.empty()) throw std::invalid_argument("a raster pass without a vertex shader");
   if (shaders.colours.empty() && !shaders.depth)
     throw std::invalid_argument("a raster pass has a depth target, colour targets, or both");
+  if (shaders.stencil && !(shaders.depth && has_stencil(*shaders.depth)))
+    throw std::invalid_argument("a raster pass with a stencil test and no stencil");
   if (shaders.blends.size() > shaders.colours.size())
     throw std::invalid_argument("a raster pass with more blends than colours");
   if (shaders.resolve && (shaders.samples == 1 || shaders.colours.empty()))
@@ -313,14 +342,20 @@ vk::Pipeline RasterState::pipeline() {
   rasterization.depthBiasEnable = shaders.constant_depth_bias != 0.0F || shaders.slope_depth_bias != 0.0F;
   rasterization.depthBiasConstantFactor = shaders.constant_depth_bias;
   rasterization.depthBiasSlopeFactor = shaders.slope_depth_bias;
+  rasterization.frontFace = vk::FrontFace::eClockwise;
   rasterization.lineWidth = 1.0F;
   vk::PipelineMultisampleStateCreateInfo samples;
   samples.rasterizationSamples = static_cast<vk::SampleCountFlagBits>(shaders.samples);
   samples.sampleShadingEnable = shaders.shade_each_sample;
   samples.minSampleShading = 1.0F;
-  const vk::PipelineDepthStencilStateCreateInfo depth({}, shaders.depth.has_value(),
-                                                      shaders.depth.has_value() && shaders.depth_write,
-                                                      compare_of(shaders.depth_test));
+  vk::PipelineDepthStencilStateCreateInfo depth({}, shaders.depth.has_value(),
+                                                shaders.depth.has_value() && shaders.depth_write,
+                                                compare_of(shaders.depth_test));
+  depth.stencilTestEnable = shaders.stencil.has_value();
+  if (shaders.stencil) {
+    depth.front = stencil_of(shaders.stencil->front, *shaders.stencil);
+    depth.back = stencil_of(shaders.stencil->back, *shaders.stencil);
+  }
   const std::vector<vk::PipelineColorBlendAttachmentState> blends = blends_of(shaders);
   const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, blends);
   const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};

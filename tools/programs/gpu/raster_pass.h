@@ -3,7 +3,7 @@
 // Vertices are read from vertex buffers, one for each input of the vertex shader, or the shader reads storage
 // buffers by SV_VertexID and has no inputs.
 // Coordinates are Vulkan's: clip y = -1 is row 0 of the image, clip depth 0 .. 1 is what the image stores.
-// Both faces are drawn.
+// Both faces are drawn. The front one is clockwise where row 0 is the top, as Unity has it.
 #pragma once
 
 #include <array>
@@ -22,9 +22,47 @@ namespace penumbra::gpu {
 // and greater in reversed Z.
 enum class DepthTest { less, greater, less_equal, greater_equal, equal, always };
 
+// The reference against a pixel's stencil: less where the reference is the smaller one.
+enum class StencilTest { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
+
 // What becomes of a colour and the one that is there: replaced; added; the smaller or larger of each channel;
 // mixed by the new one's alpha.
 enum class Blend { none, add, smallest, largest, alpha };
+
+// What becomes of the stencil of a pixel: kept; 0; the reference; one more or less, which stops at 255 and 0
+// or goes on at the other end; its complement.
+enum class StencilOperation {
+  keep,
+  zero,
+  replace,
+  increment,
+  decrement,
+  increment_wrap,
+  decrement_wrap,
+  invert
+};
+
+// Of the triangles of one face: whether a fragment passes, by comparing the reference with the pixel's
+// stencil, both under the read mask, and what becomes of the stencil where this test fails, where the depth
+// test does, and where both pass.
+struct StencilFace {
+  StencilTest test = StencilTest::always;
+  StencilOperation fail = StencilOperation::keep;
+  StencilOperation depth_fail = StencilOperation::keep;
+  StencilOperation pass = StencilOperation::keep;
+
+  bool operator==(const StencilFace&) const = default;
+};
+
+struct StencilState {
+  StencilFace front;
+  StencilFace back;
+  std::uint8_t reference = 0;
+  std::uint8_t read_mask = 255;
+  std::uint8_t write_mask = 255;
+
+  bool operator==(const StencilState&) const = default;
+};
 
 // An input of the vertex shader: so many floats for each vertex, without gaps in their buffer. What the
 // shader declares beyond them is 0, and 1 in a fourth component.
@@ -48,11 +86,13 @@ struct RasterShaders {
   // second times the depth's steepest change from pixel to pixel.
   float constant_depth_bias = 0.0F;
   float slope_depth_bias = 0.0F;
-  bool depth_clamp = false;        // clamp fragments to the depth range instead of clipping triangles
-  int samples = 1;                 // of each pixel of the targets
-  bool shade_each_sample = false;  // else once for all samples of a pixel
-  bool keep = false;               // what the targets hold, instead of clearing them
-  bool resolve = false;            // colours with several samples into RasterTargets::resolves
+  bool depth_clamp = false;             // clamp fragments to the depth range instead of clipping triangles
+  int samples = 1;                      // of each pixel of the targets
+  bool shade_each_sample = false;       // else once for all samples of a pixel
+  bool keep = false;                    // what the targets hold, instead of clearing them
+  bool keep_depth = false;              // depth and stencil, where keep is not set
+  std::optional<StencilState> stencil;  // of a depth target with stencil
+  bool resolve = false;                 // colours with several samples into RasterTargets::resolves
 };
 
 // One mip level of one layer of an image. Null: none.
@@ -96,7 +136,7 @@ struct RasterState;
 class RasterPass {
  public:
   // Throws EnvironmentError for what the device lacks: depth clamp, shading of each sample, so many colours;
-  // std::invalid_argument for no target.
+  // std::invalid_argument for no target, and for stencil without a target that has one.
   RasterPass(const Device& device, const RasterShaders& shaders);
 
   Bindings& bindings() { return bindings_; }

@@ -18,10 +18,11 @@ struct Traits {
   vk::Format form;
 };
 
-constexpr std::array<Traits, 21> traits{
+constexpr std::array<Traits, 22> traits{
     {{Format::depth16, "depth16", 2, false, vk::Format::eD16Unorm},
      {Format::depth24, "depth24", 4, false, vk::Format::eX8D24UnormPack32},
      {Format::depth32, "depth32", 4, false, vk::Format::eD32Sfloat},
+     {Format::depth32s8, "depth32s8", 4, false, vk::Format::eD32SfloatS8Uint},
      {Format::r8, "r8", 1, false, vk::Format::eR8Unorm},
      {Format::rg8, "rg8", 2, false, vk::Format::eR8G8Unorm},
      {Format::rgba8, "rgba8", 4, false, vk::Format::eR8G8B8A8Unorm},
@@ -86,7 +87,12 @@ std::span<const Format> all_formats() {
 }
 
 bool is_depth(Format format) {
-  return format == Format::depth16 || format == Format::depth24 || format == Format::depth32;
+  return format == Format::depth16 || format == Format::depth24 || format == Format::depth32 ||
+         has_stencil(format);
+}
+
+bool has_stencil(Format format) {
+  return format == Format::depth32s8;
 }
 
 bool is_integer(Format format) {
@@ -110,10 +116,11 @@ std::optional<Format> find_format(std::string_view name) {
 std::optional<TexelFormat> texel_format_of(const DeviceState& device, Format format) {
   const vk::Format form = of(format).form;
   if (!is_depth(format)) return colour_format(device, form);
+  const vk::ImageAspectFlags both = vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil;
+  if (has_stencil(format)) return depth_format(device, form, both);
   const std::optional<TexelFormat> found = depth_format(device, form);
   if (found || format != Format::depth24) return found;
-  return depth_format(device, vk::Format::eD24UnormS8Uint,
-                      vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil);
+  return depth_format(device, vk::Format::eD24UnormS8Uint, both);
 }
 
 TexelFormat need_texel_format(const DeviceState& device, Format format) {

@@ -20,14 +20,15 @@ std::string default_of(const Shader& shader, const std::string& property) {
   return "0";
 }
 
-void add(const Shader& shader, const Settings& settings, std::vector<RenderCommand>& commands) {
-  for (const Command& command : settings.commands) {
-    RenderCommand added{command.name.text, {}, command.name.place, !command.block.empty()};
+void add(const Shader& shader, const std::vector<Command>& written, std::vector<RenderCommand>& commands) {
+  for (const Command& command : written) {
+    RenderCommand added{command.name.text, {}, command.name.place, {}};
     for (const Command::Value& value : command.values) {
       if (value.kind == Command::Value::Kind::punctuation && value.text == ",") continue;
       const bool property = value.kind == Command::Value::Kind::property;
       added.values.push_back(property ? default_of(shader, value.text) : value.text);
     }
+    add(shader, command.block, added.block);
     commands.push_back(std::move(added));
   }
 }
@@ -44,7 +45,7 @@ std::vector<RenderCommand> render_commands(const Program& program) {
     inside_out.push_back(&shader.categories[static_cast<std::size_t>(i)].settings);
   std::vector<RenderCommand> commands;
   for (auto settings = inside_out.rbegin(); settings != inside_out.rend(); ++settings)
-    add(shader, **settings, commands);
+    add(shader, (*settings)->commands, commands);
   return commands;
 }
 

@@ -12,7 +12,7 @@ struct RenderCommand {
   std::string name;                 // as written
   std::vector<std::string> values;  // as written, without commas; of [_Name] the default of that property
   Place place;
-  bool has_block = false;  // Stencil { ... }
+  std::vector<RenderCommand> block{};  // the commands in the braces of Stencil { ... }
 };
 
 // Those of the Categories around the program from the outside in, of its SubShader and of its Pass: a later

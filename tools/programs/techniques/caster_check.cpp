@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
 namespace penumbra::techniques {
@@ -27,11 +28,8 @@ Found wrong_map_depth(const PassGraph& graph, const GraphPass& pass) {
                     "give '" + target->name + "' the extent \"map\", without divisor and samples");
 }
 
-Found wrong_own_depth(const PassGraph& graph, const GraphPass& pass) {
-  const GraphTexture& depth = *graph.texture(pass.depth);
-  if (!has_depth_format(depth))
-    return problem_of(pass, "has '" + depth.name + "' as its depth, of format " + depth.format,
-                      "give it one of depth16, depth24 and depth32");
+// Of a pass and what it is tested against.
+Found wrong_sizes(const PassGraph& graph, const GraphPass& pass, const GraphTexture& depth) {
   for (const auto& [shader_name, name] : pass.writes) {
     const GraphTexture* target = graph.texture(name);
     if (target != nullptr && !same_extent(*target, depth))
@@ -39,6 +37,14 @@ Found wrong_own_depth(const PassGraph& graph, const GraphPass& pass) {
           pass, "draws into '" + name + "' and depth '" + depth.name + "', which differ in size or samples");
   }
   return std::nullopt;
+}
+
+Found wrong_own_depth(const PassGraph& graph, const GraphPass& pass) {
+  const GraphTexture& depth = *graph.texture(pass.depth);
+  if (!has_depth_format(depth))
+    return problem_of(pass, "has '" + depth.name + "' as its depth, of format " + depth.format,
+                      "give it one of depth16, depth24, depth32 and depth32s8");
+  return wrong_sizes(graph, pass, depth);
 }
 
 }  // namespace
@@ -56,6 +62,23 @@ bool is_depth(const PassGraph& graph, const std::string& name) {
                      [&](const GraphPass& pass) { return pass.depth == name; });
 }
 
+Found wrong_stencil(const PassGraph& graph, const GraphPass& pass) {
+  const GraphTexture& texture = *graph.texture(pass.stencil);
+  if (!find_texel_format(texture.format)->stencil)
+    return problem_of(pass, "has '" + texture.name + "' as its stencil, of format " + texture.format,
+                      "give it depth32s8");
+  if (!pass.depth.empty())
+    return problem_of(pass, "has a depth and a stencil", "leave out \"depth\": a stencil brings its own");
+  if (!is_depth(graph, texture.name))
+    return problem_of(pass, "has '" + texture.name + "' as its stencil, whose depth no casters draw",
+                      "let a pass of casters have it as its \"depth\"");
+  if (texture.extent != ExtentOf::screen || pass.frequency != Frequency::frame || pass.each_mip)
+    return problem_of(pass, "has a stencil, and is not drawn over the screen once a frame");
+  if (reads(graph, pass, texture.name))
+    return problem_of(pass, "reads '" + texture.name + "', which is its stencil");
+  return wrong_sizes(graph, pass, texture);
+}
+
 Found wrong_casters(const PassGraph& graph, const GraphPass& pass) {
   const bool map_depth = pass.depth == shadow_map_name;
   const bool own_depth = !pass.depth.empty() && !map_depth;
@@ -63,10 +86,15 @@ Found wrong_casters(const PassGraph& graph, const GraphPass& pass) {
     if (Found found = wrong_map_depth(graph, pass)) return found;
   } else if (own_depth) {
     if (Found found = wrong_own_depth(graph, pass)) return found;
-  } else if (pass.writes.empty()) {
+  } else if (pass.writes.empty() && pass.stencil.empty()) {
     return problem_of(pass, "writes nothing", "give it \"writes\", \"depth\" or both");
   }
-  const GraphTexture* target = graph.texture(own_depth ? pass.depth : pass.writes.front().second);
+  if (pass.casters == DrawnCasters::volumes && pass.stencil.empty())
+    return problem_of(pass, "draws shadow volumes without a stencil to count in",
+                      "give it \"stencil\", the depth of an earlier pass of casters");
+  const GraphTexture* target = graph.texture(own_depth               ? pass.depth
+                                             : !pass.stencil.empty() ? pass.stencil
+                                                                     : pass.writes.front().second);
   if (target == nullptr) return std::nullopt;  // wrong_targets()
   if (target->extent == ExtentOf::fixed)
     return problem_of(pass, "draws casters into '" + target->name + "', which has a size of its own",

@@ -1,4 +1,5 @@
-// What is wrong with a pass that draws the casters. Internal to this room.
+// What is wrong with a pass that draws the casters, or uses what they left in a stencil. Internal to this
+// room.
 #pragma once
 
 #include <optional>
@@ -19,6 +20,9 @@ bool is_depth(const PassGraph& graph, const std::string& name);
 // Targets that nothing is drawn into from the light or the camera, the frequency that belongs to each, and a
 // depth target that does not fit them.
 Found wrong_casters(const PassGraph& graph, const GraphPass& pass);
+
+// A stencil that the pass's texture does not have, or that is of another size or time than the pass.
+Found wrong_stencil(const PassGraph& graph, const GraphPass& pass);
 
 // Textures of a depth format that a pass writes as anything but its depth.
 Found misused_depth(const PassGraph& graph);

@@ -63,6 +63,8 @@ Found unknown_name(const PassGraph& graph) {
     if (!pass.depth.empty() && pass.depth != shadow_map_name && graph.texture(pass.depth) == nullptr)
       return GraphProblem{pass.where, "there is no texture '" + pass.depth + "'",
                           known_names(graph) + "; or test against \"" + shadow_map_name + "\""};
+    if (!pass.stencil.empty() && graph.texture(pass.stencil) == nullptr)
+      return GraphProblem{pass.where, "there is no texture '" + pass.stencil + "'", known_names(graph)};
     if (pass.kind == PassKind::filter && pass.filter)
       for (const std::string& argument : pass.filter->arguments)
         if (argument != shadow_map_name && argument != "pointSampler" && argument != "linearSampler" &&
@@ -252,6 +254,8 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
     if (pass.frequency != Frequency::frame) return problem("calls a filter, which runs every frame");
     return std::nullopt;
   }
+  if (!pass.stencil.empty())
+    if (Found found = wrong_stencil(graph, pass)) return found;
   if (pass.kind == PassKind::casters)
     if (Found found = wrong_casters(graph, pass)) return found;
   if (pass.writes.empty() && pass.kind != PassKind::casters) return problem("writes nothing");

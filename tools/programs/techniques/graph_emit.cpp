@@ -195,6 +195,13 @@ std::string csharp_graph(const NamedGraph& named) {
   return text + "        };\n";
 }
 
+// The renderer feature has no passes with a stencil: graphs of such are for measuring, and for shaders and
+// samples to follow.
+bool is_drawn_by_feature(const NamedGraph& named) {
+  return std::none_of(named.graph.passes.begin(), named.graph.passes.end(),
+                      [](const GraphPass& pass) { return !pass.stencil.empty(); });
+}
+
 std::string stem(const std::string& manifest) {
   const std::string name = std::filesystem::path(manifest).filename().string();
   return name.substr(0, name.size() - std::min(name.size(), std::string_view(manifest_ending).size()));
@@ -236,14 +243,15 @@ std::string csharp_graph_of(const Technique& technique) {
 std::vector<EmittedFile> emit_graphs_csharp(const TechniqueList& list) {
   std::vector<std::string> manifests;
   for (const NamedGraph& graph : list.graphs)
-    if (std::find(manifests.begin(), manifests.end(), graph.manifest) == manifests.end())
+    if (is_drawn_by_feature(graph) &&
+        std::find(manifests.begin(), manifests.end(), graph.manifest) == manifests.end())
       manifests.push_back(graph.manifest);
   std::vector<EmittedFile> files;
   for (const std::string& manifest : manifests) {
     std::string text = head(manifest);
     std::vector<const NamedGraph*> seen;
     for (const NamedGraph& graph : list.graphs) {
-      if (graph.manifest != manifest) continue;
+      if (graph.manifest != manifest || !is_drawn_by_feature(graph)) continue;
       require_own_name(seen, graph);
       text += (seen.empty() ? "" : "\n") + csharp_graph(graph);
       seen.push_back(&graph);

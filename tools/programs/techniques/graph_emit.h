@@ -1,5 +1,6 @@
 // The graphs of the manifests as the C# that the renderer feature runs them from: Runtime/Techniques, one
-// file for each manifest that has some, NAMEGraphs.cs.
+// file for each manifest that has some, NAMEGraphs.cs. Graphs with a stencil are left out: the feature does
+// not draw them.
 #pragma once
 
 #include <vector>

@@ -134,11 +134,13 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
       for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);
+    if (!kernel) pass.stencil = object.text("stencil", "");
     if (pass.kind == PassKind::casters) {
       pass.depth = object.text("depth", "");
       pass.casters = chosen<DrawnCasters>(object, "casters", "opaque", "kind of casters",
                                           {{name_of(DrawnCasters::opaque), DrawnCasters::opaque},
-                                           {name_of(DrawnCasters::blended), DrawnCasters::blended}});
+                                           {name_of(DrawnCasters::blended), DrawnCasters::blended},
+                                           {name_of(DrawnCasters::volumes), DrawnCasters::volumes}});
     } else {
       pass.each_mip = object.boolean("each_mip", false);
     }

@@ -27,6 +27,14 @@ std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
   return names;
 }
 
+// Depth comes first, then what changes the stencil, then what is tested against it.
+bool waits_for_stencil(const GraphPass& later, const GraphPass& earlier) {
+  if (later.stencil.empty()) return false;
+  if (earlier.depth == later.stencil) return true;
+  return earlier.stencil == later.stencil && earlier.kind == PassKind::casters &&
+         later.kind == PassKind::raster;
+}
+
 }  // namespace
 
 bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name) {
@@ -35,6 +43,7 @@ bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& nam
 }
 
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier) {
+  if (waits_for_stencil(later, earlier)) return true;
   for (const std::string& name : inputs(graph, later)) {
     if (!writes_to(earlier, name)) continue;
     const bool own = writes_to(later, name);  // the level before its own
@@ -90,7 +99,15 @@ const char* name_of(PassKind kind) {
 }
 
 const char* name_of(DrawnCasters casters) {
-  return casters == DrawnCasters::blended ? "blended" : "opaque";
+  switch (casters) {
+    case DrawnCasters::blended:
+      return "blended";
+    case DrawnCasters::volumes:
+      return "volumes";
+    case DrawnCasters::opaque:
+      break;
+  }
+  return "opaque";
 }
 
 bool FilterCall::takes(const std::string& argument) const {
@@ -118,7 +135,7 @@ const FilterCall* PassGraph::filter() const {
 }
 
 bool PassGraph::draws_casters() const {
-  return draws(DrawnCasters::opaque) || draws(DrawnCasters::blended);
+  return draws(DrawnCasters::opaque) || draws(DrawnCasters::blended) || draws(DrawnCasters::volumes);
 }
 
 bool PassGraph::draws(DrawnCasters casters) const {

@@ -71,9 +71,9 @@ inline bool is_drawn(PassKind kind) {
   return kind == PassKind::raster || kind == PassKind::casters;
 }
 
-// Which casters a pass draws: those that the shadow map holds, with alpha test where they have holes, or
-// those that blend, which it does not hold.
-enum class DrawnCasters { opaque, blended };
+// Which casters a pass draws: those that the shadow map holds, with alpha test where they have holes; those
+// that blend, which it does not hold; or the closed shadow volumes of the former, without holes.
+enum class DrawnCasters { opaque, blended, volumes };
 
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
 
@@ -102,6 +102,9 @@ struct GraphPass {
   // Of casters: the texture that they are tested against and whose depth they write, shadow_map_name, or
   // empty: no depth test.
   std::string depth;
+  // Of raster passes and casters: a texture with stencil that another pass of casters has as its depth. Its
+  // depth is tested against and kept; casters change its stencil, a raster pass is tested against that.
+  std::string stencil;
   std::vector<std::string> parameters;  // structs
   bool each_mip = false;                // once for each mip level but the first, from the level before
   GroupCount groups;

@@ -44,7 +44,8 @@ Json of(const GraphPass& pass) {
             {"writes", std::move(writes)},
             {"function", pass.filter ? pass.filter->function : ""}};
   if (!pass.depth.empty()) json["depth"] = pass.depth;
-  if (pass.casters == DrawnCasters::blended) json["casters"] = name_of(pass.casters);
+  if (!pass.stencil.empty()) json["stencil"] = pass.stencil;
+  if (pass.casters != DrawnCasters::opaque) json["casters"] = name_of(pass.casters);
   return json;
 }
 

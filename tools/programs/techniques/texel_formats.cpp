@@ -9,6 +9,7 @@ namespace {
 constexpr std::array kFormats{TexelFormat{"depth16", "D16_UNorm", true},
                               TexelFormat{"depth24", "D24_UNorm", true},
                               TexelFormat{"depth32", "D32_SFloat", true},
+                              TexelFormat{"depth32s8", "D32_SFloat_S8_UInt", true, false, true},
                               TexelFormat{"r8", "R8_UNorm"},
                               TexelFormat{"rg8", "R8G8_UNorm"},
                               TexelFormat{"rgba8", "R8G8B8A8_UNorm", false, true},

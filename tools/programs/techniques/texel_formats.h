@@ -12,6 +12,7 @@ struct TexelFormat {
   std::string_view unity;     // of UnityEngine.Experimental.Rendering.GraphicsFormat
   bool depth = false;         // a target of casters alone
   bool essl_storage = false;  // one of the image formats of OpenGL ES 3.1, section 8.5
+  bool stencil = false;       // beside the depth, 8 bits
 };
 
 std::span<const TexelFormat> texel_formats();

@@ -20,6 +20,14 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
+    public sealed class RequireComponent : Attribute
+    {
+        public RequireComponent(Type requiredComponent) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [AttributeUsage(AttributeTargets.Class, Inherited = false)]
     public sealed class CreateAssetMenuAttribute : Attribute
     {

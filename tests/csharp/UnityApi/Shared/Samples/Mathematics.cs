@@ -18,6 +18,8 @@ namespace UnityEngine
 
     public partial struct Vector3
     {
+        public static Vector3 up => new Vector3(0.0f, 1.0f, 0.0f);
+
         public Vector3 normalized => this * (1.0f / Mathf.Sqrt(Dot(this, this)));
 
         public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;

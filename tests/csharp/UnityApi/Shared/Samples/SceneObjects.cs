@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Penumbra.UnityApi;
+using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
@@ -20,6 +21,11 @@ namespace UnityEngine
             if (obj is not null) obj.Destroyed = true;
         }
     }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
+    [Flags]
+    public enum HideFlags { None = 0, HideInHierarchy = 1, HideAndDontSave = 61 }
 
     public partial class Component
     {
@@ -78,6 +84,10 @@ namespace UnityEngine
         public Vector3 localScale { get; set; } = Vector3.one;
         [OwnBehaviour] public Transform Above { get; private set; }
 
+        /// <summary>As if nothing were turned.</summary>
+        public Vector3 InverseTransformVector(Vector3 vector) =>
+            new Vector3(vector.x / localScale.x, vector.y / localScale.y, vector.z / localScale.z);
+
         public void SetParent(Transform parent, bool worldPositionStays) => Above = parent;
     }
 
@@ -97,6 +107,8 @@ namespace UnityEngine
     public partial class Renderer : Component
     {
         public Material sharedMaterial { get; set; }
+        public ShadowCastingMode shadowCastingMode { get; set; } = ShadowCastingMode.On;
+        public bool receiveShadows { get; set; } = true;
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
@@ -113,10 +125,30 @@ namespace UnityEngine
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public Mesh() { }
 
-        public void SetVertices(List<Vector3> inVertices) { }
+        [OwnBehaviour] public bool Readable { get; set; } = true;
+
+        public bool isReadable => Readable;
+        public IndexFormat indexFormat { get; set; }
+        public Bounds bounds { get; set; }
+        public Vector3[] vertices { get; set; } = new Vector3[0];
+        public int[] triangles { get; set; } = new int[0];
+
+        public void SetVertices(List<Vector3> inVertices) => vertices = inVertices.ToArray();
         public void SetNormals(List<Vector3> inNormals) { }
-        public void SetTriangles(List<int> triangles, int submesh) { }
+        public void SetTriangles(List<int> triangles, int submesh) => this.triangles = triangles.ToArray();
         public void RecalculateBounds() { }
+    }
+
+    public partial struct Bounds
+    {
+        public Bounds(Vector3 center, Vector3 size)
+        {
+            this.center = center;
+            this.size = size;
+        }
+
+        public Vector3 center { get; set; }
+        public Vector3 size { get; set; }
     }
 
     public partial class Material
@@ -136,6 +168,17 @@ namespace UnityEngine
     {
         public static bool isPlaying { get; [OwnBehaviour] set; }
     }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum ShadowCastingMode { Off = 0, On = 1, TwoSided = 2, ShadowsOnly = 3 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum IndexFormat { UInt16 = 0, UInt32 = 1 }
 }
 
 namespace UnityEngine.Rendering.Universal
