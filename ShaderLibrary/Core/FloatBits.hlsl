@@ -39,6 +39,11 @@ float BoundedOrLow(float value, float low, float high)
     return HasNanBits(value) ? low : min(max(value, low), high);
 }
 
+float3 BoundedOrLow(float3 value, float low, float high)
+{
+    return float3(BoundedOrLow(value.x, low, high), BoundedOrLow(value.y, low, high), BoundedOrLow(value.z, low, high));
+}
+
 // A texel of the map, clamped to a depth in [0, 1]. NaN is not a blocker, so it becomes the farthest depth.
 float SanitizeMapDepth(float depth)
 {

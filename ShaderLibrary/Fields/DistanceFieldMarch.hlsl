@@ -1,18 +1,27 @@
 // Penumbra: shadows of an object from its distance field.
 //
 // Computes:   FieldHardVisibility  0 where a ray towards the light meets the object, else 1
-//             FieldSoftVisibility  the share of a disc light that the object leaves free
-// Source:     sphere tracing, Hart, "Sphere Tracing" (1996). The soft share is that above a straight edge which passes the ray
-//             at the field's distance d, in a cone of radius r = t tan(a / 2) at a length t of the ray: the least over the ray of
-//             the disc's share above -d / r. Quilez, "Free penumbra shadows for raymarching distance fields" (2010), has
-//             clamp(d / r, 0, 1) instead, for which half of the penumbra is missing: that inside of the hard shadow's edge.
+//             FieldConeVisibility  the share of a disc light that the object leaves free, by one cone
+//             FieldPartsVisibility that of each of six parts of the disc, by one cone and by six narrower ones in its penumbra
+//             FieldSoftVisibility  the mean of the parts
+// Source:     sphere tracing, Hart, "Sphere Tracing" (1996); cones as in Quilez, "Free penumbra shadows for raymarching
+//             distance fields" (2010). The least of d / t over a ray, with the field's distance d at a length t, is the sine of
+//             the widest cone about the ray that the object leaves free. The edge that this cone touches is taken as straight:
+//             the share of the disc beyond it is free. Quilez has clamp(d / r, 0, 1) instead, for which all rays that meet the
+//             object are dark: half of the penumbra is missing, that inside of the hard shadow's edge.
+//             Where a ray passes through the object, d is how deep. Of a chord of half length c that is d deep at its deepest
+//             place, the nearest edge is d / sqrt(1 - (d / c)^2) beside the ray if it is a wedge's. It is farther away if the
+//             object is a plate, for which c and d say nothing; the larger d / c, the more the free cones beside it count,
+//             of which each says how near the edge is at most.
 // Inputs:     field: a 3D texture of `penumbra bake distance-field`; DistanceFieldBox; the ray in the field's own space, in
-//             metres: where it begins, its unit direction, how far it goes; tan of half the light's angular diameter; steps.
-// Cost:       a filtered fetch of a 3D texture for each step inside of the box; none for a ray that misses it.
-// Guarantees: [0, 1] for any input; at most 256 steps; the hard test never reports a surface nearer than a quarter voxel where
-//             there is none. A ray that runs out of steps inside of the box is lit as far as it has come.
-// Use it:     for objects without a shadow map, few and convex enough. Not: for several occluders in one cone: their shares are
-//             not added, the least counts; nor for anything thinner than a voxel.
+//             metres: where it begins, its unit direction, how far it goes; tan of half the light's angular diameter; how many
+//             steps each ray and each cone goes at the most.
+// Cost:       a filtered fetch of a 3D texture for each step; none for a ray or cone that misses the box. The six cones begin
+//             where the one about them is touched, and only if it is neither free nor covered.
+// Guarantees: [0, 1] for any input; at most 256 steps of each cone; texels of other parts of the texture have no weight; the
+//             hard test never reports a surface nearer than a quarter voxel where there is none. A ray that runs out of
+//             steps is lit as far as it has come. Cones are wider than the box: outside of it the distance is known from below.
+// Use it:     for objects without a shadow map. Not: for anything thinner than two voxels, which a field does not hold.
 #ifndef PENUMBRA_DISTANCE_FIELD_MARCH_HLSL
 #define PENUMBRA_DISTANCE_FIELD_MARCH_HLSL
 
@@ -20,36 +29,65 @@
 #include "../Core/DiscHorizon.hlsl"
 #include "../Core/RayBox.hlsl"
 
+// Six discs on a ring within the unit disc, of this radius: for every direction and place of a straight edge the mean of the
+// shares that it leaves of them is that of the unit disc within 0.014.
+static const float kConeRing = 0.62;
+static const float kConeRadius = 0.51;
+static const float2 kConePlaces[6] = {float2(0.8660254, 0.5), float2(0.0, 1.0), float2(-0.8660254, 0.5),
+                                      float2(-0.8660254, -0.5), float2(0.0, -1.0), float2(0.8660254, -0.5)};
+
 struct DistanceFieldBox
 {
     float3 corner;       // metres, the smallest of each
     float3 size;         // metres
     float largestMetres; // distance of a stored 1; a stored 0 is as far inside
     float voxelMetres;   // edge of a voxel
+    float3 first;        // texture coordinates of the corner
+    float3 extent;       // texture coordinates of the largest corner, less those
+    float3 inset;        // in texture coordinates, from the border to the outermost centres of voxels
 };
 
-// corner.w: the largest distance. size.w: the voxel's edge.
-DistanceFieldBox BoundedFieldBox(float4 corner, float4 size)
+// A box whose voxels are a part of a texture: from the voxel `first` on, of `texels` in all. corner.w: the largest distance.
+// size.w: the voxel's edge.
+DistanceFieldBox BoundedFieldPart(float4 corner, float4 size, float3 first, float3 texels)
 {
     DistanceFieldBox box;
-    box.corner = float3(BoundedOrLow(corner.x, -1e6, 1e6), BoundedOrLow(corner.y, -1e6, 1e6), BoundedOrLow(corner.z, -1e6, 1e6));
-    box.size = float3(BoundedOrLow(size.x, 1e-4, 1e6), BoundedOrLow(size.y, 1e-4, 1e6), BoundedOrLow(size.z, 1e-4, 1e6));
+    box.corner = BoundedOrLow(corner.xyz, -1e6, 1e6);
+    box.size = BoundedOrLow(size.xyz, 1e-4, 1e6);
     box.largestMetres = BoundedOrLow(corner.w, 1e-5, 1e6);
     box.voxelMetres = BoundedOrLow(size.w, 1e-5, 1e6);
+    const float3 all = BoundedOrLow(texels, 1.0, 16384.0);
+    box.first = BoundedOrLow(first, 0.0, 16384.0) / all;
+    box.extent = BoundedOrLow(floor(box.size / box.voxelMetres + 0.5), 1.0, 16384.0) / all;
+    // Half a voxel and a little more, so that no rounding of the coordinate gives weight to a texel beyond the border.
+    box.inset = 0.50390625 / all;
     return box;
 }
 
-float FieldDistance(TEXTURE3D(field), SAMPLER(sampler_linear), float3 position, DistanceFieldBox box)
+// A box with a texture of its own.
+DistanceFieldBox BoundedFieldBox(float4 corner, float4 size)
 {
-    const float3 coordinate = (position - box.corner) / box.size;
-    const float stored = SAMPLE_TEXTURE3D_LOD(field, sampler_linear, coordinate, 0.0).r;
-    return box.largestMetres * (2.0 * BoundedOrLow(stored, 0.0, 1.0) - 1.0);
+    const float voxel = BoundedOrLow(size.w, 1e-5, 1e6);
+    return BoundedFieldPart(corner, size, float3(0.0, 0.0, 0.0), floor(size.xyz / voxel + 0.5));
 }
 
-float FieldHardVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float length, int steps,
+// Metres, negative inside. Outside of the box not the distance, but never more: seen from the nearest place of the box, whatever
+// lies in the box is at a right angle to the way there or more.
+float FieldDistance(TEXTURE3D(field), SAMPLER(sampler_linear), float3 position, DistanceFieldBox box)
+{
+    const float3 wanted = (position - box.corner) / box.size * box.extent;
+    const float3 inside = max(min(max(wanted, box.inset), box.extent - box.inset), 0.0);
+    const float stored = SAMPLE_TEXTURE3D_LOD(field, sampler_linear, box.first + inside, 0.0).r;
+    const float distance = box.largestMetres * (2.0 * BoundedOrLow(stored, 0.0, 1.0) - 1.0);
+    const float3 beside = (wanted - inside) / box.extent * box.size;
+    const float squared = dot(beside, beside);
+    return squared > 0.0 && distance > 0.0 ? sqrt(squared + distance * distance) : distance;
+}
+
+float FieldHardVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float farthest, int steps,
                           DistanceFieldBox box)
 {
-    const float2 inside = RayThroughBox(origin, direction, box.corner, box.corner + box.size, length);
+    const float2 inside = RayThroughBox(origin, direction, box.corner, box.corner + box.size, farthest);
     float t = inside.x;
     const int most = min(max(steps, 1), 256);
     UNITY_LOOP
@@ -62,24 +100,154 @@ float FieldHardVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 orig
     return 1.0;
 }
 
-float FieldSoftVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float length,
+// The part of a ray on which a cone about it may meet the box; spread: the cone's radius per length.
+float2 ConeThroughBox(float3 origin, float3 direction, float farthest, float spread, DistanceFieldBox box)
+{
+    const float3 middle = box.corner + 0.5 * box.size - origin;
+    const float behind = dot(middle, direction) + 0.5 * length(box.size);
+    const float wider = spread * BoundedOrLow(behind, 0.0, BoundedOrLow(farthest, 0.0, 1e9));
+    return RayThroughBox(origin, direction, box.corner - wider, box.corner + box.size + wider, farthest);
+}
+
+// What a cone meets.
+struct FieldCone
+{
+    float edge;     // of the object over the disc's middle, in radii of the disc: -1 is free, 1 covered
+    float flatness; // of the chord within the object: its greatest depth, of half its length; 0 without one
+    float2 touched; // the part of the ray on which the object is within the cone
+};
+
+FieldCone MarchedCone(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float2 range, float spread,
+                      int most, DistanceFieldBox box)
+{
+    FieldCone cone;
+    cone.flatness = 0.0;
+    cone.touched = float2(range.y, range.x);
+    float t = max(range.x, 1e-4 * box.voxelMetres);
+    float last = t;        // where the step before was
+    float distance = 1e9;  // and the distance there
+    float free = spread;   // the least of distance / t
+    float entered = 0.0;   // where the chord begins
+    float deepest = 0.0;   // of the chord
+    UNITY_LOOP
+    for (int i = 0; i < most && t < range.y && free > -spread; ++i)
+    {
+        const float before = distance;
+        distance = FieldDistance(TEXTURE3D_ARGS(field, sampler_linear), origin + t * direction, box);
+        if (distance < spread * t) cone.touched.x = min(cone.touched.x, last);
+        // Where the surface is if there is one between both steps.
+        const float crossed = t - (t - last) * abs(distance) / max(abs(distance) + abs(before), 1e-9);
+        if (distance < 0.0)
+        {
+            entered = before < 0.0 ? entered : crossed;
+            deepest = max(deepest, -distance);
+            free = min(free, -deepest / t);
+        }
+        else
+        {
+            if (deepest > 0.0)
+            {
+                const float flatness = min(2.0 * deepest / max(crossed - entered, 1e-6), 1.0);
+                cone.flatness = max(cone.flatness, flatness);
+                free = min(free, -deepest / (t * sqrt(max(1.0 - flatness * flatness, 1e-4))));
+            }
+            deepest = 0.0;
+            free = min(free, distance / t);
+        }
+        if (distance < spread * t) cone.touched.y = t;
+        last = t;
+        // Before the next step nothing is nearer than what is known. Inside, the way out is as long as the depth.
+        t += max(max((distance - free * t) / (1.0 + free), 0.5 * abs(distance)), 0.5 * box.voxelMetres);
+    }
+    cone.touched.y = min(max(cone.touched.y, t), range.y);
+    cone.edge = -free / spread;
+    return cone;
+}
+
+float FieldConeVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float farthest,
                           float tanHalf, int steps, DistanceFieldBox box)
 {
-    const float2 inside = RayThroughBox(origin, direction, box.corner, box.corner + box.size, length);
-    const float spread = BoundedOrLow(tanHalf, 1e-5, 10.0);
-    float t = max(inside.x, 1e-4 * box.voxelMetres);
-    float visibility = 1.0;
+    const float spread = BoundedOrLow(tanHalf, 1e-5, 0.9);
+    const float2 range = ConeThroughBox(origin, direction, farthest, spread, box);
+    return DiscShareAbove(MarchedCone(TEXTURE3D_ARGS(field, sampler_linear), origin, direction, range, spread,
+                                      min(max(steps, 1), 256), box).edge);
+}
+
+// What an object leaves free of the six parts of the disc.
+struct FieldParts
+{
+    float3 first;
+    float3 second;
+};
+
+float MeanOfParts(FieldParts parts)
+{
+    return dot(parts.first + parts.second, 1.0 / 6.0);
+}
+
+FieldParts EqualParts(float share)
+{
+    FieldParts parts;
+    parts.first = float3(share, share, share);
+    parts.second = parts.first;
+    return parts;
+}
+
+FieldParts FieldPartsVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float farthest,
+                                float tanHalf, int steps, DistanceFieldBox box)
+{
+    const float spread = BoundedOrLow(tanHalf, 1e-5, 0.9);
     const int most = min(max(steps, 1), 256);
+    const float2 range = ConeThroughBox(origin, direction, farthest, spread, box);
+    const FieldCone all = MarchedCone(TEXTURE3D_ARGS(field, sampler_linear), origin, direction, range, spread, most, box);
+    const float one = DiscShareAbove(all.edge);
+    if (one <= 0.0 || one >= 1.0) return EqualParts(one);
+    // Duff et al., "Building an Orthonormal Basis, Revisited" (2017).
+    const float side = direction.z < 0.0 ? -1.0 : 1.0;
+    const float scale = -1.0 / (side + direction.z);
+    const float both = direction.x * direction.y * scale;
+    const float3 right = float3(1.0 + side * direction.x * direction.x * scale, side * both, -side * direction.x);
+    const float3 up = float3(both, side + direction.y * direction.y * scale, -direction.y);
+    float edges[6];
+    float flatness[6];
     UNITY_LOOP
-    for (int i = 0; i < most && t < inside.y; ++i)
+    for (int i = 0; i < 6; ++i)
     {
-        const float distance = FieldDistance(TEXTURE3D_ARGS(field, sampler_linear), origin + t * direction, box);
-        visibility = min(visibility, DiscShareAbove(-distance / (t * spread)));
-        if (visibility <= 0.0) return 0.0;
-        // Inside of the object the way out is as long as the distance at the least, and the darkest place lies between.
-        t += max(0.5 * abs(distance), 0.25 * box.voxelMetres);
+        const float2 place = kConeRing * spread * kConePlaces[i];
+        const FieldCone cone = MarchedCone(TEXTURE3D_ARGS(field, sampler_linear), origin,
+                                           normalize(direction + place.x * right + place.y * up), all.touched,
+                                           kConeRadius * spread, most, box);
+        edges[i] = kConeRadius * cone.edge;
+        flatness[i] = cone.flatness;
     }
-    return visibility;
+    float free[6];
+    for (int j = 0; j < 6; ++j)
+    {
+        float edge = edges[j];
+        if (edge > 0.0)
+        {
+            // A free circle about the middle of another cone: the edge is no farther away than that.
+            float least = all.edge < 0.0 ? kConeRing + all.edge : 2.0;
+            for (int k = 0; k < 6; ++k)
+            {
+                const float apart = kConeRing * length(kConePlaces[j] - kConePlaces[k]);
+                least = edges[k] < 0.0 ? min(least, apart + edges[k]) : least;
+            }
+            edge += flatness[j] * flatness[j] * max(least - edge, 0.0);
+        }
+        free[j] = DiscShareAbove(edge / kConeRadius);
+    }
+    FieldParts parts;
+    parts.first = float3(free[0], free[1], free[2]);
+    parts.second = float3(free[3], free[4], free[5]);
+    return parts;
+}
+
+float FieldSoftVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 origin, float3 direction, float farthest,
+                          float tanHalf, int steps, DistanceFieldBox box)
+{
+    return MeanOfParts(FieldPartsVisibility(TEXTURE3D_ARGS(field, sampler_linear), origin, direction, farthest, tanHalf, steps,
+                                            box));
 }
 
 #endif

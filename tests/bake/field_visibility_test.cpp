@@ -143,8 +143,8 @@ TEST_F(FieldVisibility, ASoftShadowIsThatOfTheDiscLight) {
     const double rmse = std::sqrt(sum / kPlaces);
     RecordProperty("rmse_" + std::to_string(tan_half), std::to_string(rmse));
     RecordProperty("worst_" + std::to_string(tan_half), std::to_string(worst));
-    EXPECT_LT(rmse, 0.05) << tan_half;
-    EXPECT_LT(worst, 0.12) << tan_half;
+    EXPECT_LT(rmse, 0.02) << tan_half;
+    EXPECT_LT(worst, 0.04) << tan_half;
   }
 }
 

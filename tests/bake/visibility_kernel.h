@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/compute_pass.h"
@@ -15,7 +16,10 @@
 
 namespace penumbra::bake {
 
-inline std::vector<std::uint32_t> compiled_kernel(const std::string& file, const std::string& entry) {
+inline const std::vector<std::uint32_t>& compiled_kernel(const std::string& file, const std::string& entry) {
+  static std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>> compiled;
+  std::vector<std::uint32_t>& kernel = compiled[{file, entry}];
+  if (!kernel.empty()) return kernel;
   shaders::CompileRequest request;
   request.file = PENUMBRA_SOURCE_DIR "/tests/bake/shaders/" + file;
   request.entry = entry;
@@ -25,28 +29,31 @@ inline std::vector<std::uint32_t> compiled_kernel(const std::string& file, const
   std::string messages;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += hlsl::format(diagnostic) + "\n";
   if (hlsl::has_errors(result.diagnostics)) throw std::runtime_error(messages);
-  return result.spirv;
+  return kernel = result.spirv;
 }
 
-// Binds _Receivers, _Visibility, sampler_Linear, the cbuffer Parameters, and these images.
+// Binds _Receivers, _Visibility, sampler_Linear, the cbuffer Parameters, these images, and uniforms outside
+// of a cbuffer if there are any. The kernel gives so many numbers for each receiver.
 template <typename Parameters>
 std::vector<float> run_kernel(const gpu::Device& device, const std::string& file, const std::string& entry,
                               const std::map<std::string, const gpu::Image*>& images,
-                              const Parameters& parameters, std::vector<glm::vec4> receivers) {
+                              const Parameters& parameters, std::vector<glm::vec4> receivers,
+                              std::size_t numbers = 1, std::span<const glm::vec4> globals = {}) {
   const std::size_t count = receivers.size();
   receivers.resize((count + 63) / 64 * 64);
   const gpu::Buffer places(device, std::span<const glm::vec4>(receivers));
-  const gpu::Buffer visibility(device, receivers.size() * sizeof(float));
+  const gpu::Buffer visibility(device, numbers * receivers.size() * sizeof(float));
   const gpu::Sampler linear(device, gpu::SamplerKind::linear_clamp);
   gpu::ComputePass pass(device, {.spirv = compiled_kernel(file, entry), .entry = entry});
   pass.bindings().buffer("_Receivers", places);
   pass.bindings().buffer("_Visibility", visibility);
   for (const auto& [name, image] : images) pass.bindings().image(name, *image);
   pass.bindings().sampler("sampler_Linear", linear);
-  pass.bindings().uniform("Parameters", parameters);
+  if (pass.bindings().has("Parameters")) pass.bindings().uniform("Parameters", parameters);
+  if (!globals.empty()) pass.bindings().uniform_bytes("$Global", std::as_bytes(globals));
   pass.dispatch({static_cast<std::uint32_t>(receivers.size() / 64), 1, 1});
   std::vector<float> values = visibility.download<float>();
-  values.resize(count);
+  values.resize(numbers * count);
   return values;
 }
 

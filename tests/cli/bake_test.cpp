@@ -103,6 +103,29 @@ TEST_F(BakeProgram, SaysWhatItCannotBake) {
                  HasSubstr("is a file that this run reads"));
 }
 
+TEST_F(BakeProgram, FieldsOfSeveralObjectsAreOneFile) {
+  const std::string solid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string apart = "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\n";
+  const std::string model = write("two.obj", solid + apart).string();
+  const std::vector<std::string> arguments{"distance-field", "--scene", model, "--objects",     "16",
+                                           "--voxels",       "16",      "-o",  file("two.json")};
+  const auto both = bake(arguments);
+  EXPECT_EQ(both.exit_code, 0) << both.errors;
+  EXPECT_THAT(both.errors, AllOf(HasSubstr("objects: 2, of 2 parts"), HasSubstr("not closed")));
+  EXPECT_THAT(read("two.json"), AllOf(HasSubstr("distance-field-objects"), HasSubstr("two.png"),
+                                      HasSubstr("\"open_edges\": 3"), HasSubstr("\"too_thin\": 1.0")));
+  EXPECT_NE(read("two.png"), "");
+  expect_refused({"distance-field", "--scene", model, "--objects", "17", "-o", file("x.json")},
+                 HasSubstr("16"));
+  expect_refused(
+      {"distance-field", "--scene", model, "--objects", "2", "--voxels", "4", "-o", file("x.json")},
+      HasSubstr("8 voxels per side"));
+  expect_refused({"horizon", "--scene", "street", "--objects", "2", "-o", file("x.json")},
+                 HasSubstr("--objects has no effect"));
+  EXPECT_FALSE(std::filesystem::exists(file("x.json")));
+  EXPECT_FALSE(std::filesystem::exists(file("x.png")));
+}
+
 TEST_F(BakeProgram, DistancesOfAClosedModelAndOfAnOpenOne) {
   const std::string closed =
       write("closed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")

@@ -40,6 +40,7 @@ struct BakeCommandOptions {
   scene::ImportOptions import;
   std::string texels = "512x512";
   bake::DistanceFieldOptions distances;
+  int objects = 0;  // 0: the scene is one
   double nearest_metres = 0.0;
   std::string output;
   std::string cache;
@@ -60,12 +61,13 @@ scene::ImageSize size_of(const std::string& option, const std::string& text) {
 constexpr const char* kHeightField = "heightfield";
 constexpr const char* kHorizon = "horizon";
 constexpr const char* kDistanceField = "distance-field";
+constexpr double kMuchThin = 0.1;  // of an object's surface
 
 void refuse_idle_options(const CLI::App& command, const BakeCommandOptions& options) {
   const bool horizon = options.product == kHorizon, distances = options.product == kDistanceField;
   refuse_idle(command, {"--field", "--texels", "--nearest"}, !horizon, "on " + options.product);
   refuse_idle(command, {"--image", "--area", "--samples"}, distances, "on " + options.product);
-  refuse_idle(command, {"--voxels", "--margin"}, !distances, "on " + options.product);
+  refuse_idle(command, {"--voxels", "--margin", "--objects"}, !distances, "on " + options.product);
   const int sources =
       (options.scene.empty() ? 0 : 1) + (options.image.empty() ? 0 : 1) + (options.field.empty() ? 0 : 1);
   if (sources != 1) {
@@ -128,6 +130,10 @@ class Bake {
 
   void distance_field() {
     const scene::Scene scene = loaded_scene();
+    if (options_.objects > 0) {
+      object_fields(scene);
+      return;
+    }
     const bake::DistanceField field =
         with_progress("distances", " slices", [&](const bake::BakeOptions& run) {
           return bake::bake_distance_field(scene, options_.distances, run);
@@ -140,6 +146,40 @@ class Bake {
                  field.open_edges);
     }
     write(bake::baked_files(field, stem()));
+  }
+
+  void object_fields(const scene::Scene& scene) {
+    const bake::ObjectFields fields =
+        with_progress("distances", " slices", [&](const bake::BakeOptions& run) {
+          return bake::bake_object_fields(scene, {options_.objects, options_.distances}, run);
+        });
+    if (!context_.quiet) tell_about(fields);
+    write(bake::baked_files(fields, stem()));
+  }
+
+  static void tell_about(const bake::ObjectFields& fields) {
+    std::size_t open = 0, thin = 0, parts = 0;
+    for (const bake::ObjectField& object : fields.objects) {
+      open += object.field.open_edges > 0 ? 1 : 0;
+      thin += object.thin_share > kMuchThin ? 1 : 0;
+      parts += object.parts;
+    }
+    fmt::print(stderr, "note: objects: {}, of {} parts; triangles of level ground, in no object: {}\n",
+               fields.objects.size(), parts, fields.ground_triangles);
+    if (fields.flat_triangles > 0)
+      fmt::print(stderr, "note: triangles without area, left out: {}\n", fields.flat_triangles);
+    if (open > 0) {
+      fmt::print(stderr,
+                 "note: objects that are not closed (open_edges in the file): {}; inside is the back of the "
+                 "nearest triangle\n",
+                 open);
+    }
+    if (thin > 0) {
+      fmt::print(stderr,
+                 "note: objects too thin over a tenth of their surface or more (too_thin in the file): {}; "
+                 "shadows are lost where there are less than two voxels: bake more voxels or more objects\n",
+                 thin);
+    }
   }
 
   bake::Area area(const std::function<bake::Area()>& usual) const {
@@ -253,6 +293,10 @@ void add_bake(CLI::App& app, Context& context) {
       ->check(within(1, bake::most_voxels_per_side));
   add("--margin", options->distances.margin, "SHARE", "Room around the mesh, of its longest side", distances)
       ->check(within(0.0, 10.0));
+  add("--objects", options->objects, "N",
+      "Of the scene's parts N fields at the most, in one file, without level ground", distances)
+      ->default_str("one field of everything")
+      ->check(within(1, bake::most_field_objects));
   const char* const run = "Run";
   add_jobs(*command, options->jobs)->group(run);
   add_worker_limits(*command, options->worker, "one model or image");

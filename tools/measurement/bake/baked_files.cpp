@@ -21,11 +21,56 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kHeights = "height-field";
 constexpr const char* kAngles = "horizon-angles";
 constexpr const char* kDistances = "distance-field";
+constexpr const char* kObjects = "distance-field-objects";
 constexpr int kLargestPictureSide = 16384;
 constexpr int kVersion = 1;
 
 Json area_json(const Area& area) {
   return {{"corner_metres", {area.corner.x, area.corner.y}}, {"size_metres", {area.size.x, area.size.y}}};
+}
+
+Json box_json(const parameters::Bounds& box) {
+  const glm::dvec3 size = box.maximum - box.minimum;
+  return {{"corner_metres", {box.minimum.x, box.minimum.y, box.minimum.z}},
+          {"size_metres", {size.x, size.y, size.z}}};
+}
+
+// How the slices of one z stand in a picture.
+struct Slices {
+  int columns = 0;
+  int rows = 0;
+};
+
+Slices slices_of(const std::array<int, 3>& voxels) {
+  const auto [width, height, slices] = voxels;
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
+  const int rows = (slices + columns - 1) / columns;
+  if (columns * width > kLargestPictureSide || rows * height > kLargestPictureSide) {
+    throw InputError(
+        "",
+        fmt::format("{} x {} x {} voxels are a picture of {} x {} texels, and {} per side can be read", width,
+                    height, slices, columns * width, rows * height, kLargestPictureSide),
+        "bake fewer voxels");
+  }
+  return {columns, rows};
+}
+
+// From the top, as Unity's importer of 3D textures takes them.
+std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices& slices,
+                                  const std::vector<std::uint16_t>& texels) {
+  const auto [width, height, depth] = voxels;
+  const std::size_t row_length = static_cast<std::size_t>(slices.columns) * static_cast<std::size_t>(width);
+  std::vector<std::uint16_t> samples(row_length * static_cast<std::size_t>(slices.rows) *
+                                     static_cast<std::size_t>(height));
+  std::size_t next = 0;
+  for (int z = 0; z < depth; ++z) {
+    const int left = z % slices.columns * width, bottom = (slices.rows - 1 - z / slices.columns) * height;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        samples[static_cast<std::size_t>(bottom + y) * row_length + static_cast<std::size_t>(left + x)] =
+            texels[next++];
+  }
+  return encode_png_16(slices.columns * width, slices.rows * height, 1, samples);
 }
 
 }  // namespace
@@ -62,43 +107,50 @@ BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
 }
 
 BakedFiles baked_files(const DistanceField& field, const std::string& stem) {
-  const auto [width, height, slices] = field.voxels;
-  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
-  const int rows = (slices + columns - 1) / columns;
-  if (columns * width > kLargestPictureSide || rows * height > kLargestPictureSide) {
-    throw InputError(
-        "",
-        fmt::format("{} x {} x {} voxels are a picture of {} x {} texels, and {} per side can be read", width,
-                    height, slices, columns * width, rows * height, kLargestPictureSide),
-        "bake fewer voxels");
-  }
   double largest = 0.0;
   for (const float metres : field.metres) largest = std::max(largest, std::abs(static_cast<double>(metres)));
   if (largest == 0.0) largest = 1.0;
-  const std::size_t row_length = static_cast<std::size_t>(columns) * static_cast<std::size_t>(width);
-  std::vector<std::uint16_t> samples(row_length * static_cast<std::size_t>(rows) *
-                                     static_cast<std::size_t>(height));
-  for (int z = 0; z < slices; ++z) {
-    const int left = z % columns * width, bottom = (rows - 1 - z / columns) * height;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        samples[static_cast<std::size_t>(bottom + y) * row_length + static_cast<std::size_t>(left + x)] =
-            as_16_bits(0.5 + 0.5 * static_cast<double>(field.at(x, y, z)) / largest);
-  }
+  std::vector<std::uint16_t> texels;
+  texels.reserve(field.metres.size());
+  for (const float metres : field.metres)
+    texels.push_back(as_16_bits(0.5 + 0.5 * static_cast<double>(metres) / largest));
+  const Slices slices = slices_of(field.voxels);
   BakedFiles files;
   const std::string picture = stem + ".png";
-  files.pictures[picture] = encode_png_16(columns * width, rows * height, 1, samples);
-  const glm::dvec3 size = field.box.maximum - field.box.minimum;
-  const Json json = {{"kind", kDistances},
-                     {"version", kVersion},
-                     {"picture", picture},
-                     {"voxels", {width, height, slices}},
-                     {"columns", columns},
-                     {"rows", rows},
-                     {"distances_metres", {-largest, largest}},
-                     {"corner_metres", {field.box.minimum.x, field.box.minimum.y, field.box.minimum.z}},
-                     {"size_metres", {size.x, size.y, size.z}},
-                     {"open_edges", field.open_edges}};
+  files.pictures[picture] = picture_of(field.voxels, slices, texels);
+  Json json = {{"kind", kDistances}, {"version", kVersion}, {"picture", picture}};
+  json["voxels"] = field.voxels;
+  json["columns"] = slices.columns;
+  json["rows"] = slices.rows;
+  json["distances_metres"] = {-largest, largest};
+  json.update(box_json(field.box));
+  json["open_edges"] = field.open_edges;
+  files.json = json.dump(2) + "\n";
+  return files;
+}
+
+BakedFiles baked_files(const ObjectFields& fields, const std::string& stem) {
+  const Slices slices = slices_of(fields.voxels);
+  BakedFiles files;
+  const std::string picture = stem + ".png";
+  files.pictures[picture] = picture_of(fields.voxels, slices, fields.texels());
+  Json json = {{"kind", kObjects}, {"version", kVersion}, {"picture", picture}};
+  json["voxels"] = fields.voxels;
+  json["columns"] = slices.columns;
+  json["rows"] = slices.rows;
+  json["ground_triangles"] = fields.ground_triangles;
+  json["flat_triangles"] = fields.flat_triangles;
+  json["objects"] = Json::array();
+  for (const ObjectField& object : fields.objects) {
+    Json one = {{"first_voxel", object.first}, {"voxels", object.field.voxels}};
+    one["distances_metres"] = {-object.largest_metres, object.largest_metres};
+    one.update(box_json(object.field.box));
+    one["triangles"] = object.triangles;
+    one["parts"] = object.parts;
+    one["open_edges"] = object.field.open_edges;
+    one["too_thin"] = std::round(1e4 * object.thin_share) / 1e4;
+    json["objects"].push_back(std::move(one));
+  }
   files.json = json.dump(2) + "\n";
   return files;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bake/distance_field.h"
+#include "bake/field_objects.h"
 #include "bake/height_field.h"
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
@@ -30,6 +31,7 @@ struct BakedFiles {
 BakedFiles baked_files(const HeightField& field, const std::string& stem);
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem);
 BakedFiles baked_files(const DistanceField& field, const std::string& stem);
+BakedFiles baked_files(const ObjectFields& fields, const std::string& stem);
 
 // Pictures first, so that a JSON file never names one that is not there. Throws as write_file_atomically().
 void write_baked_files(const BakedFiles& files, const std::filesystem::path& json);

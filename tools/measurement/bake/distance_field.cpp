@@ -69,11 +69,16 @@ glm::dvec3 DistanceField::centre(int x, int y, int z) const {
   return box.minimum + (box.maximum - box.minimum) * place / glm::dvec3(voxels[0], voxels[1], voxels[2]);
 }
 
-DistanceField bake_distance_field(const scene::Scene& scene, const DistanceFieldOptions& options,
-                                  const BakeOptions& run) {
+DistanceField placed_field(const scene::Scene& scene, const DistanceFieldOptions& options) {
   check(scene, options);
   DistanceField field;
   place_voxels(scene, options, field);
+  return field;
+}
+
+DistanceField bake_distance_field(const scene::Scene& scene, const DistanceFieldOptions& options,
+                                  const BakeOptions& run) {
+  DistanceField field = placed_field(scene, options);
   scene::Scene solid = scene;  // holes in materials are none of the mesh
   solid.materials = {scene::Material{}};
   solid.textures.clear();

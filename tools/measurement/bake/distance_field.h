@@ -34,6 +34,9 @@ struct DistanceFieldOptions {
 
 inline constexpr int most_voxels_per_side = 512;
 
+// The voxels and the box of a field, without distances. Throws InputError as bake_distance_field().
+DistanceField placed_field(const scene::Scene& scene, const DistanceFieldOptions& options);
+
 // Throws InputError for a mesh without triangles or with a vertex that is not a finite number, and for
 // unusable options; as run_bake.
 DistanceField bake_distance_field(const scene::Scene& scene, const DistanceFieldOptions& options,

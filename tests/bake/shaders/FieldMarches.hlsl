@@ -1,0 +1,71 @@
+// Comparison: the soft shadow of a distance field by this library and by two published marches, and the fetches of each.
+#include "Platform/Platform.hlsl"
+
+static float s_fetches = 0.0;
+#undef SAMPLE_TEXTURE3D_LOD
+#define SAMPLE_TEXTURE3D_LOD(textureName, samplerName, uvw, lod) \
+    (s_fetches += 1.0, textureName.SampleLevel(samplerName, uvw, lod))
+
+#include "Fields/DistanceFieldMarch.hlsl"
+
+StructuredBuffer<float4> _Receivers; // in the field's space
+RWStructuredBuffer<float2> _Visibility; // and fetches
+TEXTURE3D(_Field);
+SAMPLER(sampler_Linear);
+
+CBUFFER_START(Parameters)
+    float4 _Corner; // and the largest distance
+    float4 _Size;   // and the edge of a voxel
+    float4 _Light;  // direction towards it, tan of half its diameter
+    float4 _March;  // length, steps
+CBUFFER_END
+
+// Both published marches, in the same box: Quilez, "Free penumbra shadows for raymarching distance fields" (2010), and with
+// `between`, Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook" (GDC 2018), who estimates the nearest
+// place between two steps.
+float Published(float3 origin, float3 direction, float farthest, float spread, int steps, DistanceFieldBox box, bool between)
+{
+    const float2 range = ConeThroughBox(origin, direction, farthest, spread, box);
+    float t = max(range.x, 1e-4 * box.voxelMetres);
+    float visibility = 1.0;
+    float before = 1e20;
+    for (int i = 0; i < steps && t < range.y; ++i)
+    {
+        const float distance = FieldDistance(TEXTURE3D_ARGS(_Field, sampler_Linear), origin + t * direction, box);
+        if (distance < 0.01 * box.voxelMetres) return 0.0;
+        const float back = between ? distance * distance / (2.0 * before) : 0.0;
+        const float beside = sqrt(max(distance * distance - back * back, 0.0));
+        visibility = min(visibility, beside / (spread * max(t - back, 1e-4 * box.voxelMetres)));
+        before = distance;
+        t += max(distance, 0.25 * box.voxelMetres);
+    }
+    return visibility;
+}
+
+[numthreads(64, 1, 1)] void Quilez(uint3 id : SV_DispatchThreadID)
+{
+    const float visibility = Published(_Receivers[id.x].xyz, _Light.xyz, _March.x, _Light.w, int(_March.y),
+                                       BoundedFieldBox(_Corner, _Size), false);
+    _Visibility[id.x] = float2(visibility, s_fetches);
+}
+
+[numthreads(64, 1, 1)] void Aaltonen(uint3 id : SV_DispatchThreadID)
+{
+    const float visibility = Published(_Receivers[id.x].xyz, _Light.xyz, _March.x, _Light.w, int(_March.y),
+                                       BoundedFieldBox(_Corner, _Size), true);
+    _Visibility[id.x] = float2(visibility, s_fetches);
+}
+
+[numthreads(64, 1, 1)] void Cone(uint3 id : SV_DispatchThreadID)
+{
+    const float visibility = FieldConeVisibility(TEXTURE3D_ARGS(_Field, sampler_Linear), _Receivers[id.x].xyz, _Light.xyz,
+                                                 _March.x, _Light.w, int(_March.y), BoundedFieldBox(_Corner, _Size));
+    _Visibility[id.x] = float2(visibility, s_fetches);
+}
+
+[numthreads(64, 1, 1)] void Soft(uint3 id : SV_DispatchThreadID)
+{
+    const float visibility = FieldSoftVisibility(TEXTURE3D_ARGS(_Field, sampler_Linear), _Receivers[id.x].xyz, _Light.xyz,
+                                                 _March.x, _Light.w, int(_March.y), BoundedFieldBox(_Corner, _Size));
+    _Visibility[id.x] = float2(visibility, s_fetches);
+}
