@@ -32,6 +32,30 @@ TEST(MeshBuilder, BoxIsClosedAndHasItsVolumeHoweverTurned) {
   }
 }
 
+TEST(MeshBuilder, HeightsAreASmoothSurfaceThatFacesUp) {
+  MeshBuilder builder;
+  const auto height = [](int x, int z) { return 0.5 * x - 0.25 * z; };
+  std::vector<double> heights;
+  for (int z = 0; z <= 3; ++z)
+    for (int x = 0; x <= 3; ++x) heights.push_back(height(x, z));
+  builder.heights({10.0, -4.0}, 2.0, 3, heights);
+  const Mesh mesh = builder.take();
+  EXPECT_EQ(mesh.triangle_count(), 18U);
+  EXPECT_EQ(mesh.positions.size(), 16U);
+  expect_normals_agree_with_winding(mesh);
+  double area = 0.0;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) area += area_vector(mesh, i).y;
+  EXPECT_NEAR(area, 36.0, 1e-5);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    EXPECT_NEAR(p.y, height(static_cast<int>((p.x - 10.0F) / 2.0F), static_cast<int>((p.z + 4.0F) / 2.0F)),
+                1e-6);
+    // A plane that rises by 0.25 along x and falls by 0.125 along z; at the border slopes are halved.
+    if (i == 5 || i == 6) EXPECT_NEAR(-mesh.normals[i].x / mesh.normals[i].y, 0.25, 1e-5);
+    if (i == 5 || i == 6) EXPECT_NEAR(mesh.normals[i].z / mesh.normals[i].y, 0.125, 1e-5);
+  }
+}
+
 TEST(MeshBuilder, StandingBoxStandsOnItsBase) {
   MeshBuilder builder;
   builder.standing_box({0.0, 2.0, 0.0}, {1.0, 3.0, 1.0}, 45.0);

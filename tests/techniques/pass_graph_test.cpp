@@ -348,6 +348,19 @@ TEST_F(PassGraphTest, AGraphMayReadTheVisibilityOfATechniqueBeforeIt) {
   EXPECT_EQ(graph_problem(both.graph), std::nullopt);
 }
 
+TEST_F(PassGraphTest, NeedsAreThoseOfAllPartsEachOnce) {
+  std::string text = darker();
+  const auto add = [&](const std::string& at, const std::string& needs) {
+    text.insert(text.find(at) + at.size(), needs);
+  };
+  add(R"({"name": "first",)", R"("needs": ["groundHeights"],)");
+  add(R"({"name": "darker",)", R"("needs": ["horizonAngles", "groundHeights"],)");
+  const TechniqueList list = read_technique_list(files_.write("t.technique.json", text));
+  EXPECT_THAT(list.find("both").graph.needs, ElementsAre(Need::ground_heights, Need::horizon_angles));
+  EXPECT_THAT(problem(text, R"("horizonAngles")", R"("horizonAngle")"),
+              AllOf(HasSubstr("unknown input 'horizonAngle'"), HasSubstr("did you mean 'horizonAngles'?")));
+}
+
 TEST_F(PassGraphTest, AWrongSourceIsFound) {
   const std::string text = darker();
   const auto wrong = [&](const std::string& from, const std::string& to) { return problem(text, from, to); };
