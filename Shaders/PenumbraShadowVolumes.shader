@@ -38,8 +38,8 @@ Shader "Hidden/Penumbra/ShadowVolumes"
             Stencil
             {
                 Comp Always
-                ZFailFront DecrWrap
-                ZFailBack IncrWrap
+                PassFront IncrWrap
+                PassBack DecrWrap
             }
 
             HLSLPROGRAM
