@@ -38,8 +38,8 @@ Shader "Hidden/Penumbra/ShadowVolumes"
             Stencil
             {
                 Comp Always
-                PassFront IncrWrap
-                PassBack DecrWrap
+                ZFailFront DecrWrap
+                ZFailBack IncrWrap
             }
 
             HLSLPROGRAM
