@@ -44,15 +44,16 @@ TEST(MeshBuilder, HeightsAreASmoothSurfaceThatFacesUp) {
   EXPECT_EQ(mesh.positions.size(), 16U);
   expect_normals_agree_with_winding(mesh);
   double area = 0.0;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) area += area_vector(mesh, i).y;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) area += 0.5 * area_vector(mesh, i).y;
   EXPECT_NEAR(area, 36.0, 1e-5);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
     EXPECT_NEAR(p.y, height(static_cast<int>((p.x - 10.0F) / 2.0F), static_cast<int>((p.z + 4.0F) / 2.0F)),
                 1e-6);
     // A plane that rises by 0.25 along x and falls by 0.125 along z; at the border slopes are halved.
-    if (i == 5 || i == 6) EXPECT_NEAR(-mesh.normals[i].x / mesh.normals[i].y, 0.25, 1e-5);
-    if (i == 5 || i == 6) EXPECT_NEAR(mesh.normals[i].z / mesh.normals[i].y, 0.125, 1e-5);
+    if (i != 5 && i != 6) continue;
+    EXPECT_NEAR(-mesh.normals[i].x / mesh.normals[i].y, 0.25, 1e-5);
+    EXPECT_NEAR(mesh.normals[i].z / mesh.normals[i].y, 0.125, 1e-5);
   }
 }
 

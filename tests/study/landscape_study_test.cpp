@@ -23,12 +23,12 @@ scene::Scene ridge(double sun_elevation) {
       heights.push_back(60.0 * std::exp(-std::pow((x - 40.0) / 4.0, 2)) + 1.0);
   scene::MeshBuilder mesh;
   mesh.heights({-0.5 * kSquares * kSquare, 0.0}, kSquare, kSquares, heights);
-  mesh.standing_box({0.0, 1.0, 60.0}, {1.0, 30.0, 1.0});
+  mesh.standing_box({-70.0, 1.0, 75.0}, {1.0, 30.0, 1.0});
   scene::Scene scene;
   scene.name = "ridge";
   mesh.move_into(scene);
   scene.ground_triangles = std::size_t{2} * kSquares * kSquares;
-  scene.camera = scene::camera_looking({-40.0, 31.0, 20.0}, {0.0, 1.0, 400.0});
+  scene.camera = scene::camera_looking({-90.0, 31.0, 20.0}, {-60.0, 1.0, 400.0});
   scene.camera.far_plane = 3000.0;
   scene.light_direction = scene::sunlight(sun_elevation, 90.0);
   scene.shadow_distance_metres = 100.0;
@@ -71,7 +71,7 @@ const DistanceRecord& ring_at(const Record& record, double metres) {
 
 TEST(LandscapeStudy, FarShadowsTakeOverFromTheCascadesByDistance) {
   const auto of = recorded_landscape(
-      ridge(9.0), {"pcss-angular-24-16", "far-horizon", "far-heights-32", "pcss-angular-24-16-far-horizon"});
+      ridge(16.0), {"pcss-angular-24-16", "far-horizon", "far-heights-32", "pcss-angular-24-16-far-horizon"});
   const Record& cascades = of.at("pcss-angular-24-16");
   const Record& both = of.at("pcss-angular-24-16-far-horizon");
   const Record& horizon = of.at("far-horizon");
@@ -89,8 +89,8 @@ TEST(LandscapeStudy, FarShadowsTakeOverFromTheCascadesByDistance) {
   // Beyond the shadow distance the cascades leave all lit, and the ridge's shadow is missing.
   EXPECT_GT(ring_at(cascades, 300.0).rmse_all.value(), 0.3);
   EXPECT_LT(ring_at(both, 300.0).rmse_all.value(), 0.12);
-  EXPECT_EQ(ring_at(both, 300.0).rmse_all, ring_at(horizon, 300.0).rmse_all);
-  EXPECT_EQ(ring_at(both, 10.0).rmse_all, ring_at(cascades, 10.0).rmse_all);
+  EXPECT_NEAR(ring_at(both, 300.0).rmse_all.value(), ring_at(horizon, 300.0).rmse_all.value(), 1e-6);
+  EXPECT_NEAR(ring_at(both, 10.0).rmse_all.value(), ring_at(cascades, 10.0).rmse_all.value(), 0.01);
   // The post is no ground: its shadow is the cascades' alone.
   EXPECT_GT(ring_at(horizon, 70.0).rmse_all.value(), 2.0 * ring_at(both, 70.0).rmse_all.value());
   EXPECT_LT(ring_at(of.at("far-heights-32"), 300.0).rmse_all.value(), 0.2);

@@ -135,6 +135,7 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_PenumbraTowardSun",
              glm::vec4(glm::vec3(-frame.cascades.light_direction),
                        static_cast<float>(glm::radians(0.5 * frame.cascades.angular_diameter_degrees))));
+  values.set("_PenumbraCloudWind", glm::vec4(0.0f));
   values.set("_PenumbraShadowDistance",
              glm::vec4(static_cast<float>(frame.settings.shadows.distance_metres), 0.0f, 0.0f, 0.0f));
   values.set("_MainLightColor", glm::vec4(1.0f));
