@@ -61,6 +61,26 @@ std::vector<std::string> screen_techniques() {
   return names;
 }
 
+// Of techniques with needs: ground without form, somewhere about the scene.
+FrameInputs ground_at_random() {
+  constexpr int kSide = 9;
+  std::mt19937 bits(5);
+  std::vector<std::uint16_t> texels;
+  for (int i = 0; i < kSide * kSide * 4; ++i) texels.push_back(static_cast<std::uint16_t>(bits()));
+  FrameInputs inputs;
+  inputs.uniforms.set("_PenumbraGroundArea", glm::vec4(-20.0F, -10.0F, 60.0F, 70.0F));
+  inputs.uniforms.set("_PenumbraGroundHeights", glm::vec4(-3.0F, 9.0F, kSide, kSide));
+  const auto add = [&](const char* name, gpu::Format format, std::size_t channels) {
+    gpu::Image image(test_device(), format, kSide, kSide);
+    image.upload(std::span<const std::uint16_t>(texels).first(kSide * kSide * channels));
+    inputs.images.emplace(name, std::move(image));
+  };
+  add("_PenumbraGroundHeightsTexture", gpu::Format::r16, 1);
+  add("_PenumbraHorizonFirstTexture", gpu::Format::rgba16, 4);
+  add("_PenumbraHorizonSecondTexture", gpu::Format::rgba16, 4);
+  return inputs;
+}
+
 class EveryScreenTechnique : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
@@ -69,13 +89,14 @@ TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const scene::Scene colonnade = scene::built_in("colonnade");
   CastersOnDevice casters(test_device(), colonnade);
   casters.add_volumes(test_device(), colonnade);
+  const FrameInputs inputs = ground_at_random();
   for (const bool reversed_z : {true, false}) {
     GraphRunner runner(test_device(),
                        compile(technique_graph(library_techniques(), library_techniques().find(GetParam()),
                                                Taps::as_listed, reversed_z)));
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
-      const FrameOnDevice on_device(test_device(), frame, &casters);
+      const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
       CameraImage camera = camera_image(frame, rows);
       const GraphResult right = runner.run(on_device, &camera, kOnce);
       EXPECT_THAT(right.unset_uniforms, testing::IsEmpty());

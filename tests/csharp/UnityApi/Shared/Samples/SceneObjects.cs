@@ -5,11 +5,6 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
-    [Flags]
-    public enum HideFlags { None = 0, HideAndDontSave = 61 }
-
     public partial class Object
     {
         public HideFlags hideFlags { get; set; }
