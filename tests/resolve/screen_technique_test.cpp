@@ -1,6 +1,9 @@
 // From the manifests to passes, and every technique that runs over the screen from end to end.
 #include <gmock/gmock.h>
 
+#include <limits>
+#include <random>
+
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
@@ -70,6 +73,7 @@ FrameInputs ground_at_random() {
   FrameInputs inputs;
   inputs.uniforms.set("_PenumbraGroundArea", glm::vec4(-20.0F, -10.0F, 60.0F, 70.0F));
   inputs.uniforms.set("_PenumbraGroundHeights", glm::vec4(-3.0F, 9.0F, kSide, kSide));
+  inputs.uniforms.set("_PenumbraGroundChannels", glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
   const auto add = [&](const char* name, gpu::Format format, std::size_t channels) {
     gpu::Image image(test_device(), format, kSide, kSide);
     image.upload(std::span<const std::uint16_t>(texels).first(kSide * kSide * channels));
