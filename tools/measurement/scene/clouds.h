@@ -11,8 +11,8 @@ namespace penumbra::scene {
 struct CloudLayer {
   double altitude_metres = 1600.0;  // world space
   double feature_metres = 2400.0;   // size of the largest octave of the noise
-  double coverage = 0.55;           // 0: none, 1: everywhere
-  double density = 6.0;             // optical depth where the noise is highest
+  double coverage = 0.45;           // 0: none, 1: everywhere
+  double density = 4.0;             // optical depth where the noise is highest
 
   bool operator==(const CloudLayer&) const = default;
 };
