@@ -35,6 +35,20 @@ CloudLayer BoundedCloudLayer(float4 area, float height, float border)
     return layer;
 }
 
+// A square map over the place through which the sun shines on the camera, so that it covers receivers around that. Its corner lies on
+// a whole number of texels, so that clouds keep their place while the camera moves.
+CloudLayer CloudLayerAround(float3 cameraWS, float3 towardSun, float height, float mapMetres, float border, float texels)
+{
+    const float size = BoundedOrLow(mapMetres, 1.0, 1e6);
+    const float texel = size / BoundedOrLow(texels, 1.0, 16384.0);
+    const float rise = max(BoundedOrLow(height, -1e5, 1e5) - BoundedOrLow(cameraWS.y, -1e5, 1e5), 0.0);
+    const float slope = rise / max(FiniteOr(towardSun.y, 1.0), 1e-3);
+    const float2 centre = float2(BoundedOrLow(cameraWS.x + slope * towardSun.x, -5e6, 5e6),
+                                 BoundedOrLow(cameraWS.z + slope * towardSun.z, -5e6, 5e6));
+    const float2 corner = floor((centre - 0.5 * size) / texel) * texel;
+    return BoundedCloudLayer(float4(corner, size, size), height, border);
+}
+
 // How far along the direction towards the sun the layer is; below 0: nowhere.
 float WayToLayer(float3 positionWS, float3 towardSun, CloudLayer layer)
 {

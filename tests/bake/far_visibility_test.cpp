@@ -9,7 +9,7 @@
 #include "bake/horizon_angles.h"
 #include "bake/horizon_search.h"
 #include "bake/made_fields.h"
-#include "bake/png_16.h"
+#include "bake/texels_16.h"
 #include "bake/visibility_kernel.h"
 
 namespace penumbra::bake {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "bake/distance_field.h"
-#include "bake/png_16.h"
+#include "bake/texels_16.h"
 #include "bake/visibility_kernel.h"
 
 namespace penumbra::bake {

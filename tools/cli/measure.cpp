@@ -125,6 +125,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   if (options.edge_samples > 0 && settings.split_error)
     throw InputError("--edge-samples", "the error is split for one surface in each pixel",
                      "leave out the split: --no-split");
+  settings.bake = options.bake;
   settings.jobs = options.jobs;
   settings.cache = options.cache;
   return settings;

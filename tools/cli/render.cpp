@@ -41,6 +41,7 @@ study::StudySettings study_settings(const StudyOptions& options) {
   settings.noise_seeds = 1;
   settings.timing_repeats = 0;
   settings.split_error = false;
+  settings.bake = options.bake;
   settings.jobs = options.jobs;
   settings.cache = options.cache;
   return settings;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "bake/horizon_angles.h"
 #include "cli/adapter_argument.h"
 #include "cli/known_names.h"
 #include "cli/option_text.h"
@@ -124,6 +125,12 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
   add("--distance", options.distance_metres, "METRES", "Shadow distance")
       ->check(bounds("/shadows/distance_metres"))
       ->default_str("the scene's");
+  add("--ground-samples", options.bake.ground_samples, "N",
+      "Heights along the longer side of the ground, for techniques that read them")
+      ->check(within(2, bake::most_samples_per_side));
+  add("--horizon-texels", options.bake.horizon_texels, "N",
+      "Horizon angles along that side, for techniques that read them")
+      ->check(within(1, bake::most_horizon_texels_per_side));
   constexpr const char* kOwn = "each technique's own";
   add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting, for all techniques")
       ->check(bounds("/shadows/depth_bias"))

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "bake/png_16.h"
+#include "bake/texels_16.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "platform/atomic_file.h"
@@ -28,24 +28,14 @@ Json area_json(const Area& area) {
   return {{"corner_metres", {area.corner.x, area.corner.y}}, {"size_metres", {area.size.x, area.size.y}}};
 }
 
-HeightRange range_of(const HeightField& field) {
-  const auto [low, high] = std::minmax_element(field.metres.begin(), field.metres.end());
-  // A level ground has a range, too.
-  return {static_cast<double>(*low), static_cast<double>(*high > *low ? *high : *low + 1.0F)};
-}
-
 }  // namespace
 
 BakedFiles baked_files(const HeightField& field, const std::string& stem) {
   check_height_field(field);
   const HeightRange range = range_of(field);
-  std::vector<std::uint16_t> samples;
-  samples.reserve(field.metres.size());
-  for (const float metres : field.metres)
-    samples.push_back(as_16_bits((static_cast<double>(metres) - range.low) / (range.high - range.low)));
   BakedFiles files;
   const std::string picture = stem + ".png";
-  files.pictures[picture] = encode_png_16(field.width, field.depth, 1, samples);
+  files.pictures[picture] = encode_png_16(field.width, field.depth, 1, height_texels(field, range));
   Json json = {{"kind", kHeights}, {"version", kVersion}, {"picture", picture}};
   json["heights_metres"] = {range.low, range.high};
   json.update(area_json(field.area));
@@ -54,21 +44,12 @@ BakedFiles baked_files(const HeightField& field, const std::string& stem) {
 }
 
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
-  const std::size_t texels = static_cast<std::size_t>(angles.width) * static_cast<std::size_t>(angles.depth);
   BakedFiles files;
   Json json = {{"kind", kAngles}, {"version", kVersion}, {"pictures", Json::array()}};
-  constexpr int kChannels = 4;
-  for (int first = 0; first < horizon_directions; first += kChannels) {
-    std::vector<std::uint16_t> samples;
-    samples.reserve(kChannels * texels);
-    for (std::size_t i = 0; i < texels; ++i) {
-      for (int channel = 0; channel < kChannels; ++channel) {
-        const float radians = angles.radians[static_cast<std::size_t>(first + channel)][i];
-        samples.push_back(as_16_bits(static_cast<double>(radians) / (std::numbers::pi / 2.0)));
-      }
-    }
-    const std::string picture = fmt::format("{}-{}.png", stem, first / kChannels);
-    files.pictures[picture] = encode_png_16(angles.width, angles.depth, kChannels, samples);
+  for (int first = 0; first < horizon_directions; first += horizon_channels) {
+    const std::string picture = fmt::format("{}-{}.png", stem, first / horizon_channels);
+    files.pictures[picture] =
+        encode_png_16(angles.width, angles.depth, horizon_channels, angle_texels(angles, first));
     json["pictures"].push_back(picture);
   }
   json["directions_degrees"] = Json::array();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -29,6 +30,27 @@ std::string height_key(const scene::Scene& scene, const Area& area, const Sample
 }
 
 }  // namespace
+
+scene::Scene ground_of(const scene::Scene& scene) {
+  scene::Scene ground = scene;
+  if (ground.ground_triangles == 0) return ground;
+  ground.mesh.indices.resize(3 * ground.ground_triangles);
+  if (!ground.mesh.triangle_materials.empty()) ground.mesh.triangle_materials.resize(ground.ground_triangles);
+  std::uint32_t used = 0;
+  for (const std::uint32_t index : ground.mesh.indices) used = std::max(used, index + 1);
+  ground.mesh.positions.resize(used);
+  ground.mesh.normals.resize(used);
+  if (!ground.mesh.uvs.empty()) ground.mesh.uvs.resize(used);
+  return ground;
+}
+
+SampleCounts even_counts(const Area& area, int longest) {
+  const double spacing = std::max(area.size.x, area.size.y) / (longest - 1);
+  const auto count = [&](double side) {
+    return std::max(2, static_cast<int>(std::lround(side / spacing)) + 1);
+  };
+  return {count(area.size.x), count(area.size.y)};
+}
 
 Area area_of(const scene::Scene& scene) {
   const parameters::Bounds bounds = scene.bounds();

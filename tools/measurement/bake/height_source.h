@@ -13,8 +13,14 @@ struct SampleCounts {
   int depth = 513;  // along z
 };
 
+// The scene with its ground alone (Scene::ground_triangles).
+scene::Scene ground_of(const scene::Scene& scene);
+
 // The rectangle of the map that the scene's mesh covers.
 Area area_of(const scene::Scene& scene);
+
+// Samples at the same distance along both sides of the area, `longest` along the longer one; at least two.
+SampleCounts even_counts(const Area& area, int longest);
 
 // The highest surface at each sample, which overhangs and roofs make solid down to the ground; where there is
 // none, the height of the scene's lowest vertex. Throws InputError for counts or an area that

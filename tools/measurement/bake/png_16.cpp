@@ -34,10 +34,6 @@ struct Writer {
 
 }  // namespace
 
-std::uint16_t as_16_bits(double share) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * 65535.0));
-}
-
 std::vector<std::byte> encode_png_16(int width, int height, int channels,
                                      std::span<const std::uint16_t> samples) {
   const bool whole = width > 0 && height > 0 && (channels == 1 || channels == 4) &&

@@ -1,4 +1,4 @@
-// PNG with 16 bits a channel: 8 bits are steps of 0.35 degrees of a quarter turn, wider than the sun.
+// PNG with 16 bits a channel.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,5 @@ namespace penumbra::bake {
 // RGBA. The same samples give the same bytes. Throws std::invalid_argument where the samples do not fit.
 std::vector<std::byte> encode_png_16(int width, int height, int channels,
                                      std::span<const std::uint16_t> samples);
-
-// A share of [0, 1] as its nearest step of 65535; values beyond are at its ends.
-std::uint16_t as_16_bits(double share);
 
 }  // namespace penumbra::bake

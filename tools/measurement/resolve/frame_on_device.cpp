@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <span>
 
 #include "parameters/half_angle.h"
@@ -130,6 +131,12 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   const auto quality = static_cast<float>(frame.settings.shadows.soft_quality);
   values.set("_MainLightShadowParams", glm::vec4(1.0f, quality, 0.0f, 0.0f));
   values.set("_MainLightPosition", glm::vec4(glm::vec3(-frame.cascades.light_direction), 0.0f));
+  // Towards the sun, world space, of unit length; half its angular diameter, radians.
+  values.set("_PenumbraTowardSun",
+             glm::vec4(glm::vec3(-frame.cascades.light_direction),
+                       static_cast<float>(glm::radians(0.5 * frame.cascades.angular_diameter_degrees))));
+  values.set("_PenumbraShadowDistance",
+             glm::vec4(static_cast<float>(frame.settings.shadows.distance_metres), 0.0f, 0.0f, 0.0f));
   values.set("_MainLightColor", glm::vec4(1.0f));
   values.set("_GlobalMipBias", glm::vec4(0.0f, 1.0f, 0.0f, 0.0f));  // none: URP's bias and its power of two
   values.set("_WorldSpaceCameraPos", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
@@ -169,8 +176,9 @@ glm::vec4 main_light_params(const scene::Frame& frame) {
 }  // namespace
 
 FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame,
-                             const CastersOnDevice* casters)
+                             const CastersOnDevice* casters, const FrameInputs* inputs)
     : casters_(casters),
+      inputs_(inputs),
       cascades_(frame.cascades),
       width_(frame.receivers.width),
       height_(frame.receivers.height),
@@ -196,6 +204,7 @@ UniformValues FrameOnDevice::uniforms(int noise_frame) const {
   glm::vec4 params = main_light_params_;
   params.z = static_cast<float>(noise_frame);
   values.set("_PenumbraMainLightParams", params);
+  if (inputs_ != nullptr) values.merge(inputs_->uniforms);
   return values;
 }
 
@@ -225,7 +234,11 @@ std::map<std::string, const gpu::Buffer*> FrameOnDevice::buffers() const {
 }
 
 std::map<std::string, const gpu::Image*> FrameOnDevice::images() const {
-  return {{"_ShadowMap", &atlas_}, {"_MainLightShadowmapTexture", &atlas_}};
+  std::map<std::string, const gpu::Image*> images{{"_ShadowMap", &atlas_},
+                                                  {"_MainLightShadowmapTexture", &atlas_}};
+  if (inputs_ != nullptr)
+    for (const auto& [name, image] : inputs_->images) images[name] = &image;
+  return images;
 }
 
 std::map<std::string, const gpu::Sampler*> FrameOnDevice::samplers() const {

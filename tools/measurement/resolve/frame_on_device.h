@@ -10,6 +10,7 @@
 #include "gpu/resources.h"
 #include "resolve/camera_image.h"
 #include "resolve/casters_on_device.h"
+#include "resolve/frame_inputs.h"
 #include "resolve/map_layout.h"
 #include "resolve/uniform_values.h"
 #include "scene/frame.h"
@@ -18,9 +19,9 @@ namespace penumbra::resolve {
 
 class FrameOnDevice {
  public:
-  // `casters`: for graphs that draw them; kept by reference.
+  // `casters`: for graphs that draw them; `inputs`: for graphs with needs. Both are kept by reference.
   FrameOnDevice(const gpu::Device& device, const scene::Frame& frame,
-                const CastersOnDevice* casters = nullptr);
+                const CastersOnDevice* casters = nullptr, const FrameInputs* inputs = nullptr);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -46,6 +47,7 @@ class FrameOnDevice {
 
  private:
   const CastersOnDevice* casters_;
+  const FrameInputs* inputs_;
   parameters::CascadeSet cascades_;
   int width_;
   int height_;

@@ -348,8 +348,10 @@ class GraphRunner::Run {
 
   void require_other_textures(const GraphPass& pass, const ProgramOnDevice& used) const {
     if (pass.depth != techniques::shadow_map_name) return;
+    const std::map<std::string, const gpu::Image*> given = frame_.images();
     for (const shaders::Resource& resource : used.resources())
-      if (frame_.images().count(resource.name) != 0)
+      if (const auto image = given.find(resource.name);
+          image != given.end() && image->second == &frame_.atlas())
         throw InputError(
             pass.where,
             "'" + pass.name + "' reads '" + resource.name + "', the shadow map that it is tested against",

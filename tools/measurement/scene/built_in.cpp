@@ -41,6 +41,15 @@ constexpr std::array blended_entries{
           wires_and_smoke},
 };
 
+// With ground beyond the shadow distance.
+constexpr std::array landscape_entries{
+    Entry{"valley-5", "a valley of 10 km x 10 km under a sun 5 degrees high, with trees near the camera",
+          valley_5},
+    Entry{"valley-20", "the same under a sun 20 degrees high", valley_20},
+    Entry{"valley-20-clouds", "the same under broken clouds 1,600 m high", valley_20_clouds},
+    Entry{"valley-45", "the same under a sun 45 degrees high", valley_45},
+};
+
 template <typename Entries>
 std::vector<std::string> names_of(const Entries& all) {
   std::vector<std::string> names;
@@ -55,6 +64,8 @@ const Entry& entry_of(std::string_view name) {
   for (const Entry& entry : spot_entries)
     if (name == entry.name) return entry;
   for (const Entry& entry : blended_entries)
+    if (name == entry.name) return entry;
+  for (const Entry& entry : landscape_entries)
     if (name == entry.name) return entry;
   throw InputError("", "unknown scene '" + std::string(name) + "'",
                    unknown_name_way_out(name, all_built_in_names()));
@@ -74,10 +85,15 @@ std::vector<std::string> blended_scene_names() {
   return names_of(blended_entries);
 }
 
+std::vector<std::string> landscape_scene_names() {
+  return names_of(landscape_entries);
+}
+
 std::vector<std::string> all_built_in_names() {
   std::vector<std::string> names = built_in_names();
   for (const std::string& name : spot_scene_names()) names.push_back(name);
   for (const std::string& name : blended_scene_names()) names.push_back(name);
+  for (const std::string& name : landscape_scene_names()) names.push_back(name);
   return names;
 }
 

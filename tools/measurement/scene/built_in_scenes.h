@@ -18,6 +18,10 @@ Scene street();
 Scene garden_scene();
 Scene spot_table();
 Scene wires_and_smoke();
+Scene valley_5();
+Scene valley_20();
+Scene valley_20_clouds();
+Scene valley_45();
 
 // A deciduous tree: a trunk, three orders of branches, and leaves of 5 to 11 cm about the twigs' ends.
 struct Tree {

@@ -26,6 +26,12 @@ void update(ContentHash& hash, const parameters::SpotLight& light) {
     hash.update(number);
 }
 
+void update(ContentHash& hash, const CloudLayer& layer) {
+  const auto& [altitude, feature, coverage, density] = layer;
+  hash.update(std::string_view("clouds"));
+  for (const double number : {altitude, feature, coverage, density}) hash.update(number);
+}
+
 }  // namespace
 
 std::string content_hash(const Scene& scene) {
@@ -43,6 +49,8 @@ std::string content_hash(const Scene& scene) {
                               scene.shadow_distance_metres}) {
     hash.update(number);
   }
+  if (scene.seen_distance_metres > 0.0) hash.update(scene.seen_distance_metres);
+  if (scene.clouds) update(hash, *scene.clouds);
   CutOuts(scene).add_to(hash);
   if (scene.spot_light) update(hash, *scene.spot_light);
   return hash.hex();

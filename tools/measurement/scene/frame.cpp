@@ -1,5 +1,7 @@
 #include "scene/frame.h"
 
+#include <glm/geometric.hpp>
+
 #include "input/input_error.h"
 #include "scene/seen_surfaces.h"
 #include "scene/shadow_map.h"
@@ -38,12 +40,16 @@ parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows
   return shadows;
 }
 
-// Of the pixels that show a surface.
-std::vector<glm::dvec3> seen_positions(const Receivers& receivers, const glm::dvec3& origin) {
+// Of the pixels that show a surface within the shadow distance.
+std::vector<glm::dvec3> seen_positions(const Receivers& receivers, const Scene& scene,
+                                       double shadow_distance) {
   std::vector<glm::dvec3> positions;
-  for (std::size_t i = 0; i < receivers.position_ws.size(); ++i)
-    if (receivers.position_ws[i].w != 0.0F)
-      positions.push_back(origin + glm::dvec3(receivers.position_relative[i]));
+  for (std::size_t i = 0; i < receivers.position_ws.size(); ++i) {
+    const glm::dvec3 position(receivers.position_relative[i]);
+    if (receivers.position_ws[i].w != 0.0F &&
+        glm::distance(position, scene.camera.position) <= shadow_distance)
+      positions.push_back(scene.origin + position);
+  }
   return positions;
 }
 
@@ -101,9 +107,9 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
     const CascadeChoices& choices = settings.cascade_choices;
     const parameters::Light light{sun_before(scene.light_direction, choices.map_age_degrees),
                                   settings.angular_diameter_degrees};
-    frame.cascades =
-        parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene),
-                                 choices.light_fit, seen_positions(frame.receivers, scene.origin));
+    frame.cascades = parameters::fit_cascades(
+        frame.camera, light, with_caster_bounds(settings.shadows, scene), choices.light_fit,
+        seen_positions(frame.receivers, scene, settings.shadows.distance_metres));
     frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
   }
   return frame;

@@ -198,6 +198,29 @@ void MeshBuilder::gable(const Gable& gable) {
   triangle(at(x, 0, z), at(0, y, z), at(-x, 0, z));
 }
 
+void MeshBuilder::heights(const glm::dvec2& corner, double cell, int cells,
+                          const std::vector<double>& heights) {
+  const int side = cells + 1;
+  const auto at = [&](int x, int z) {
+    const int column = std::clamp(x, 0, cells), row = std::clamp(z, 0, cells);
+    return heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+                   static_cast<std::size_t>(column)];
+  };
+  const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+  for (int z = 0; z < side; ++z)
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec2 place = corner + cell * glm::dvec2(x, z);
+      const glm::dvec3 slope{at(x - 1, z) - at(x + 1, z), 2.0 * cell, at(x, z - 1) - at(x, z + 1)};
+      vertex({place.x, at(x, z), place.y}, glm::normalize(slope), place);
+    }
+  const auto index = [&](int x, int z) { return first + static_cast<std::uint32_t>(z * side + x); };
+  for (int z = 0; z < cells; ++z)
+    for (int x = 0; x < cells; ++x) {
+      add_triangle(index(x, z), index(x, z + 1), index(x + 1, z + 1));
+      add_triangle(index(x, z), index(x + 1, z + 1), index(x + 1, z));
+    }
+}
+
 void MeshBuilder::ground(const glm::dvec3& centre, double half_size) {
   const auto at = [&](double x, double z) { return glm::dvec3(centre.x + x, 0.0, centre.z + z); };
   quad({at(-half_size, -half_size), at(-half_size, half_size), at(half_size, half_size),

@@ -104,6 +104,9 @@ class MeshBuilder {
   void rounded_box(const RoundedBox& box);
   void leaf(const Leaf& leaf);                                                   // not closed
   void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  // flat, not closed
+  // Level squares of this edge, so many each way from the smallest x and z on, at their corners' heights: a
+  // smooth surface without an underside. heights: of (cells + 1)^2 corners, rows along +x.
+  void heights(const glm::dvec2& corner, double cell, int cells, const std::vector<double>& heights);
   // Horizontal square at y = 0.
   void ground(const glm::dvec3& centre, double half_size);
 

@@ -12,6 +12,7 @@
 
 #include "parameters/cascades.h"
 #include "parameters/spot_light.h"
+#include "scene/clouds.h"
 #include "scene/material.h"
 #include "scene/reading_process.h"
 
@@ -45,6 +46,12 @@ struct Scene {
   // Instead of the sun; its position relative to origin, like the mesh.
   std::optional<parameters::SpotLight> spot_light{};
   double shadow_distance_metres = 50.0;
+  // How far from the camera surfaces are receivers, where that is farther than the shadow distance: of scenes
+  // with far shadows.
+  double seen_distance_metres = 0.0;
+  // So many triangles, the first of the mesh, are the ground that far shadows are baked from; 0: all are.
+  std::size_t ground_triangles = 0;
+  std::optional<CloudLayer> clouds{};  // over the scene
 
   parameters::Bounds bounds() const;  // of the mesh, relative to origin
 };
@@ -72,7 +79,11 @@ std::vector<std::string> spot_scene_names();
 // not draw such casters.
 std::vector<std::string> blended_scene_names();
 
-// Of all three kinds.
+// Of a landscape whose shadows reach beyond the cascades, under the sun at several elevations. They are
+// measured when they are named: most techniques end at the shadow distance.
+std::vector<std::string> landscape_scene_names();
+
+// Of all four kinds.
 std::vector<std::string> all_built_in_names();
 
 // A built-in scene, of any kind; throws InputError naming the nearest known name otherwise. The same name

@@ -199,7 +199,7 @@ std::string encode(const Texture& texture) {
 
 std::string encode(const Scene& scene) {
   const auto& [name, description, notes, mesh, materials, textures, origin, camera, light_direction,
-               spot_light, shadow_distance_metres] = scene;
+               spot_light, shadow_distance_metres, seen_distance_metres, ground_triangles, clouds] = scene;
   ByteWriter out;
   out.text(name);
   out.text(description);
@@ -213,6 +213,10 @@ std::string encode(const Scene& scene) {
   out.number(spot_light ? 1 : 0);
   if (spot_light) out.value(*spot_light);
   out.value(shadow_distance_metres);
+  out.value(seen_distance_metres);
+  out.value(static_cast<std::uint64_t>(ground_triangles));
+  out.number(clouds ? 1 : 0);
+  if (clouds) out.value(*clouds);
   return out.take();
 }
 
@@ -259,6 +263,10 @@ Scene decode_scene(std::string_view bytes) {
   scene.light_direction = in.value<glm::dvec3>();
   if (in.flag()) scene.spot_light = in.value<parameters::SpotLight>();
   scene.shadow_distance_metres = in.value<double>();
+  scene.seen_distance_metres = in.value<double>();
+  scene.ground_triangles = in.value<std::uint64_t>();
+  if (in.flag()) scene.clouds = in.value<CloudLayer>();
+  require(scene.ground_triangles <= scene.mesh.triangle_count(), "more ground than triangles");
   require(in.exhausted(), "a damaged answer");
   check(scene);
   return scene;

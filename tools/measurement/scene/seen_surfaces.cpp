@@ -68,7 +68,8 @@ Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
   receivers.position_relative.resize(texels.size(), glm::vec4(0.0F));
   receivers.normal_ws.resize(texels.size(), glm::vec4(0.0F));
   receivers.triangle.resize(texels.size(), no_triangle);
-  const double farthest = std::min(settings.shadows.distance_metres, scene.camera.far_plane);
+  const double farthest = std::min(std::max(settings.shadows.distance_metres, scene.seen_distance_metres),
+                                   scene.camera.far_plane);
   for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
     const std::optional<Surface> surface = surface_at(scene.mesh, scene.camera.position, texels[pixel]);
     if (!surface) continue;

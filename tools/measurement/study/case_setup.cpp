@@ -4,6 +4,8 @@
 
 #include "parameters/half_angle.h"
 #include "platform/content_hash.h"
+#include "platform/terminal.h"
+#include "reference/cloud_shadow.h"
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
 #include "scene/content_hash.h"
@@ -55,20 +57,34 @@ std::string CaseSetup::label() const {
 CaseBuilder::CaseBuilder(const gpu::Device& device, const std::vector<Subject>& subjects,
                          const StudySettings& settings, const StudyProgress& progress,
                          const reference::ReferenceCache& cache)
-    : device_(device), subjects_(subjects), settings_(settings), progress_(progress), cache_(cache) {}
+    : device_(device),
+      subjects_(subjects),
+      settings_(settings),
+      progress_(progress),
+      cache_(cache),
+      bakes_(settings.cache.empty() ? platform::cache_directory() : settings.cache) {}
 
 CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const {
-  CaseSetup setup{
-      scene, nullptr, degrees, {}, {}, settings_.frame.width, settings_.frame.height, settings_.edge_samples};
+  CaseSetup setup{scene,
+                  nullptr,
+                  nullptr,
+                  degrees,
+                  {},
+                  {},
+                  settings_.frame.width,
+                  settings_.frame.height,
+                  settings_.edge_samples};
   if (std::any_of(subjects_.begin(), subjects_.end(),
                   [](const Subject& subject) { return subject.graph.graph.draws_casters(); }))
     setup.casters = std::make_unique<const resolve::CastersOnDevice>(device_, scene);
+  setup.inputs = std::make_unique<const resolve::FrameInputs>(inputs_of(setup));
   if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
   for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
   setup.t1 = settings_.edge_samples > 0 ? traced_edges(setup, rasteriser)
                                         : traced(setup, setup.views.front().frame.receivers,
                                                  settings_.reference_samples, "ray tracing " + setup.label());
-  if (settings_.split_error) {
+  // Maps do not reach what is beyond the shadow distance: no estimate can be made from them there.
+  if (settings_.split_error && scene.seen_distance_metres <= scene.shadow_distance_metres) {
     for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
   return setup;
@@ -81,7 +97,10 @@ reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const sce
   if (setup.scene.spot_light)
     return reference::trace_visibility(setup.scene, receivers, *setup.scene.spot_light, trace, run, &cache_);
   const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
-  return reference::trace_visibility(setup.scene, receivers, light, trace, run, &cache_);
+  reference::VisibilityImage image =
+      reference::trace_visibility(setup.scene, receivers, light, trace, run, &cache_);
+  reference::shade_by_clouds(image, setup.scene, receivers, light);
+  return image;
 }
 
 // A picture for each sample of a pixel, taken where it lies.
@@ -142,7 +161,7 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
                                  [&](const View& view) { return view.request == request; });
   if (known) return;
   scene::Frame frame = rasteriser.frame(frame_settings(setup, request));
-  FrameOfCase on_device = on_device_frame(frame, setup.casters.get());
+  FrameOfCase on_device = on_device_frame(setup, frame);
   std::vector<FrameOfCase> pan = pan_frames(setup, frame.settings, rasteriser);
   std::string key = case_key(setup.scene, frame);
   setup.views.push_back(
@@ -173,17 +192,31 @@ std::vector<FrameOfCase> CaseBuilder::pan_frames(const CaseSetup& setup, const s
     scene::FrameSettings moved = settings;
     moved.lens_shift.x += k * 2.0 / moved.width;
     const scene::Frame frame = rasteriser.frame(moved);
-    frames.push_back(on_device_frame(frame, setup.casters.get()));
+    frames.push_back(on_device_frame(setup, frame));
   }
   return frames;
 }
 
 // The camera's image only for those who read it.
-FrameOfCase CaseBuilder::on_device_frame(const scene::Frame& frame,
-                                         const resolve::CastersOnDevice* casters) const {
+FrameOfCase CaseBuilder::on_device_frame(const CaseSetup& setup, const scene::Frame& frame) const {
   const bool read = std::any_of(subjects_.begin(), subjects_.end(),
                                 [](const Subject& subject) { return subject.graph.graph.needs_camera(); });
-  return {{device_, frame, casters}, read ? std::optional(resolve::camera_image(frame)) : std::nullopt};
+  return {{device_, frame, setup.casters.get(), setup.inputs.get()},
+          read ? std::optional(resolve::camera_image(frame)) : std::nullopt};
+}
+
+resolve::FrameInputs CaseBuilder::inputs_of(const CaseSetup& setup) const {
+  std::vector<techniques::Need> needs;
+  for (const Subject& subject : subjects_)
+    for (const techniques::Need need : subject.graph.graph.needs)
+      if (std::find(needs.begin(), needs.end(), need) == needs.end()) needs.push_back(need);
+  bake::BakeOptions run;
+  run.jobs = settings_.jobs;
+  run.store = &bakes_;
+  run.progress = [&](std::size_t done, std::size_t total) {
+    progress_("baking " + setup.scene.name, static_cast<double>(done), static_cast<double>(total), " rows");
+  };
+  return baked_inputs(device_, setup.scene, needs, settings_.bake, run);
 }
 
 reference::RunOptions CaseBuilder::run_options(const std::string& work, const std::string& unit) const {

@@ -12,6 +12,7 @@
 #include "reference/row_blocks.h"
 #include "reference/visibility_image.h"
 #include "resolve/camera_image.h"
+#include "resolve/frame_inputs.h"
 #include "resolve/frame_on_device.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
@@ -53,6 +54,7 @@ struct View {
 struct CaseSetup {
   const scene::Scene& scene;
   std::unique_ptr<const resolve::CastersOnDevice> casters;  // of the scene, where a subject draws them
+  std::unique_ptr<const resolve::FrameInputs> inputs;       // of the scene, for the needs of all subjects
   double light_degrees = 0.0;
   reference::VisibilityImage t1;
   std::vector<View> views;  // one for each request of the subjects
@@ -83,7 +85,8 @@ class CaseBuilder {
   reference::VisibilityImage traced_edges(const CaseSetup& setup, scene::Rasteriser& rasteriser) const;
   scene::FrameSettings frame_settings(const CaseSetup& setup, const FrameRequest& request) const;
   void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
-  FrameOfCase on_device_frame(const scene::Frame& frame, const resolve::CastersOnDevice* casters) const;
+  FrameOfCase on_device_frame(const CaseSetup& setup, const scene::Frame& frame) const;
+  resolve::FrameInputs inputs_of(const CaseSetup& setup) const;
   std::vector<FrameOfCase> pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                       scene::Rasteriser& rasteriser) const;
   reference::VisibilityImage same_map_estimate(const CaseSetup& setup, scene::Rasteriser& rasteriser,
@@ -95,6 +98,7 @@ class CaseBuilder {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   const reference::ReferenceCache& cache_;
+  platform::CacheStore bakes_;  // finished rows of bakes, which the next run reads
 };
 
 // Of a spot light's source that has this angular diameter, seen from one metre.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "reference/same_map_estimate.h"
@@ -141,6 +142,49 @@ std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view,
   return records;
 }
 
+// From the camera: the last fifth before the shadow distance and the fourth part behind it, where cascades
+// are handed over to far shadows, then octaves.
+std::vector<double> distance_limits(double shadow_distance, double seen_distance) {
+  std::vector<double> limits{0.0, 0.8 * shadow_distance, shadow_distance, 1.25 * shadow_distance};
+  for (double limit = 2.0 * shadow_distance; limit < seen_distance; limit *= 2.0) limits.push_back(limit);
+  limits.push_back(seen_distance);
+  return limits;
+}
+
+double distance_of(const CaseSetup& setup, const scene::Frame& frame, std::size_t pixel) {
+  return glm::distance(glm::dvec3(frame.receivers.position_relative[pixel]), setup.scene.camera.position);
+}
+
+std::vector<DistanceRecord> by_distance(const CaseSetup& setup, const View& view, const Answer& answer,
+                                        const std::vector<std::uint8_t>& counted) {
+  const std::vector<double> limits =
+      distance_limits(setup.scene.shadow_distance_metres, setup.scene.seen_distance_metres);
+  std::vector<DistanceRecord> records;
+  for (std::size_t ring = 0; ring + 1 < limits.size(); ++ring) {
+    std::vector<std::uint8_t> inside = counted;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      if (inside[i] == 0) continue;
+      const double distance = distance_of(setup, view.frame, i);
+      inside[i] = distance >= limits[ring] && distance < limits[ring + 1] ? 1 : 0;
+    }
+    const Metrics metrics = measure(images_of(setup, answer, inside));
+    records.push_back({limits[ring], limits[ring + 1], metrics.pixels, metrics.penumbra_pixels,
+                       metrics.rmse_penumbra, metrics.rmse_all, metrics.bias, metrics.leak_rate,
+                       metrics.false_shadow_rate, metrics.fetches_mean});
+  }
+  return records;
+}
+
+// 0 within the shadow distance, 1 beyond.
+std::vector<int> sides_of_shadow_distance(const CaseSetup& setup, const View& view,
+                                          const std::vector<std::uint8_t>& counted) {
+  std::vector<int> sides(counted.size(), -1);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (counted[i] != 0)
+      sides[i] = distance_of(setup, view.frame, i) < setup.scene.shadow_distance_metres ? 0 : 1;
+  return sides;
+}
+
 Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answer,
                    const std::vector<std::uint8_t>& counted, const std::optional<PictureWindow>& window,
                    const std::optional<reference::VisibilityImage>& unlimited) {
@@ -211,6 +255,13 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
     record.per_cascade = per_cascade(setup, view, subject, answer, read);
     record.seam = seam_of({setup.t1.width, read, setup.t1.visibility, answer.visibility.front()});
   }
+  if (setup.scene.seen_distance_metres > setup.scene.shadow_distance_metres) {
+    record.by_distance = by_distance(setup, view, answer, counted);
+    const std::vector<int> sides = sides_of_shadow_distance(setup, view, counted);
+    record.far_seam = seam_of({setup.t1.width, sides, setup.t1.visibility, answer.visibility.front(), true});
+  }
+  if (const std::vector<techniques::Need>& needs = subject.graph.graph.needs; !needs.empty())
+    record.baked_mebibytes = baked_mebibytes(*setup.inputs, needs);
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;

@@ -103,6 +103,22 @@ struct CascadeRecord {
   bool operator==(const CascadeRecord&) const = default;
 };
 
+// The figures of the pixels at these distances from the camera, as in Metrics.
+struct DistanceRecord {
+  double from_metres = 0.0;
+  double to_metres = 0.0;
+  std::size_t pixels = 0;
+  std::size_t penumbra_pixels = 0;
+  std::optional<double> rmse_penumbra;
+  std::optional<double> rmse_all;
+  std::optional<double> bias;
+  std::optional<double> leak_rate;
+  std::optional<double> false_shadow_rate;
+  std::optional<double> fetches_mean;
+
+  bool operator==(const DistanceRecord&) const = default;
+};
+
 struct Record {
   std::string scene;
   std::string technique;
@@ -116,9 +132,14 @@ struct Record {
   std::string device;
   Metrics metrics;
   std::vector<CascadeRecord> per_cascade;  // one for each of several; empty with one, and in older files
+  std::vector<DistanceRecord>
+      by_distance{};                        // of scenes that are seen beyond the shadow distance; else empty
+  std::optional<double> baked_mebibytes{};  // of the textures that the technique reads besides the frame
   std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
   std::optional<Shimmer> shimmer;  // when the study panned
   std::optional<Seam> seam;        // with several cascades; absent in older files
+  std::optional<Seam>
+      far_seam{};  // with by_distance: of all pixels, between the last cascade and what is beyond
   std::optional<Timing> time;
   ReferenceNote reference;
 

@@ -190,9 +190,9 @@ std::optional<Timing> read_time(StrictObject& record, std::string_view kind) {
   return median ? std::optional(Timing{*median, *spread}) : std::nullopt;
 }
 
-std::optional<Seam> read_seam(StrictObject& record) {
-  if (!record.has("seam")) return std::nullopt;
-  StrictObject seam = record.object("seam");
+std::optional<Seam> read_seam(StrictObject& record, const std::string& key) {
+  if (!record.has(key)) return std::nullopt;
+  StrictObject seam = record.object(key);
   const Seam result{seam.count("pairs"), seam.figure("step", 0.0, 2.0), seam.figure("elsewhere", 0.0, 2.0)};
   seam.finish();
   return result;
@@ -232,6 +232,27 @@ std::vector<CascadeRecord> read_cascades(StrictObject& record, int cascades) {
     record.fail("per_cascade",
                 fmt::format("'per_cascade' must have one entry for each of the {} cascades, not {}", cascades,
                             result.size()));
+  return result;
+}
+
+std::vector<DistanceRecord> read_distances(StrictObject& record) {
+  std::vector<DistanceRecord> result;
+  if (!record.has("by_distance")) return result;
+  for (StrictObject& ring : record.objects("by_distance")) {
+    DistanceRecord& figures = result.emplace_back();
+    figures.from_metres = ring.number("from_metres", 0.0, kAnything);
+    figures.to_metres = ring.number("to_metres", 0.0, kAnything);
+    if (figures.to_metres <= figures.from_metres) ring.fail("to_metres", "must lie above 'from_metres'");
+    figures.pixels = ring.count("pixels");
+    figures.penumbra_pixels = ring.count("penumbra_pixels");
+    figures.rmse_penumbra = ring.figure("rmse_penumbra", 0.0, 1.0);
+    figures.rmse_all = ring.figure("rmse_all", 0.0, 1.0);
+    figures.bias = ring.figure("bias", -1.0, 1.0);
+    figures.leak_rate = ring.figure("leak_rate", 0.0, 1.0);
+    figures.false_shadow_rate = ring.figure("false_shadow_rate", 0.0, 1.0);
+    figures.fetches_mean = ring.figure("fetches_mean", 0.0, kAnything);
+    ring.finish();
+  }
   return result;
 }
 
@@ -331,9 +352,13 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.device = record.text("device");
   result.metrics = read_metrics(record);
   result.per_cascade = read_cascades(record, result.cascades);
+  result.by_distance = read_distances(record);
+  if (record.has("baked_mebibytes"))
+    result.baked_mebibytes = record.number("baked_mebibytes", 0.0, kAnything);
   result.passes = read_passes(record);
   result.shimmer = read_shimmer(record);
-  result.seam = read_seam(record);
+  result.seam = read_seam(record, "seam");
+  result.far_seam = read_seam(record, "far_seam");
   result.time = read_time(record, kind);
   StrictObject reference = record.object("reference");
   result.reference = {reference.text("kind"), static_cast<int>(reference.count("samples")),

@@ -126,6 +126,23 @@ Json json_of(const CascadeRecord& cascade) {
   return json;
 }
 
+Json json_of(const DistanceRecord& ring) {
+  return {{"from_metres", ring.from_metres},
+          {"to_metres", ring.to_metres},
+          {"pixels", ring.pixels},
+          {"penumbra_pixels", ring.penumbra_pixels},
+          {"rmse_penumbra", json_of(ring.rmse_penumbra)},
+          {"rmse_all", json_of(ring.rmse_all)},
+          {"bias", json_of(ring.bias)},
+          {"leak_rate", json_of(ring.leak_rate)},
+          {"false_shadow_rate", json_of(ring.false_shadow_rate)},
+          {"fetches_mean", json_of(ring.fetches_mean)}};
+}
+
+Json json_of(const Seam& seam) {
+  return {{"pairs", seam.pairs}, {"step", json_of(seam.step)}, {"elsewhere", json_of(seam.elsewhere)}};
+}
+
 Json json_of(const PassRecord& pass) {
   Json json{{"pass", pass.pass},
             {"runs", pass.runs},
@@ -152,6 +169,11 @@ Json json_of(const Record& record, std::string_view kind) {
     json["per_cascade"] = Json::array();
     for (const CascadeRecord& cascade : record.per_cascade) json["per_cascade"].push_back(json_of(cascade));
   }
+  if (!record.by_distance.empty()) {
+    json["by_distance"] = Json::array();
+    for (const DistanceRecord& ring : record.by_distance) json["by_distance"].push_back(json_of(ring));
+  }
+  if (record.baked_mebibytes) json["baked_mebibytes"] = *record.baked_mebibytes;
   if (!record.passes.empty()) {
     json["passes"] = Json::array();
     for (const PassRecord& pass : record.passes) json["passes"].push_back(json_of(pass));
@@ -161,11 +183,8 @@ Json json_of(const Record& record, std::string_view kind) {
                        {"static_noise", json_of(record.shimmer->static_noise)},
                        {"per_frame_noise", json_of(record.shimmer->per_frame_noise)}};
   }
-  if (record.seam) {
-    json["seam"] = {{"pairs", record.seam->pairs},
-                    {"step", json_of(record.seam->step)},
-                    {"elsewhere", json_of(record.seam->elsewhere)}};
-  }
+  if (record.seam) json["seam"] = json_of(*record.seam);
+  if (record.far_seam) json["far_seam"] = json_of(*record.far_seam);
   json["time_kind"] = kind;
   json["time_ms_median"] = record.time ? Json(record.time->median_ms) : Json(nullptr);
   json["time_ms_spread"] = record.time ? Json(record.time->spread_ms) : Json(nullptr);

@@ -49,9 +49,10 @@ class Blocks {
   }
 
  private:
-  bool in_penumbra(int x, int y) const {
+  bool counts(int x, int y) const {
     const std::size_t i = at(x, y);
-    return images_.cascade[i] >= 0 && images_.t1[i] > kUmbraBelow && images_.t1[i] < kLitAbove;
+    if (images_.cascade[i] < 0) return false;
+    return images_.everywhere || (images_.t1[i] > kUmbraBelow && images_.t1[i] < kLitAbove);
   }
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(images_.width) +
@@ -62,7 +63,7 @@ class Blocks {
   }
 
   void add_pair(int x, int y, int to_x, int to_y, Changes& changes) const {
-    if (to_x >= images_.width || to_y >= height_ || !in_penumbra(x, y) || !in_penumbra(to_x, to_y)) return;
+    if (to_x >= images_.width || to_y >= height_ || !counts(x, y) || !counts(to_x, to_y)) return;
     const std::size_t a = at(x, y);
     const std::size_t b = at(to_x, to_y);
     const int further = images_.cascade[b] - images_.cascade[a];
@@ -87,7 +88,7 @@ class Blocks {
     Changes changes;
     const int y = top + kSeamBlock / 2;
     for (int x = left; x < left + kSeamBlock && x < images_.width && y + 1 < height_; ++x) {
-      if (!in_penumbra(x, y) || !in_penumbra(x, y + 1)) continue;
+      if (!counts(x, y) || !counts(x, y + 1)) continue;
       if (images_.cascade[at(x, y)] != images_.cascade[at(x, y + 1)]) continue;
       changes.sum += error(at(x, y + 1)) - error(at(x, y));
       ++changes.count;

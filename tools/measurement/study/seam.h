@@ -29,6 +29,7 @@ struct SeamImages {
   std::span<const int> cascade;  // of each pixel; -1 where it is not counted
   std::span<const float> t1;
   std::span<const float> result;
+  bool everywhere = false;  // all pixels count, not penumbra pixels alone
 };
 
 // Throws std::invalid_argument for images of different sizes.

@@ -149,6 +149,10 @@ class Study {
     if (const auto& window = settings_.window)
       hash.update(window->x).update(window->y).update(window->width).update(window->height);
     for (const std::string& name : settings_.debug_views) hash.update(name);
+    if (!prepared.subject().graph.graph.needs.empty())
+      hash.update(settings_.bake.ground_samples)
+          .update(settings_.bake.horizon_texels)
+          .update(settings_.bake.nearest_metres);
     return hash.hex();
   }
 

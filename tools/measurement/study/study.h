@@ -22,6 +22,7 @@
 #include "resolve/compiled_graph.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
+#include "study/baked_inputs.h"
 #include "study/picture.h"
 #include "study/report.h"
 #include "study/results.h"
@@ -87,6 +88,7 @@ struct StudySettings {
   std::vector<std::string> debug_views{};
   // Called with every answer, in the order of the outcome's records; may be empty.
   std::function<void(const SubjectAnswer&)> answered{};
+  BakeSettings bake{};  // of what subjects need besides the frame
   int jobs = 0;
   platform::WorkerPool
       compiler{};               // the process of each shader (resolve/module_order.h); no arguments: this one

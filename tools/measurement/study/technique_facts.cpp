@@ -55,7 +55,7 @@ double map_mebibytes(const Record& record, const std::vector<techniques::GraphTe
     if (texture.extent != techniques::ExtentOf::screen && texture.previous_of.empty())
       bytes += bytes_of(texture, extents);
   }
-  return bytes / kMebibyte;
+  return bytes / kMebibyte + record.baked_mebibytes.value_or(0.0);
 }
 
 bool has_advice(const std::vector<TechniqueRow>& rows) {
@@ -65,7 +65,9 @@ bool has_advice(const std::vector<TechniqueRow>& rows) {
 
 std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts) {
   std::string text =
-      "Maps: the shadow map and the textures that are made of it, without those of the picture's size.";
+      "Maps: the shadow map, the textures that are made of it and those that are baked from the scene, "
+      "without "
+      "those of the picture's size.";
   if (!facts.cycles_of.empty())
     text +=
         " Cycles: a compiler's static estimate per 64 threads, of the program that gives the visibility + of "

@@ -36,7 +36,7 @@ struct FactsOfTechniques {
 FactsOfTechniques facts_of(const techniques::TechniqueList& list);
 
 // The memory of the shadow map and of the textures that are shares of it or have a fixed size, in MiB, as
-// declared; those of the picture's size are left out.
+// declared, and of what is baked from the scene; those of the picture's size are left out.
 double map_mebibytes(const Record& record, const std::vector<techniques::GraphTexture>& textures);
 
 struct TechniqueRow {

@@ -175,11 +175,26 @@ void give_shapes(std::vector<GraphTexture>& textures, const PassGraph& graph) {
   }
 }
 
+void add_once(std::vector<Need>& needs, Need need) {
+  if (std::find(needs.begin(), needs.end(), need) == needs.end()) needs.push_back(need);
+}
+
+void read_needs(JsonObject& object, std::vector<Need>& needs) {
+  std::vector<std::string> known;
+  for (const Need need : all_needs()) known.emplace_back(name_of(need));
+  for (const std::string& name : object.texts("needs")) {
+    require_known(object, "needs", "input", name, known);
+    for (const Need need : all_needs())
+      if (name == name_of(need)) add_once(needs, need);
+  }
+}
+
 void add(PassGraph& graph, const PassGraph& part) {
   append(graph.textures, part.textures);
   append(graph.buffers, part.buffers);
   append(graph.passes, part.passes);
   append(graph.keywords, part.keywords);
+  for (const Need need : part.needs) add_once(graph.needs, need);
   if (!part.visibility.empty()) graph.visibility = part.visibility;
   if (!part.mask.empty()) graph.mask = part.mask;
   if (!part.source.empty()) graph.source = part.source;
@@ -247,6 +262,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   require_bounded(object, graph);
   give_shapes(graph.textures, PassGraph(graph));
   append(graph.keywords, read_keywords(object, "keywords"));
+  read_needs(object, graph.needs);
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
   graph.source = object.text("source", graph.source);

@@ -34,7 +34,7 @@ class ManifestFiles {
 //  name), reads: {name in the shader: name},
 //            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters
 //            depth: name, groups: {fixed | texels_of | indirect}}],
-//  keywords, visibility, mask, source}
+//  keywords, needs: [names], visibility, mask, source}
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known);
 

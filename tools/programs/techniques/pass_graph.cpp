@@ -49,6 +49,20 @@ bool writes_to(const GraphPass& pass, const std::string& name) {
                      [&](const auto& written) { return written.second == name; });
 }
 
+const char* name_of(Need need) {
+  switch (need) {
+    case Need::ground_heights:
+      return "groundHeights";
+    case Need::horizon_angles:
+      break;
+  }
+  return "horizonAngles";
+}
+
+std::vector<Need> all_needs() {
+  return {Need::ground_heights, Need::horizon_angles};
+}
+
 const char* name_of(Frequency frequency) {
   switch (frequency) {
     case Frequency::bake:

@@ -112,11 +112,22 @@ struct GraphPass {
 // A texture or buffer by its name in the graph; a depth target is written, too.
 bool writes_to(const GraphPass& pass, const std::string& name);
 
+// What the programs of a graph read besides the frame, by names that are the same in every graph: textures and
+// numbers that are made from the scene's geometry before the first frame.
+enum class Need {
+  ground_heights,  // of the ground, on a grid: heights alone, or with them
+  horizon_angles,  // up to which the ground hides the sky, in eight directions
+};
+
+const char* name_of(Need need);  // as manifests have it
+std::vector<Need> all_needs();
+
 struct PassGraph {
   std::vector<GraphTexture> textures;
   std::vector<GraphBuffer> buffers;
   std::vector<GraphPass> passes;      // in the order in which they run
   std::vector<std::string> keywords;  // on in every program that declares them
+  std::vector<Need> needs{};          // each once
   std::string visibility;             // the texture that holds it; empty: a filter's
   std::string source;                 // the texture that holds that of a graph before; may be empty
   std::string mask;                   // the texture that is below 0.5 where no penumbra is; may be empty

@@ -72,6 +72,7 @@ Json of(const Technique& technique) {
             {"values", of(technique.values)},
             {"textures", std::move(textures)},
             {"passes", std::move(passes)}};
+  for (const Need need : technique.graph.needs) json["needs"].push_back(name_of(need));
   for (const CascadeRule& rule : technique.cascades)
     json["cascades"].push_back({{"from", rule.from},
                                 {"technique", rule.technique},

@@ -12,6 +12,8 @@
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
 
+float3 _WorldSpaceCameraPos;
+
 // Of two eyes drawn at once a texture of the screen is an array with a slice for each. By a function, which takes no
 // plain texture; Load itself would shorten the coordinate.
 #if defined(UNITY_STEREO_INSTANCING_ENABLED) || defined(UNITY_STEREO_MULTIVIEW_ENABLED)

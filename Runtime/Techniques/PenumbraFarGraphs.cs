@@ -1,0 +1,149 @@
+using UnityEngine.Experimental.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-graphs` from Shaders/PenumbraFar.technique.json; do not edit.
+    /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
+    internal static class PenumbraFarGraphs
+    {
+        internal static readonly TechniqueGraph HorizonAlone = new TechniqueGraph
+        {
+            name = "horizon-alone",
+            textures = new[]
+            {
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "FarShadowsAlone",
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_FAR_HORIZON" },
+            visibility = 0,
+        };
+
+        internal static readonly TechniqueGraph HeightsAlone = new TechniqueGraph
+        {
+            name = "heights-alone",
+            textures = new[]
+            {
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "FarShadowsAlone",
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_FAR_HEIGHTS" },
+            visibility = 0,
+        };
+
+        internal static readonly TechniqueGraph PcssFarHorizon = new TechniqueGraph
+        {
+            name = "pcss-far-horizon",
+            textures = new[]
+            {
+                new GraphTexture("near", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "FarShadows",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_FAR_HORIZON" },
+            visibility = 1,
+        };
+
+        internal static readonly TechniqueGraph PcssFarHorizonClouds = new TechniqueGraph
+        {
+            name = "pcss-far-horizon-clouds",
+            textures = new[]
+            {
+                new GraphTexture("clouds", GraphExtent.Fixed, GraphicsFormat.R16_UNorm, width: 512, height: 512),
+                new GraphTexture("near", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "CloudMap",
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "FarShadows",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCloudTexture", 0), GraphBinding.Texture("_PenumbraSourceTexture", 1) },
+                    writes = new[] { GraphBinding.Texture(2) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_FAR_HORIZON", "_PENUMBRA_CLOUDS" },
+            visibility = 2,
+        };
+
+        internal static readonly TechniqueGraph PcssFarHeights = new TechniqueGraph
+        {
+            name = "pcss-far-heights",
+            textures = new[]
+            {
+                new GraphTexture("near", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraFar.shader",
+                    program = "FarShadows",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_FAR_HEIGHTS" },
+            visibility = 1,
+        };
+    }
+}

@@ -1,0 +1,78 @@
+#include "study/baked_inputs.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "bake/height_source.h"
+#include "bake/horizon_angles.h"
+#include "bake/texels_16.h"
+
+namespace penumbra::study {
+namespace {
+
+using techniques::Need;
+
+constexpr const char* kHeights = "_PenumbraGroundHeightsTexture";
+constexpr const char* kFirstAngles = "_PenumbraHorizonFirstTexture";
+constexpr const char* kSecondAngles = "_PenumbraHorizonSecondTexture";
+
+bool has(const std::vector<Need>& needs, Need need) {
+  return std::find(needs.begin(), needs.end(), need) != needs.end();
+}
+
+gpu::Image texture(const gpu::Device& device, gpu::Format format, int width, int height,
+                   const std::vector<std::uint16_t>& texels) {
+  gpu::Image image(device, format, width, height);
+  image.upload(std::span<const std::uint16_t>(texels));
+  return image;
+}
+
+std::vector<std::string> names_of(Need need) {
+  if (need == Need::ground_heights) return {kHeights};
+  return {kFirstAngles, kSecondAngles};
+}
+
+}  // namespace
+
+resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene& scene,
+                                  const std::vector<Need>& needs, const BakeSettings& settings,
+                                  const bake::BakeOptions& run) {
+  resolve::FrameInputs inputs;
+  if (needs.empty()) return inputs;
+  const scene::Scene ground = bake::ground_of(scene);
+  const bake::Area area = bake::area_of(ground);
+  const bake::HeightField field =
+      bake::heights_of_scene(ground, area, bake::even_counts(area, settings.ground_samples), run);
+  const bake::HeightRange range = bake::range_of(field);
+  const glm::dvec3& origin = scene.origin;
+  inputs.uniforms.set(
+      "_PenumbraGroundArea",
+      glm::vec4(glm::dvec4(area.corner.x + origin.x, area.corner.y + origin.z, area.size.x, area.size.y)));
+  inputs.uniforms.set(
+      "_PenumbraGroundHeights",
+      glm::vec4(glm::dvec4(range.low + origin.y, range.high + origin.y, field.width, field.depth)));
+  if (has(needs, Need::ground_heights))
+    inputs.images.emplace(kHeights, texture(device, gpu::Format::r16, field.width, field.depth,
+                                            bake::height_texels(field, range)));
+  if (!has(needs, Need::horizon_angles)) return inputs;
+  const bake::SampleCounts texels = bake::even_counts(area, settings.horizon_texels);
+  const bake::HorizonAngles angles =
+      bake::bake_horizon_angles(field, {texels.width, texels.depth, settings.nearest_metres}, run);
+  for (const auto& [name, first] :
+       {std::pair{kFirstAngles, 0}, std::pair{kSecondAngles, bake::horizon_channels}})
+    inputs.images.emplace(name, texture(device, gpu::Format::rgba16, angles.width, angles.depth,
+                                        bake::angle_texels(angles, first)));
+  return inputs;
+}
+
+double baked_mebibytes(const resolve::FrameInputs& inputs, const std::vector<Need>& needs) {
+  constexpr double kMebibyte = 1024.0 * 1024.0;
+  double bytes = 0.0;
+  for (const Need need : needs)
+    for (const std::string& name : names_of(need))
+      bytes += static_cast<double>(inputs.images.at(name).size_bytes());
+  return bytes / kMebibyte;
+}
+
+}  // namespace penumbra::study

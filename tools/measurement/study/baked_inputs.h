@@ -1,0 +1,32 @@
+// What techniques need of a scene besides the frame (techniques::Need), baked for a study.
+#pragma once
+
+#include <vector>
+
+#include "bake/block_run.h"
+#include "resolve/frame_inputs.h"
+#include "scene/scene.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::study {
+
+struct BakeSettings {
+  int ground_samples = 1025;    // along the ground's longer side
+  int horizon_texels = 512;     // the same
+  double nearest_metres = 0.0;  // ground nearer than this hides nothing, of horizon angles
+};
+
+// Of the scene's ground (bake::ground_of), as textures of 16 bits, which is how `penumbra bake` writes them:
+//   _PenumbraGroundArea     corner and size of the ground, x and z, world space, metres
+//   _PenumbraGroundHeights  metres of 0 and of 1; samples along x and z
+//   _PenumbraGroundHeightsTexture
+//   _PenumbraHorizonFirstTexture, _PenumbraHorizonSecondTexture
+// Throws as the bakes do.
+resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene& scene,
+                                  const std::vector<techniques::Need>& needs, const BakeSettings& settings,
+                                  const bake::BakeOptions& run);
+
+// The memory of what is baked for these needs, in MiB.
+double baked_mebibytes(const resolve::FrameInputs& inputs, const std::vector<techniques::Need>& needs);
+
+}  // namespace penumbra::study
