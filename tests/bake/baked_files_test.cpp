@@ -9,6 +9,7 @@
 
 #include "bake/made_fields.h"
 #include "bake/png_16.h"
+#include "bake/texels_16.h"
 #include "input/input_error_matcher.h"
 #include "reference/scratch_folder.h"
 
