@@ -66,6 +66,12 @@ namespace Penumbra
         /// </summary>
         internal string Replaced { get; private set; }
 
+        /// <summary>
+        /// Why the last camera has no shadows of the ground beyond the cascades though they are on, as a message; else
+        /// null.
+        /// </summary>
+        internal string MissingGround { get; private set; }
+
         /// <summary>The last camera's options, and those that were drawn.</summary>
         internal ShadowOptions Asked { get; private set; }
         internal ShadowOptions Drawn { get; private set; }
@@ -79,7 +85,7 @@ namespace Penumbra
             debugPass = debugPass ?? new GraphDebugPass(shadowPass);
 #else
             shadowPass = shadowPass ?? new ClassicShadowPass();
-            restorePass = restorePass ?? new ClassicRestorePass();
+            restorePass = restorePass ?? new ClassicRestorePass(shadowPass);
             debugPass = debugPass ?? new ClassicDebugPass(shadowPass);
 #endif
             FindShaders();
@@ -100,6 +106,7 @@ namespace Penumbra
                 LastSkip = SkipReason.UnsupportedDevice;
                 return;
             }
+            FarFrame far = Far(source, renderingData.cameraData.camera, ref options);
             Asked = options;
             MissingPass = draw.Prepare(ref options, source.views);
             Drawn = options;
@@ -109,7 +116,9 @@ namespace Penumbra
                 LastSkip = SkipReason.MissingPass;
                 return;
             }
-            shadowPass.Setup(draw, UrpFrame.Frame(source, options, settings.noise));
+            ShadowFrame frame = UrpFrame.Frame(source, options, settings.noise);
+            frame.far = far;
+            shadowPass.Setup(draw, frame);
 #if !UNITY_6000_0_OR_NEWER
             shadowPass.SetPath(UrpFrame.IsDeferred(renderer, renderingData.cameraData));
 #endif
@@ -129,6 +138,19 @@ namespace Penumbra
 #endif
             PenumbraShadowsVolume volume = VolumeManager.instance.stack.GetComponent<PenumbraShadowsVolume>();
             return volume != null ? volume.Over(options) : options;
+        }
+
+        // Without ground, the options' far shadows are switched off.
+        private FarFrame Far(in ShadowSource source, Camera camera, ref ShadowOptions options)
+        {
+            MissingGround = null;
+            if (!options.DrawsBeyondCascades) return default;
+            Vector3 position = camera.transform.position;
+            FarFrame far = FarFrame.Of(settings.farShadows, source, position);
+            if (options.farShadows == FarShadowMode.Off) return far;
+            MissingGround = FarShadowGround.Find(options.farShadows, position, out far.ground);
+            if (MissingGround != null) options.farShadows = FarShadowMode.Off;
+            return far;
         }
 
         private SkipReason Reason(in ShadowSource source)

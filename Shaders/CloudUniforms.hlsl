@@ -3,6 +3,7 @@
 // Computes:   LayerOfClouds: where the map lies.
 // Source:     Core/CloudLayer.hlsl.
 // Inputs:     _PenumbraTowardSun            towards the sun, world space, unit; half its angular diameter, radians
+//             _PenumbraCloudCentre          the camera, world space; of two eyes the same for both
 //             _PenumbraCloudWind            metres that the clouds have moved along x and z
 //             _PenumbraCloudParameters0, 1  of Far/CloudParameters.hlsl
 // Cost:       no fetches.
@@ -16,6 +17,7 @@
 #include "../ShaderLibrary/Far/CloudParameters.hlsl"
 
 float4 _PenumbraTowardSun;
+float4 _PenumbraCloudCentre;
 float4 _PenumbraCloudWind;
 float4 _PenumbraCloudParameters0;
 float4 _PenumbraCloudParameters1;
@@ -24,7 +26,7 @@ static const float kCloudTexels = 512.0; // of the map's side, as its graph decl
 
 CloudLayer LayerOfClouds(CloudParameters parameters)
 {
-    return CloudLayerAround(_WorldSpaceCameraPos, _PenumbraTowardSun.xyz, parameters.cloudAltitudeMetres,
+    return CloudLayerAround(_PenumbraCloudCentre.xyz, _PenumbraTowardSun.xyz, parameters.cloudAltitudeMetres,
                             parameters.cloudMapMetres, parameters.cloudBorder, kCloudTexels);
 }
 

@@ -1,7 +1,7 @@
 // Penumbra: the main light's visibility at each pixel of the screen, beyond the cascades too.
 //
 // Computes:   FarShadows       the cascades' visibility, handed over to that of the ground before the shadow distance; with
-//                              _PENUMBRA_CLOUDS times that of a layer of clouds
+//                              _PENUMBRA_CLOUDS times that of a layer of clouds. Without a keyword of the ground, all beyond is lit
 //             FarShadowsAlone  that of the ground
 // Source:     Far/HorizonAngles.hlsl with _PENUMBRA_FAR_HORIZON, Far/HeightFieldTrace.hlsl with _PENUMBRA_FAR_HEIGHTS;
 //             Core/FarHandOver.hlsl; Far/CloudShadow.hlsl.
@@ -10,6 +10,7 @@
 //             _PenumbraShadowDistance         metres
 //             _PenumbraGroundArea             corner and size of the ground, x and z, world space, metres
 //             _PenumbraGroundHeights          metres of 0 and of 1; samples along x and z
+//             _PenumbraGroundChannels         what the heights' red and green are multiplied with before they are added
 //             _PenumbraGroundHeightsTexture, or _PenumbraHorizonFirstTexture and _PenumbraHorizonSecondTexture
 //             _PenumbraFarShadowsParameters0, of Far/FarShadowsParameters.hlsl
 // Cost:       2 fetches where the cascades alone count, 1 more with clouds. Beyond their border 2 more with horizon angles, or as many as steps.
@@ -31,6 +32,7 @@
 float4 _PenumbraShadowDistance;
 float4 _PenumbraGroundArea;
 float4 _PenumbraGroundHeights;
+float4 _PenumbraGroundChannels;
 float4 _PenumbraFarShadowsParameters0;
 
 SAMPLER(sampler_PenumbraLinearClamp);
@@ -42,17 +44,21 @@ TEXTURE2D(_PenumbraHorizonSecondTexture);
 
 float GroundVisibility(float3 positionWS, float2 pixel, FarShadowsParameters parameters)
 {
-    const GroundMap ground = BoundedGroundMap(_PenumbraGroundArea, _PenumbraGroundHeights.xy);
 #if defined(_PENUMBRA_FAR_HEIGHTS)
+    const GroundMap ground = BoundedGroundMap(_PenumbraGroundArea, _PenumbraGroundHeights.xy);
     HeightFieldRay ray;
+    ray.channels = _PenumbraGroundChannels.xy;
     ray.nearestMetres = parameters.nearestMetres;
     ray.steps = parameters.heightSteps;
     ray.jitter = GradientNoise(pixel, uint(_PenumbraMainLightParams.z));
     return HeightFieldVisibility(TEXTURE2D_ARGS(_PenumbraGroundHeightsTexture, sampler_PenumbraLinearClamp),
                                  _PenumbraGroundHeights.zw, positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w, ray, ground);
-#else
+#elif defined(_PENUMBRA_FAR_HORIZON)
+    const GroundMap ground = BoundedGroundMap(_PenumbraGroundArea, _PenumbraGroundHeights.xy);
     return HorizonAnglesVisibility(_PenumbraHorizonFirstTexture,
                                    TEXTURE2D_ARGS(_PenumbraHorizonSecondTexture, sampler_PenumbraLinearClamp), positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w, ground);
+#else
+    return 1.0;
 #endif
 }
 

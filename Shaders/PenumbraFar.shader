@@ -16,7 +16,7 @@ Shader "Hidden/Penumbra/Far"
             #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment FarShadows
-            #pragma multi_compile_local_fragment _PENUMBRA_FAR_HORIZON _PENUMBRA_FAR_HEIGHTS
+            #pragma multi_compile_local_fragment _ _PENUMBRA_FAR_HORIZON _PENUMBRA_FAR_HEIGHTS
             #pragma multi_compile_local_fragment _ _PENUMBRA_CLOUDS
             #include "FarPass.hlsl"
             ENDHLSL

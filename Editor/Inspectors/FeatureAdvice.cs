@@ -40,6 +40,9 @@ namespace Penumbra.Editor
         /// </summary>
         internal string replaced;
         internal ShadowOptions asked;
+
+        /// <summary>Why the last camera has no shadows of the ground, as a message, or null.</summary>
+        internal string missingGround;
         internal ShadowOptions drawn;
 
         /// <summary>The technique has passes that draw the casters per cascade.</summary>
@@ -93,6 +96,9 @@ namespace Penumbra.Editor
             if (state.replaced != null)
                 Say(MessageType.Warning, TechniqueName.Of(state.asked.technique) + " cannot run here as it is set: " +
                                          state.replaced + ". Drawn instead: " + Substitute(state) + ".");
+            if (state.missingGround != null)
+                Say(MessageType.Warning, "Far Shadows are on, but " + state.missingGround + ". Nothing beyond the shadow distance " +
+                                         "is shadowed by the ground meanwhile.");
             bool showsView = state.settings.debugView != DebugView.None;
             if (showsView && !state.debugShaderFound)
                 Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +
@@ -127,6 +133,7 @@ namespace Penumbra.Editor
         private static string Substitute(in FeatureState state)
         {
             if (state.drawn.technique != state.asked.technique) return TechniqueName.Of(state.drawn.technique);
+            if (state.drawn.clouds != state.asked.clouds) return "the same without cloud shadows";
             return state.drawn.mapFormat != state.asked.mapFormat ? "the same with maps of 16 bits"
                                                                   : "the same with the mask of four comparisons";
         }

@@ -21,6 +21,7 @@ namespace Penumbra.Editor
             state.lastSkip = feature.LastSkip;
             state.missingPass = feature.MissingPass;
             state.replaced = feature.Replaced;
+            state.missingGround = feature.MissingGround;
             state.asked = feature.Asked;
             state.drawn = feature.Drawn;
             state.drawsCascades = ChainGraphs.Of(feature.Settings.Options())

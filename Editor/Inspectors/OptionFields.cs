@@ -97,6 +97,14 @@ namespace Penumbra.Editor
             OptionTable.ContactShadowSteps.Tooltip,
             options => options.HasContactShadows, volume => volume.contactShadowSteps);
 
+        /// <summary>Not part of any preset, nor of Volumes.</summary>
+        internal static readonly OptionField FarShadows = new OptionField(
+            nameof(ShadowOptions.farShadows), OptionTable.FarShadows.Label, OptionTable.FarShadows.Tooltip,
+            options => true, null);
+
+        internal static readonly OptionField Clouds = new OptionField(
+            nameof(ShadowOptions.clouds), OptionTable.Clouds.Label, OptionTable.Clouds.Tooltip, options => true, null);
+
         /// <summary>Not part of any preset; set by the feature unless a Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
             nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,

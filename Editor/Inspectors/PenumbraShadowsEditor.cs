@@ -32,6 +32,7 @@ namespace Penumbra.Editor
                 EditorGUILayout.PropertyField(
                     settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.contactShadowSteps)),
                     OptionFields.ContactShadowSteps.label);
+            FarShadowsFields.Show(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.farShadows)));
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.debugView)),
                                           OptionFields.DebugView.label);
             CustomFields.BeginAsMeasured(settings, ((PenumbraShadows)target).Settings);

@@ -22,12 +22,21 @@ namespace Penumbra.Editor
             foreach (PenumbraShadowsSettings feature in features)
                 foreach (ShadowOptions options in VolumeStacks.Over(feature.Options(), volumes))
                 {
-                    programs.Add(ShadowChain.Of(options));
-                    // What ChainDraw falls back to on some devices.
-                    ShadowOptions instead = options;
-                    while (ChainSubstitute.TryGet(instead, out instead)) programs.Add(ShadowChain.Of(instead));
+                    programs.AddWithSubstitutes(options);
+                    if (options.farShadows == FarShadowMode.Off) continue;
+                    // What is drawn in scenes without a FarShadowGround.
+                    ShadowOptions withoutGround = options;
+                    withoutGround.farShadows = FarShadowMode.Off;
+                    programs.AddWithSubstitutes(withoutGround);
                 }
             return programs;
+        }
+
+        // With what ChainDraw falls back to on some devices.
+        private void AddWithSubstitutes(ShadowOptions options)
+        {
+            do Add(ShadowChain.Of(options));
+            while (ChainSubstitute.TryGet(options, out options));
         }
 
         private void Add(ShadowChain chain)

@@ -58,6 +58,8 @@ namespace Penumbra.Editor
             choices.halfResolution = options.halfResolution;
             choices.denoise = options.denoise;
             choices.contactShadowMetres = options.HasContactShadows ? OptionTable.ContactShadowMetres.Max : 0.0f;
+            choices.farShadows = options.farShadows;
+            choices.clouds = options.clouds;
             return choices;
         }
     }

@@ -12,7 +12,9 @@ namespace Penumbra
         private const int Conservative = 8; // with Mask
         private const int SecondFormat = 16;
         private const int ContactShadows = 32;
-        private const int Bits = 6;
+        private const int Clouds = 64;
+        private const int FarShadows = 128;  // times the mode
+        private const int Bits = 9;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -31,15 +33,25 @@ namespace Penumbra
             PenumbraShadowsGraphs.PcssConservativeDenoised, PenumbraShadowsGraphs.PcssConservativeHalfDenoised,
         };
 
+        // By mode, without and with clouds; null: none.
+        private static readonly TechniqueGraph[][] beyondCascades =
+        {
+            new[] { null, PenumbraFarGraphs.Clouds },
+            new[] { PenumbraFarGraphs.FarHeights, PenumbraFarGraphs.FarHeightsClouds },
+            new[] { PenumbraFarGraphs.FarHorizon, PenumbraFarGraphs.FarHorizonClouds },
+        };
+
         // Each reads the visibility of the graphs before it.
         private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
         {
             if (options.HasContactShadows) yield return PenumbraScreenTraceGraphs.ScreenTrace;
+            if (options.DrawsBeyondCascades) yield return beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0];
         }
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace);
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
+            .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
         /// <summary>In the order in which they run.</summary>
         internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options) =>
@@ -58,7 +70,8 @@ namespace Penumbra
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) =>
             (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
-            (options.HasContactShadows ? ContactShadows : 0) | ScreenBits(options);
+            (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
+            FarShadows * (int)options.farShadows | ScreenBits(options);
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>

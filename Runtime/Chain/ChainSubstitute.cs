@@ -8,7 +8,7 @@ namespace Penumbra
 
         /// <summary>
         /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the technique's
-        /// fallback. False if these options have none.
+        /// fallback, then no clouds. False if these options have none.
         /// </summary>
         internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
         {
@@ -17,6 +17,7 @@ namespace Penumbra
             else if (options.HasMapFormats && options.mapFormat == MapFormat.Bits32) instead.mapFormat = MapFormat.Bits16;
             else if (options.HasMaps && Has(options.technique))
                 instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
+            else if (options.clouds) instead.clouds = false;
             else return false;
             return true;
         }

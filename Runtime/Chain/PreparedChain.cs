@@ -65,6 +65,7 @@ namespace Penumbra
             drawn.technique = options.technique;
             drawn.mapFormat = options.mapFormat;
             drawn.conservativeMask = options.conservativeMask;
+            drawn.clouds = options.clouds;
             return drawn;
         }
 

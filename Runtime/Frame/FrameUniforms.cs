@@ -33,6 +33,7 @@ namespace Penumbra
             SetMask(commands, frame);
             DenoiseParameters.Default.SetGlobal(commands);
             frame.options.ContactShadows().SetGlobal(commands);
+            frame.far.Set(commands, frame.options);
             commands.SetGlobalVector(ScreenSize, TextureSize.Drawn(ChainTexture.OfScreen(1), frame).Uniform);
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;

@@ -12,6 +12,10 @@ namespace Penumbra
 
         internal ShadowOptions options;
         internal ShadowUniforms uniforms;
+        internal FarFrame far;
+
+        /// <summary>URP's _MainLightShadowParams of this camera: see ReceiverFade.</summary>
+        internal Vector4 receivers;
 
         /// <summary>An overlay camera, which draws over the image of another camera.</summary>
         internal bool overlay;

@@ -29,6 +29,12 @@ namespace Penumbra
         internal int mainLightIndex;
 
         internal LightShadows lightShadows;
+
+        /// <summary>Towards the main light, world space, of length 1.</summary>
+        internal Vector3 towardLight;
+
+        /// <summary>URP's _MainLightShadowParams: see ReceiverFade.</summary>
+        internal Vector4 receivers;
         internal float distanceMetres;
 
         /// <summary>Something casts a shadow into this camera's cascades.</summary>

@@ -54,6 +54,10 @@ namespace Penumbra
             Light light = lights[source.mainLightIndex].light;
             source.lightShadows = light != null ? light.shadows : LightShadows.None;
             if (source.lightShadows == LightShadows.None) return;
+            Vector3 forward = light.transform.forward;
+            source.towardLight = new Vector3(-forward.x, -forward.y, -forward.z);
+            source.receivers = ReceiverFade.OfUrp(light, data.shadowData.supportsSoftShadows, source.distanceMetres,
+                                                  data.shadowData.mainLightShadowCascadeBorder);
             source.hasCasters = data.cullResults.GetShadowCasterBounds(source.mainLightIndex, out Bounds _);
             source.hasCascades = source.hasCasters && HasCascades(ref data, source, light.shadowNearPlane);
         }
@@ -75,6 +79,7 @@ namespace Penumbra
         {
             ShadowFrame frame = default;
             frame.options = options;
+            frame.receivers = source.receivers;
             frame.isProbe = source.cameraType == CameraType.Reflection;
             frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);
             frame.updatedCascades = (1 << frame.layout.Cascades) - 1;

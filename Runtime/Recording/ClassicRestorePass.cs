@@ -9,8 +9,11 @@ namespace Penumbra
     /// </summary>
     internal sealed class ClassicRestorePass : ScriptableRenderPass
     {
-        internal ClassicRestorePass()
+        private readonly ClassicShadowPass shadows;
+
+        internal ClassicRestorePass(ClassicShadowPass shadows)
         {
+            this.shadows = shadows;
             renderPassEvent = RenderPassEvent.BeforeRenderingTransparents;
             profilingSampler = new ProfilingSampler("Penumbra Shadows Restore");
         }
@@ -19,7 +22,10 @@ namespace Penumbra
         {
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
+            {
                 ShadowKeywords.Global.Restore(commands, renderingData.shadowData.mainLightShadowCascadesCount);
+                if (shadows.HasDrawn) ReceiverFade.Restore(commands, shadows.Frame);
+            }
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);
         }

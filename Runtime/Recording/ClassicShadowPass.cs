@@ -27,6 +27,7 @@ namespace Penumbra
         internal bool IsOverlay => frame.overlay;
         internal bool HasMask => draw.Chain.Mask != ShadowChain.None;
         internal ref readonly ShadowOptions Options => ref frame.options;
+        internal ref readonly ShadowFrame Frame => ref frame;
 
         internal ClassicShadowPass()
         {
@@ -82,6 +83,7 @@ namespace Penumbra
                 store.SetFilled(frame);
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);
+                ReceiverFade.Stop(commands, frame);
             }
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);

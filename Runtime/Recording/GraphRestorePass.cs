@@ -16,6 +16,7 @@ namespace Penumbra
         private sealed class PassData
         {
             internal int cascadeCount;
+            internal ShadowFrame frame;
         }
 
         private readonly GraphShadowPass shadows;
@@ -36,12 +37,19 @@ namespace Penumbra
                                                                                        profilingSampler))
             {
                 data.cascadeCount = frameData.Get<UniversalShadowData>().mainLightShadowCascadesCount;
+                data.frame = shadows.Frame;
                 builder.SetRenderAttachment(resources.activeColorTexture, 0, AccessFlags.Write);
                 builder.AllowPassCulling(false);
                 builder.AllowGlobalStateModification(true);
                 builder.SetRenderFunc(static (PassData passData, RasterGraphContext context) =>
-                                          ShadowKeywords.Global.Restore(context.cmd, passData.cascadeCount));
+                                          Restore(passData, context));
             }
+        }
+
+        private static void Restore(PassData data, in RasterGraphContext context)
+        {
+            ShadowKeywords.Global.Restore(context.cmd, data.cascadeCount);
+            ReceiverFade.Restore(context.cmd, data.frame);
         }
     }
 }

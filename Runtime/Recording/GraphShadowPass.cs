@@ -50,6 +50,7 @@ namespace Penumbra
 
         internal bool IsOverlay => frame.overlay;
         internal ref readonly ShadowOptions Options => ref frame.options;
+        internal ref readonly ShadowFrame Frame => ref frame;
 
         internal GraphShadowPass()
         {
@@ -162,6 +163,7 @@ namespace Penumbra
             data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers, data.casters);
             data.store.SetFilled(data.frame);
             ShadowKeywords.Global.Open(commands);
+            ReceiverFade.Stop(commands, data.frame);
         }
 
         // The graph creates the lists of these handles just before the pass.

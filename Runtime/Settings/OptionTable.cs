@@ -199,6 +199,22 @@ namespace Penumbra
             internal const int Max = 64;
         }
 
+        internal static class FarShadows
+        {
+            internal const string Label = "Far Shadows";
+            internal const string Tooltip =
+                "Shadows of mountains and hills beyond the shadow distance. Height Map: of a Terrain or a baked " +
+                "height map, searched towards the sun in every frame. Horizon Angles: of two baked textures, with " +
+                "two fetches per pixel. Both need a Far Shadow Ground component in the scene.";
+        }
+
+        internal static class Clouds
+        {
+            internal const string Label = "Cloud Shadows";
+            internal const string Tooltip =
+                "Shadows of a layer of procedural clouds, near and far. Transparent surfaces do not receive them.";
+        }
+
         internal static class DebugView
         {
             internal const string Label = "Debug View";

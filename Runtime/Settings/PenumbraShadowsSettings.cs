@@ -53,6 +53,10 @@ namespace Penumbra
         [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
         public int contactShadowSteps = ScreenTraceParameters.Default.traceSteps;
 
+        /// <summary>Shadows beyond the cascades and of clouds, for every preset.</summary>
+        [Tooltip("Shadows of the ground beyond the shadow distance, and of clouds.")]
+        public FarShadowsSettings farShadows = new FarShadowsSettings();
+
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugView debugView;
 
@@ -90,6 +94,8 @@ namespace Penumbra
             options.cascadeBlend = cascadeBlend;
             options.contactShadowMetres = contactShadowMetres;
             options.contactShadowSteps = contactShadowSteps;
+            options.farShadows = farShadows.mode;
+            options.clouds = farShadows.clouds;
             options.debugView = debugView;
             return options.Clamped();
         }

@@ -117,6 +117,8 @@ namespace Penumbra
                 options.cascadeBlend = before.cascadeBlend;
                 options.contactShadowMetres = before.contactShadowMetres;
                 options.contactShadowSteps = before.contactShadowSteps;
+                options.farShadows = before.farShadows;
+                options.clouds = before.clouds;
                 options.debugView = before.debugView;
             }
             if (angularDiameterDegrees.overrideState) options.angularDiameterDegrees = angularDiameterDegrees.value;

@@ -126,6 +126,12 @@ namespace Penumbra
         [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
         [NonSerialized] public int contactShadowSteps;
 
+        /// <summary>Shadows of the ground beyond the cascades; set by the feature, by no preset.</summary>
+        [NonSerialized] public FarShadowMode farShadows;
+
+        /// <summary>Shadows of a layer of clouds, near and far; set by the feature, by no preset.</summary>
+        [NonSerialized] public bool clouds;
+
         /// <summary>Drawn over the image; set by the feature and the Volume, by no preset.</summary>
         [NonSerialized] public DebugView debugView;
 
@@ -139,7 +145,8 @@ namespace Penumbra
             mask == other.mask && conservativeMask == other.conservativeMask &&
             halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
-            contactShadowSteps == other.contactShadowSteps && debugView == other.debugView;
+            contactShadowSteps == other.contactShadowSteps && farShadows == other.farShadows &&
+            clouds == other.clouds && debugView == other.debugView;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
 
@@ -181,6 +188,9 @@ namespace Penumbra
                                                      OptionTable.ContactShadowSteps.Max);
             return options;
         }
+
+        /// <summary>A pass hands the cascades over to what is beyond them, so that nothing fades there.</summary>
+        internal bool DrawsBeyondCascades => farShadows != FarShadowMode.Off || clouds;
 
         /// <summary>
         /// The technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.

@@ -5,10 +5,14 @@
 // Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): 8 steps over a height map towards the sun, blended by how far
 //             the ground reaches over the ray. Here the blend is the sun's own disc, and steps grow in proportion to the
 //             distance, as a mountain of the same angle does, from the first to where the ray is over all ground.
-// Inputs:     heights: of `penumbra bake heightfield` or a terrain, one channel; texels: how many each way; the world position
-//             of the receiver; the direction towards the sun, world space, of any positive length; half its angular diameter
-//             in radians; nearestMetres: the first step; steps; jitter: [0, 1), another for each pixel.
-// Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before.
+// Inputs:     heights: of `penumbra bake heightfield` or a terrain; texels: how many each way; the world position of the
+//             receiver; the direction towards the sun, world space, of any positive length; half its angular diameter in
+//             radians; nearestMetres: the first step; steps; jitter: [0, 1), another for each pixel; channels: what the
+//             heights' red and green are multiplied with, (1, 0) of one channel. A terrain of Unity stores heights up to
+//             32766 / 65535, with Vulkan and OpenGL ES in two channels, red the low byte and green the high one (its
+//             PaintContext.kNormalizedHeightScale and UnpackHeightmap).
+// Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before. Of heights in two
+//             channels four times as many, not filtered: devices may round filtered texels of 8 bits to 8 bits.
 // Guarantees: [0, 1] for any input; at most 256 steps; beside the map all is lit; a sun below the horizontal is hidden.
 // Use it:     for ground that changes, or a sun that has moved since horizons were baked. Not: for narrow ridges between two
 //             steps, which are missed.
@@ -22,7 +26,26 @@ struct HeightFieldRay
     float nearestMetres;
     int steps;
     float jitter;
+    float2 channels;
 };
+
+// 0 for ground.low, 1 for the highest.
+float StoredHeight(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float2 groundUv, float2 channels)
+{
+    const float2 uv = HeightUv(groundUv, texels);
+    UNITY_BRANCH
+    if (!(channels.y > 0.0)) return SAMPLE_TEXTURE2D_LOD(heights, sampler_linear, uv, 0.0).r * channels.x;
+    const float2 last = float2(BoundedOrLow(texels.x, 2.0, 65536.0), BoundedOrLow(texels.y, 2.0, 65536.0)) - 1.0;
+    const float2 place = float2(BoundedOrLow(groundUv.x, 0.0, 1.0), BoundedOrLow(groundUv.y, 0.0, 1.0)) * last;
+    const float2 corner = min(floor(place), last - 1.0);
+    const int2 first = int2(corner);
+    const float low = dot(LOAD_TEXTURE2D_LOD(heights, first, 0).rg, channels);
+    const float right = dot(LOAD_TEXTURE2D_LOD(heights, first + int2(1, 0), 0).rg, channels);
+    const float up = dot(LOAD_TEXTURE2D_LOD(heights, first + int2(0, 1), 0).rg, channels);
+    const float both = dot(LOAD_TEXTURE2D_LOD(heights, first + int2(1, 1), 0).rg, channels);
+    const float2 part = place - corner;
+    return lerp(lerp(low, right, part.x), lerp(up, both, part.x), part.y);
+}
 
 float HeightFieldVisibility(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float3 positionWS, float3 towardSun,
                             float halfDiameter, HeightFieldRay ray, GroundMap ground)
@@ -51,7 +74,7 @@ float HeightFieldVisibility(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 
         const float distance = nearest * pow(ratio, (float(i) + jitter) / float(steps));
         const float2 uv = from + direction * distance / ground.size;
         if (any(uv < 0.0) || any(uv > 1.0)) break;
-        const float stored = SAMPLE_TEXTURE2D_LOD(heights, sampler_linear, HeightUv(uv, texels), 0.0).r;
+        const float stored = StoredHeight(TEXTURE2D_ARGS(heights, sampler_linear), texels, uv, ray.channels);
         steepest = max(steepest, (GroundHeight(stored, ground) - height) / distance);
     }
     return HorizonVisibility(atan(steepest), elevation, halfAngle);

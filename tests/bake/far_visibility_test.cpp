@@ -24,6 +24,7 @@ struct Parameters {
   float sun[4];  // towards it, and half its diameter
   float heights_and_texels[4];
   float ray[4];
+  float channels[4] = {1.0F, 0.0F, 0.0F, 0.0F};
 };
 
 struct Sun {
@@ -106,7 +107,8 @@ class FarVisibility : public testing::Test {
              static_cast<float>(sun.half_diameter)},
             {static_cast<float>(low_), static_cast<float>(high_), static_cast<float>(field_.width),
              static_cast<float>(field_.depth)},
-            {0.0F, 0.0F, 0.0F, 0.0F}};
+            {0.0F, 0.0F, 0.0F, 0.0F},
+            {1.0F, 0.0F, 0.0F, 0.0F}};
   }
 
   std::vector<float> run(const std::string& entry, const std::map<std::string, const gpu::Image*>& images,
@@ -120,13 +122,39 @@ class FarVisibility : public testing::Test {
     return run("Angles", {{"_First", &first}, {"_Second", &second}}, parameters(sun), receivers);
   }
 
+  // As a terrain of Unity holds them: up to 32766 of 65535, in one channel of 16 bits or two of 8.
+  gpu::Image terrain(bool in_two_channels) const {
+    std::vector<std::uint16_t> words;
+    std::vector<std::uint8_t> bytes;
+    for (const float metres : field_.metres) {
+      const auto word = static_cast<std::uint16_t>(
+          std::lround((static_cast<double>(metres) - low_) / (high_ - low_) * kTerrainTop));
+      words.push_back(word);
+      bytes.push_back(static_cast<std::uint8_t>(word & 0xFF));
+      bytes.push_back(static_cast<std::uint8_t>(word >> 8));
+    }
+    gpu::Image image(device_, in_two_channels ? gpu::Format::rg8 : gpu::Format::r16, field_.width,
+                     field_.depth);
+    if (in_two_channels)
+      image.upload(std::span<const std::uint8_t>(bytes));
+    else
+      image.upload(std::span<const std::uint16_t>(words));
+    return image;
+  }
+
   std::vector<float> by_trace(int steps, double nearest, const Sun& sun,
                               const std::vector<glm::vec4>& receivers) {
-    const gpu::Image image = heights();
+    return by_trace(heights(), {1.0, 0.0}, steps, nearest, sun, receivers);
+  }
+
+  std::vector<float> by_trace(const gpu::Image& image, glm::dvec2 channels, int steps, double nearest,
+                              const Sun& sun, const std::vector<glm::vec4>& receivers) {
     Parameters all = parameters(sun);
     all.ray[0] = static_cast<float>(nearest);
     all.ray[1] = static_cast<float>(steps);
     all.ray[2] = 0.5F;
+    all.channels[0] = static_cast<float>(channels.x);
+    all.channels[1] = static_cast<float>(channels.y);
     return run("Trace", {{"_Heights", &image}}, all, receivers);
   }
 
@@ -139,6 +167,8 @@ class FarVisibility : public testing::Test {
     }
     return std::sqrt(sum / static_cast<double>(seen.size()));
   }
+
+  static constexpr double kTerrainTop = 32766.0;
 
   gpu::Device device_;
   std::shared_ptr<const gpu::ValidationLog> log_;
@@ -192,6 +222,28 @@ TEST_F(FarVisibility, ByTraceConvergesToTheExactHorizon) {
     before = error;
   }
   EXPECT_LT(before, 0.05);
+}
+
+// A terrain of Unity holds the same heights with 15 bits; half of its range is not used.
+TEST_F(FarVisibility, ByTraceReadsATerrainsHeights) {
+  const Sun sun{12.0 * kDegree, 0.7};
+  const std::vector<glm::vec4> places = receivers(4096, 5);
+  const std::vector<float> baked = by_trace(32, 30.0, sun, places);
+  const double scale = 65535.0 / kTerrainTop;
+  const glm::dvec2 one_channel{scale, 0.0}, two_channels{scale / 257.0, scale * 256.0 / 257.0};
+  // A step of 15 bits at 30 metres.
+  const double step = (high_ - low_) / kTerrainTop;
+  for (const bool two : {false, true}) {
+    const std::vector<float> seen =
+        by_trace(terrain(two), two ? two_channels : one_channel, 32, 30.0, sun, places);
+    const double slack = std::atan(step / 30.0) / sun.half_diameter + 1e-3;
+    int shadowed = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      ASSERT_NEAR(seen[i], baked[i], slack) << two << " " << i;
+      shadowed += seen[i] < 0.5F ? 1 : 0;
+    }
+    EXPECT_GT(shadowed, 100);
+  }
 }
 
 // The search finds nothing that is not there: ground that is marched is never steeper than the exact horizon.
@@ -285,6 +337,8 @@ TEST_F(FarVisibility, StaysInRangeWhateverItIsGiven) {
       for (float& value : all.heights_and_texels) value = one();
     if (round % 5 == 0)
       for (float& value : all.area) value = one();
+    if (round % 7 == 0)
+      for (float& value : all.channels) value = one();
     for (const float seen : run("Angles", {{"_First", &first}, {"_Second", &second}}, all, places))
       ASSERT_TRUE(seen >= 0.0F && seen <= 1.0F) << round;
     for (const float seen : run("Clouds", {{"_Clouds", &clouds}}, all, places))

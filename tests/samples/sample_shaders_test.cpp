@@ -123,6 +123,7 @@ half4 Fragment(Varyings v) : SV_Target
     ray.nearestMetres = 5.0;
     ray.steps = 16;
     ray.jitter = 0.5;
+    ray.channels = float2(1.0, 0.0);
     const GroundMap ground = BoundedGroundMap(float4(0.0, 0.0, 1000.0, 1000.0), float2(0.0, 600.0));
     const DistanceFieldBox box = BoundedFieldBox(float4(0.0, 0.0, 0.0, 1.0), float4(1.0, 1.0, 1.0, 0.02));
     float visibility = FarVisibility(v.world, towardSun);

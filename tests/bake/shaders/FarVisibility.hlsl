@@ -16,6 +16,7 @@ CBUFFER_START(Parameters)
     float4 _SunAndHalfDiameter;
     float4 _HeightsAndTexels;
     float4 _Ray; // nearest, steps, jitter
+    float4 _Channels;
 CBUFFER_END
 
 [numthreads(64, 1, 1)] void Angles(uint3 id : SV_DispatchThreadID)
@@ -32,6 +33,7 @@ CBUFFER_END
     ray.nearestMetres = _Ray.x;
     ray.steps = int(_Ray.y);
     ray.jitter = _Ray.z;
+    ray.channels = _Channels.xy;
     _Visibility[id.x] = HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_Linear), _HeightsAndTexels.zw,
                                               _Receivers[id.x].xyz, _SunAndHalfDiameter.xyz, _SunAndHalfDiameter.w, ray, ground);
 }

@@ -14,6 +14,7 @@ namespace Penumbra.Tests
         {
             "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample", "DenoiseHorizontal",
             "DenoiseVertical", "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace",
+            "CloudMap", "FarShadows",
         };
 
         private static ChainPrograms Of(QualityPreset preset, params PenumbraShadowsVolume[] volumes) =>
@@ -25,6 +26,7 @@ namespace Penumbra.Tests
                 new PenumbraShadowsSettings
                 {
                     preset = QualityPreset.Custom, custom = custom, contactShadowMetres = custom.contactShadowMetres,
+                    farShadows = new FarShadowsSettings { mode = custom.farShadows, clouds = custom.clouds },
                 },
             }, volumes);
 
@@ -69,7 +71,8 @@ namespace Penumbra.Tests
             string.Join(" ", keywords.Prepend(pass));
 
         private static IReadOnlyCollection<string> Declared(string pass) =>
-            pass == "Resolve" ? ChainKeywords.All : new string[0];
+            pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Append("_PENUMBRA_MASK").ToArray()
+                              : new string[0];
 
         private static string[] Kept(ChainPrograms programs) =>
             EveryProgram().Where(program => programs.Has(Asset(program.pass), program.pass,
@@ -81,8 +84,12 @@ namespace Penumbra.Tests
             ShadowChain chain = ShadowChain.Of(options);
             IEnumerable<string> asked = chain.Steps.Select(step => step.pass.program)
                 .Select(pass => Text(pass, chain.Keywords.Where(Declared(pass).Contains)));
-            // What some devices draw instead.
-            return ChainSubstitute.TryGet(options, out ShadowOptions instead) ? asked.Union(Asked(instead)) : asked;
+            // What some devices draw instead, and what scenes without ground do.
+            if (ChainSubstitute.TryGet(options, out ShadowOptions instead)) asked = asked.Union(Asked(instead));
+            if (options.farShadows == FarShadowMode.Off) return asked;
+            instead = options;
+            instead.farShadows = FarShadowMode.Off;
+            return asked.Union(Asked(instead));
         }
 
         [Test]
@@ -185,6 +192,39 @@ namespace Penumbra.Tests
             settings.contactShadowMetres = 0.5f;
             Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)),
                         Is.EquivalentTo(alone.Append("ScreenTrace")));
+        }
+
+        // "FarShadows _PENUMBRA_CLOUDS" and the like.
+        private static string[] KeptOfFar(PenumbraShadowsSettings settings)
+        {
+            ChainPrograms programs = ChainPrograms.Of(new[] { settings }, NoVolumes);
+            var declared = new[] { "_PENUMBRA_FAR_HORIZON", "_PENUMBRA_FAR_HEIGHTS", "_PENUMBRA_CLOUDS" };
+            return (from ground in new[] { null, declared[0], declared[1] }
+                    from clouds in new[] { null, declared[2] }
+                    let enabled = new[] { ground, clouds }
+                    where programs.Has("Shaders/PenumbraFar.shader", "FarShadows", declared, enabled.Contains)
+                    select string.Join(" ", enabled.Where(name => name != null))).ToArray();
+        }
+
+        /// <summary>And without ground, which a scene may lack, and without clouds, which a device may not draw.</summary>
+        [Test]
+        public void FarShadowsAreKeptAsTheFeatureHasThem()
+        {
+            var settings = new PenumbraShadowsSettings { preset = QualityPreset.High };
+            Assert.That(KeptOfFar(settings), Is.Empty);
+            settings.farShadows.mode = FarShadowMode.HeightMap;
+            Assert.That(KeptOfFar(settings), Is.EqualTo(new[] { "_PENUMBRA_FAR_HEIGHTS" }));
+            settings.farShadows.mode = FarShadowMode.HorizonAngles;
+            Assert.That(KeptOfFar(settings), Is.EqualTo(new[] { "_PENUMBRA_FAR_HORIZON" }));
+            settings.farShadows.clouds = true;
+            Assert.That(KeptOfFar(settings), Is.EquivalentTo(new[]
+            {
+                "_PENUMBRA_FAR_HORIZON _PENUMBRA_CLOUDS", "_PENUMBRA_FAR_HORIZON", "_PENUMBRA_CLOUDS",
+            }));
+            settings.farShadows.mode = FarShadowMode.Off;
+            Assert.That(KeptOfFar(settings), Is.EqualTo(new[] { "_PENUMBRA_CLOUDS" }));
+            Assert.That(ChainPrograms.Of(new[] { settings }, NoVolumes)
+                            .Has("Shaders/PenumbraFar.shader", "FarShadowsAlone", new string[0], name => false), Is.False);
         }
 
         [Test]

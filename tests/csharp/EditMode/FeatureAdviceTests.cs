@@ -48,6 +48,28 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void MissingGroundIsNamedWithTheWayOut()
+        {
+            FeatureState state = Sound();
+            state.missingGround = FarShadowGround.NoGround;
+            Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("Add Component").And.Contain("Terrain"));
+        }
+
+        /// <summary>Of the fields that the inspector shows, each counts.</summary>
+        [TestCase(FarShadowMode.Off, false, 0)]
+        [TestCase(FarShadowMode.Off, true, 1)]
+        [TestCase(FarShadowMode.HeightMap, false, 3)]
+        [TestCase(FarShadowMode.HorizonAngles, true, 1)]
+        public void FarShadowsShowTheParametersOfTheirMode(FarShadowMode mode, bool clouds, int count)
+        {
+            string[] shown = FarShadowsFields.Parameters(mode, clouds);
+            Assert.That(shown.Length, Is.EqualTo(count));
+            Assert.That(shown.Except(typeof(FarShadowsParameters).GetFields().Select(field => field.Name)), Is.Empty);
+            Assert.That(FarShadowsFields.CloudFields, Is.EquivalentTo(
+                typeof(CloudParameters).GetFields().Where(field => !field.IsStatic).Select(field => field.Name)));
+        }
+
+        [Test]
         public void AMissingDebugShaderIsNamedWhenAViewIsChosen()
         {
             FeatureState state = Sound();

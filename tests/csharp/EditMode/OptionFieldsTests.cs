@@ -36,7 +36,8 @@ namespace Penumbra.Tests
         public void EveryOptionIsShownOnceWithItsLabelAndTooltip()
         {
             OptionField[] all = OptionFields.All.Append(OptionFields.CascadeBlend).Append(OptionFields.ContactShadows)
-                .Append(OptionFields.ContactShadowSteps).Append(OptionFields.DebugView).ToArray();
+                .Append(OptionFields.ContactShadowSteps).Append(OptionFields.FarShadows).Append(OptionFields.Clouds)
+                .Append(OptionFields.DebugView).ToArray();
             Assert.That(all.Select(option => option.name), Is.EquivalentTo(Fields.Select(field => field.Name)));
             Assert.That(all.Select(option => option.label.text), Is.Unique);
             foreach (OptionField option in all)

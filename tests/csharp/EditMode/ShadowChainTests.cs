@@ -27,11 +27,13 @@ namespace Penumbra.Tests
         private static IEnumerable<ShadowOptions> EveryChain()
         {
             foreach (ShadowTechnique technique in System.Enum.GetValues(typeof(ShadowTechnique)))
-                for (int bits = 0; bits < 32; ++bits)
+                for (int bits = 0; bits < 192; ++bits)
                 {
                     ShadowOptions options = Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique,
                                                     (bits & 8) != 0);
                     options.contactShadowMetres = (bits & 16) != 0 ? 0.5f : 0.0f;
+                    options.clouds = (bits & 32) != 0;
+                    options.farShadows = (FarShadowMode)(bits / 64);
                     yield return options;
                 }
         }
@@ -56,8 +58,10 @@ namespace Penumbra.Tests
         }
 
         [TestCaseSource(nameof(EveryChain))]
-        public void ContactShadowsComeLastAndReadTheVisibilityBefore(ShadowOptions options)
+        public void ContactShadowsComeAfterTheFilterAndReadTheVisibilityBefore(ShadowOptions options)
         {
+            options.farShadows = FarShadowMode.Off;
+            options.clouds = false;
             options.contactShadowMetres = 0.0f;
             string[] without = Names(options);
             int before = ShadowChain.Of(options).Slots[ShadowChain.Output].divisor;
@@ -70,6 +74,28 @@ namespace Penumbra.Tests
             Assert.That(trace.reads.Single().index, Is.EqualTo(filtered.Target));
             Assert.That(trace.Target, Is.EqualTo(ShadowChain.Output));
             Assert.That(chain.Slots[filtered.Target].divisor, Is.EqualTo(before));
+        }
+
+        private static string[] Beyond(bool clouds) => clouds ? new[] { "CloudMap", "FarShadows" } : new[] { "FarShadows" };
+
+        [TestCaseSource(nameof(EveryChain))]
+        public void WhatIsBeyondTheCascadesComesLastAndReadsTheVisibilityBefore(ShadowOptions options)
+        {
+            if (!options.DrawsBeyondCascades) return;
+            ShadowOptions near = options;
+            near.farShadows = FarShadowMode.Off;
+            near.clouds = false;
+            ShadowChain chain = ShadowChain.Of(options);
+            string[] without = Names(near);
+            Assert.That(Names(options), Is.EqualTo(without.Concat(Beyond(options.clouds))));
+            ChainStep far = chain.Steps.Last();
+            int Read(string name) => far.reads.Single(read => read.property == Shader.PropertyToID(name)).index;
+            Assert.That(far.Target, Is.EqualTo(ShadowChain.Output));
+            Assert.That(Read("_PenumbraSourceTexture"), Is.EqualTo(chain.Steps[without.Length - 1].Target));
+            if (options.clouds) Assert.That(Read("_PenumbraCloudTexture"), Is.EqualTo(chain.Steps[without.Length].Target));
+            var keywords = new[] { "_PENUMBRA_FAR_HEIGHTS", "_PENUMBRA_FAR_HORIZON", "_PENUMBRA_CLOUDS" };
+            Assert.That(chain.Keywords.Intersect(keywords), Is.EquivalentTo(keywords.Where(
+                (keyword, i) => i == 2 ? options.clouds : (int)options.farShadows == i + 1)));
         }
 
         /// <summary>As a pass that darkens them further would be written.</summary>
@@ -262,7 +288,9 @@ namespace Penumbra.Tests
         [Test]
         public void TheKeywordsAreTheTechniquesAndTheGraphs() =>
             Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null)
-                                                               .Append("_PENUMBRA_MASK")));
+                                                               .Append("_PENUMBRA_MASK").Append("_PENUMBRA_CLOUDS")
+                                                               .Append("_PENUMBRA_FAR_HEIGHTS")
+                                                               .Append("_PENUMBRA_FAR_HORIZON")));
 
         [Test]
         public void AChainWithoutAResultIsRefused() =>

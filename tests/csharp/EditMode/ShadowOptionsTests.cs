@@ -61,6 +61,7 @@ namespace Penumbra.Tests
                                         : value is int count ? count + 1
                                         : value is MapFormat ? MapFormat.Bits16
                                         : value is DebugView ? DebugView.Cascades
+                                        : value is FarShadowMode ? FarShadowMode.HorizonAngles
                                         : (object)ShadowTechnique.Tent3x3);
                 Assert.That(changed, Is.Not.EqualTo(original), field.Name);
             }

@@ -14,6 +14,13 @@ namespace Penumbra.Tests
         internal bool MainLight = true;
         internal LightShadows Shadows = LightShadows.Soft;
         internal float Distance = 50.0f;
+
+        /// <summary>Where the light shines to.</summary>
+        internal Vector3 Forward = new Vector3(0.6f, -0.8f, 0.0f);
+        internal bool SoftShadows = true;
+
+        /// <summary>Of the last cascade: a share of the distance.</summary>
+        internal float Border = 0.2f;
         internal bool Casters = true;
         internal int Cascades = 4;
 
@@ -56,8 +63,13 @@ namespace Penumbra.Tests
 
         internal RenderTexture Texture() => DepthOnly ? new RenderTexture { format = RenderTextureFormat.Depth } : null;
 
-        internal VisibleLight[] Lights() =>
-            MainLight ? new[] { new VisibleLight { Source = new Light { shadows = Shadows } } } : new VisibleLight[0];
+        internal VisibleLight[] Lights()
+        {
+            if (!MainLight) return new VisibleLight[0];
+            var light = new Light { shadows = Shadows, shadowStrength = 0.75f };
+            light.transform.forward = Forward;
+            return new[] { new VisibleLight { Source = light } };
+        }
 
         internal RenderTextureDescriptor Target() => new RenderTextureDescriptor
         {
@@ -122,6 +134,9 @@ namespace Penumbra.Tests
         internal string AtOpaques;
         internal string AtTransparents;
         internal string AtEnd;
+
+        /// <summary>_MainLightShadowParams, if anything but URP has set it.</summary>
+        internal Vector4? ReceiversAtOpaques;
 
         public override string ToString() => $"{AtOpaques} | {AtTransparents} | {AtEnd}";
     }

@@ -14,10 +14,14 @@ namespace Penumbra.Tests
         private const string FrameFile = "PenumbraShadows.shader";
         private const string MapFile = "PenumbraMaps.shader";
         private const string TraceFile = "PenumbraScreenTrace.shader";
+        private const string FarFile = "PenumbraFar.shader";
         private const string SumsFile = "SummedAreas.compute";
 
         /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
         internal static Shader Maps { get; private set; }
+
+        /// <summary>Of shadows beyond the cascades; imported, too.</summary>
+        internal static Shader Far { get; private set; }
 
         /// <summary>The kernels of summed-area tables; imported, too.</summary>
         internal static ComputeShader Sums { get; private set; }
@@ -30,6 +34,8 @@ namespace Penumbra.Tests
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + MapFile] = Maps;
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + TraceFile] =
                 Install("Hidden/Penumbra/ScreenTrace", TraceFile);
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + FarFile] = Far =
+                Install("Hidden/Penumbra/Far", FarFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + SumsFile] = Sums = Kernels(SumsFile);
             return Install(PenumbraShadows.ShaderName, FrameFile);
         }
@@ -69,6 +75,9 @@ namespace Penumbra.Tests
 
         /// <summary>Of the shader of passes over the shadow map.</summary>
         internal static Dictionary<string, List<HashSet<string>>> MapVariants() => VariantsOf(MapFile);
+
+        /// <summary>Of the shader of shadows beyond the cascades.</summary>
+        internal static Dictionary<string, List<HashSet<string>>> FarVariants() => VariantsOf(FarFile);
 
         // By pass the keyword sets of its fragment programs: one keyword of every multi_compile line.
         private static Dictionary<string, List<HashSet<string>>> VariantsOf(string file)

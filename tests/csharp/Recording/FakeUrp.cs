@@ -48,6 +48,8 @@ namespace Penumbra.Tests
         private void DrawOpaques(FrameKeywords keywords)
         {
             keywords.AtOpaques = Now();
+            keywords.ReceiversAtOpaques = Device.Uniforms.TryGetValue("_MainLightShadowParams", out object receivers)
+                                              ? (Vector4?)receivers : null;
             keywords.AtTransparents = keywords.AtOpaques;
         }
 

@@ -38,6 +38,7 @@ namespace Penumbra.Tests
         private (Shader shader, Dictionary<string, List<HashSet<string>>> variants)[] Shaders() => new[]
         {
             (shader, FakeShader.FragmentVariants()), (FakeShader.Maps, FakeShader.MapVariants()),
+            (FakeShader.Far, FakeShader.FarVariants()),
         };
 
         private Dictionary<string, List<HashSet<string>>> AllVariants() =>

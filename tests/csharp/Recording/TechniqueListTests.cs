@@ -95,6 +95,31 @@ namespace Penumbra.Tests
             Assert.That(options.ContactShadows().Vector0, Is.EqualTo(parameters.Vector0));
         }
 
+        [TestCase(FarShadowMode.HeightMap, false, "pcss-angular-24-16-far-heights-32")]
+        [TestCase(FarShadowMode.HeightMap, true, "pcss-angular-24-16-far-heights-32-clouds")]
+        [TestCase(FarShadowMode.HorizonAngles, false, "pcss-angular-24-16-far-horizon")]
+        [TestCase(FarShadowMode.HorizonAngles, true, "pcss-angular-24-16-far-horizon-clouds")]
+        [TestCase(FarShadowMode.Off, true, "pcss-angular-24-16-clouds")]
+        public void FarShadowsAreTheStudys(FarShadowMode mode, bool clouds, string technique)
+        {
+            var settings = new FarShadowsSettings();
+            void HasItsValues(object parameters)
+            {
+                foreach (System.Reflection.FieldInfo field in parameters.GetType().GetFields().Where(field => !field.IsStatic))
+                    Assert.That(Convert.ToSingle(field.GetValue(parameters)), Is.EqualTo(Value(technique, field.Name)),
+                                field.Name);
+            }
+            HasItsValues(settings.parameters);
+            if (clouds) HasItsValues(settings.cloudLayer);
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);  // PCSS without a mask
+            options.farShadows = mode;
+            options.clouds = clouds;
+            JsonElement[] passes = Technique(technique).GetProperty("passes").EnumerateArray().ToArray();
+            Assert.That(ShadowChain.Of(options).Steps.Select(step => step.pass.program).Except(
+                            new[] { "DenoiseHorizontal", "DenoiseVertical" }),
+                        Is.EquivalentTo(passes.Select(pass => pass.GetProperty("program").GetString())));
+        }
+
         private static IEnumerable<QualityPreset> Presets() =>
             Enum.GetValues(typeof(QualityPreset)).Cast<QualityPreset>().Where(preset => preset != QualityPreset.Custom);
 

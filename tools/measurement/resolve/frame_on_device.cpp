@@ -140,6 +140,8 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_MainLightColor", glm::vec4(1.0f));
   values.set("_GlobalMipBias", glm::vec4(0.0f, 1.0f, 0.0f, 0.0f));  // none: URP's bias and its power of two
   values.set("_WorldSpaceCameraPos", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
+  values.set("_PenumbraCloudCentre", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
+  values.set("_PenumbraCloudWind", glm::vec4(0.0f));
   const auto width = static_cast<float>(frame.receivers.width);
   const auto height = static_cast<float>(frame.receivers.height);
   values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));

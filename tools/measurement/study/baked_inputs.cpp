@@ -52,6 +52,7 @@ resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene&
   inputs.uniforms.set(
       "_PenumbraGroundHeights",
       glm::vec4(glm::dvec4(range.low + origin.y, range.high + origin.y, field.width, field.depth)));
+  inputs.uniforms.set("_PenumbraGroundChannels", glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
   if (has(needs, Need::ground_heights))
     inputs.images.emplace(kHeights, texture(device, gpu::Format::r16, field.width, field.depth,
                                             bake::height_texels(field, range)));

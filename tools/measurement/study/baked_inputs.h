@@ -17,8 +17,9 @@ struct BakeSettings {
 };
 
 // Of the scene's ground (bake::ground_of), as textures of 16 bits, which is how `penumbra bake` writes them:
-//   _PenumbraGroundArea     corner and size of the ground, x and z, world space, metres
-//   _PenumbraGroundHeights  metres of 0 and of 1; samples along x and z
+//   _PenumbraGroundArea      corner and size of the ground, x and z, world space, metres
+//   _PenumbraGroundHeights   metres of 0 and of 1; samples along x and z
+//   _PenumbraGroundChannels  of heights in one channel
 //   _PenumbraGroundHeightsTexture
 //   _PenumbraHorizonFirstTexture, _PenumbraHorizonSecondTexture
 // Throws as the bakes do.

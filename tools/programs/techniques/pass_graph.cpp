@@ -156,6 +156,8 @@ PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later) {
     both.passes.push_back(std::move(pass));
   }
   both.keywords.insert(both.keywords.end(), later.keywords.begin(), later.keywords.end());
+  for (const Need need : later.needs)
+    if (std::find(both.needs.begin(), both.needs.end(), need) == both.needs.end()) both.needs.push_back(need);
   both.visibility = later.visibility;
   if (!later.mask.empty()) both.mask = later.mask;
   return both;

@@ -28,6 +28,8 @@ namespace Penumbra.Tests
             data.shadowData.mainLightShadowmapWidth = 2048;
             data.shadowData.mainLightShadowmapHeight = 2048;
             data.shadowData.mainLightShadowCascadesCount = scene.Cascades;
+            data.shadowData.supportsSoftShadows = scene.SoftShadows;
+            data.shadowData.mainLightShadowCascadeBorder = scene.Border;
             return data;
         }
 

@@ -28,6 +28,7 @@ namespace Penumbra.Tests
             {
                 supportsMainLightShadows = scene.Supported, mainLightShadowCascadesCount = scene.Cascades,
                 mainLightShadowmapWidth = 2048, mainLightShadowmapHeight = 2048,
+                supportsSoftShadows = scene.SoftShadows, mainLightShadowCascadeBorder = scene.Border,
             };
             var cameraData = new UniversalCameraData
             {

@@ -34,6 +34,8 @@ namespace UnityEngine.Rendering.Universal
         public int mainLightShadowmapHeight;
         public int mainLightShadowCascadesCount;
         public Vector3 mainLightShadowCascadesSplit;
+        public float mainLightShadowCascadeBorder;
+        public bool supportsSoftShadows;
     }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]

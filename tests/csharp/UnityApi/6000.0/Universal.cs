@@ -55,6 +55,8 @@ namespace UnityEngine.Rendering.Universal
         public ref int mainLightShadowmapHeight => ref Data.mainLightShadowmapHeight;
         public ref int mainLightShadowCascadesCount => ref Data.mainLightShadowCascadesCount;
         public ref Vector3 mainLightShadowCascadesSplit => ref Data.mainLightShadowCascadesSplit;
+        public ref float mainLightShadowCascadeBorder => ref Data.mainLightShadowCascadeBorder;
+        public ref bool supportsSoftShadows => ref Data.supportsSoftShadows;
     }
 
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
@@ -101,6 +103,8 @@ namespace UnityEngine.Rendering.Universal
         public int mainLightShadowmapHeight;
         public int mainLightShadowCascadesCount;
         public Vector3 mainLightShadowCascadesSplit;
+        public float mainLightShadowCascadeBorder;
+        public bool supportsSoftShadows;
 
         public override void Reset() { }
     }

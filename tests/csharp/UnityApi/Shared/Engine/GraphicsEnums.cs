@@ -72,6 +72,7 @@ namespace UnityEngine.Experimental.Rendering
     {
         None = 0,
         R8_UNorm = 5,
+        R8G8_UNorm = 6,
         R16_UNorm = 21,
         R16G16_UNorm = 22,
         R16G16B16A16_UNorm = 24,

@@ -41,8 +41,8 @@ namespace UnityEngine
 
         public bool TryGetComponent<T>(out T component)
         {
-            component = default;
-            return false;
+            component = gameObject == null ? default : gameObject.GetComponent<T>();
+            return component != null;
         }
     }
 
@@ -53,6 +53,7 @@ namespace UnityEngine
         internal Transform() { }
 
         public Vector3 forward { get; set; }
+        public Vector3 position { get; set; }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Behaviour.bindings.cs")]

@@ -33,6 +33,7 @@ namespace UnityEngine
         public LightShadows shadows { get; set; }
         public float shadowBias { get; set; }
         public float shadowNormalBias { get; set; }
+        public float shadowStrength { get; set; } = 1.0f;
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
@@ -111,6 +112,7 @@ namespace UnityEngine
     public class Time
     {
         public static int frameCount { get; [OwnBehaviour] set; }
+        public static double timeAsDouble { get; [OwnBehaviour] set; }
     }
 }
 

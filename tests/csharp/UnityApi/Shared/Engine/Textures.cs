@@ -9,6 +9,16 @@ namespace UnityEngine
     public partial class Texture : Object
     {
         internal Texture() { }
+
+        public virtual int width { get; set; }
+        public virtual int height { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    public sealed partial class Texture2D : Texture
+    {
+        [OwnBehaviour] public Texture2D() { }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
@@ -18,6 +28,7 @@ namespace UnityEngine
         [OwnBehaviour] public RenderTexture() { }
 
         public RenderTextureFormat format { get; set; }
+        public GraphicsFormat graphicsFormat { get; set; }
 
         /// <summary>The device has lost it.</summary>
         [OwnBehaviour] public bool Lost { get; set; }
@@ -61,6 +72,9 @@ namespace UnityEngine.Rendering
     public partial struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     {
         [OwnBehaviour] public string What { get; set; }
+
+        public static implicit operator RenderTargetIdentifier(Texture tex) =>
+            new RenderTargetIdentifier { What = tex.name };
 
         public bool Equals(RenderTargetIdentifier rhs) => What == rhs.What;
     }

@@ -8,6 +8,7 @@ namespace UnityEngine
         public static float Sin(float f) => (float)Math.Sin(f);
         public static float Cos(float f) => (float)Math.Cos(f);
         public static float Abs(float f) => Math.Abs(f);
+        public static float Exp(float power) => (float)Math.Exp(power);
         public static float Pow(float f, float p) => (float)Math.Pow(f, p);
 
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Math.bindings.cs")]

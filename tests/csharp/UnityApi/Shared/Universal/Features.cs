@@ -93,7 +93,12 @@ namespace UnityEngine.Rendering.Universal
     public partial class UniversalAdditionalLightData
     {
         public bool usePipelineSettings { get; set; }
+        public SoftShadowQuality softShadowQuality { get; set; }
     }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    public enum SoftShadowQuality { UsePipelineSettings, Low, Medium, High }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
@@ -103,5 +108,10 @@ namespace UnityEngine.Rendering.Universal
         public int mainLightShadowmapResolution { get; [OwnBehaviour] set; }
         public float shadowDepthBias { get; set; }
         public float shadowNormalBias { get; set; }
+
+        /// <summary>In Unity internal, too.</summary>
+        [OwnBehaviour] internal SoftShadowQuality softShadowQuality { get; set; } = SoftShadowQuality.Medium;
+
+        [OwnBehaviour] public void SetSoftShadowQuality(SoftShadowQuality quality) => softShadowQuality = quality;
     }
 }

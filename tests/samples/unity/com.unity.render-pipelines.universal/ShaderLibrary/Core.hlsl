@@ -24,7 +24,6 @@
 #define TRANSFORM_TEX(uv, name) ((uv) * name##_ST.xy + name##_ST.zw)
 #define MAX_VISIBLE_LIGHTS 256
 
-float3 _WorldSpaceCameraPos;
 float4 _ScaledScreenParams;
 half4 unity_FogColor;
 

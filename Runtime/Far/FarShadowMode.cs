@@ -1,0 +1,21 @@
+namespace Penumbra
+{
+    /// <summary>From what shadows beyond the shadow distance are computed.</summary>
+    public enum FarShadowMode
+    {
+        /// <summary>None: shadows fade out at the shadow distance, as URP's do.</summary>
+        Off,
+
+        /// <summary>
+        /// From the heights of a Terrain or of a baked height map, by a search towards the sun for each pixel. For
+        /// ground that changes.
+        /// </summary>
+        HeightMap,
+
+        /// <summary>
+        /// From the angles up to which the ground hides the sky in eight directions, baked into two textures. The sun
+        /// may move, the ground may not.
+        /// </summary>
+        HorizonAngles,
+    }
+}
