@@ -1,6 +1,9 @@
 // From the manifests to passes, and every technique that runs over the screen from end to end.
 #include <gmock/gmock.h>
 
+#include <random>
+#include <span>
+
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
@@ -61,19 +64,43 @@ std::vector<std::string> screen_techniques() {
   return names;
 }
 
+gpu::Image random_image(gpu::Format format, int channels, int side) {
+  std::mt19937 bits(5);
+  std::vector<std::uint16_t> texels(static_cast<std::size_t>(side * side * channels));
+  for (std::uint16_t& texel : texels) texel = static_cast<std::uint16_t>(bits());
+  gpu::Image image(test_device(), format, side, side);
+  image.upload(std::span<const std::uint16_t>(texels));
+  return image;
+}
+
+// Ground below the scene, of random heights and horizons: what is baked of a scene, under the same names.
+FrameInputs random_ground(const std::vector<techniques::Need>& needs) {
+  FrameInputs inputs;
+  if (needs.empty()) return inputs;
+  constexpr int kSide = 33;
+  inputs.uniforms.set("_PenumbraGroundArea", glm::vec4(-50.0f, -50.0f, 100.0f, 100.0f));
+  inputs.uniforms.set("_PenumbraGroundHeights", glm::vec4(-2.0f, 8.0f, kSide, kSide));
+  inputs.uniforms.set("_PenumbraGroundChannels", glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
+  inputs.images.emplace("_PenumbraGroundHeightsTexture", random_image(gpu::Format::r16, 1, kSide));
+  for (const char* name : {"_PenumbraHorizonFirstTexture", "_PenumbraHorizonSecondTexture"})
+    inputs.images.emplace(name, random_image(gpu::Format::rgba16, 4, kSide));
+  return inputs;
+}
+
 class EveryScreenTechnique : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   const CastersOnDevice casters(test_device(), scene::built_in("colonnade"));
+  const FrameInputs inputs = random_ground(library_techniques().find(GetParam()).graph.needs);
   for (const bool reversed_z : {true, false}) {
     GraphRunner runner(test_device(),
                        compile(technique_graph(library_techniques(), library_techniques().find(GetParam()),
                                                Taps::as_listed, reversed_z)));
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
-      const FrameOnDevice on_device(test_device(), frame, &casters);
+      const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
       CameraImage camera = camera_image(frame, rows);
       const GraphResult right = runner.run(on_device, &camera, kOnce);
       EXPECT_THAT(right.unset_uniforms, testing::IsEmpty());
