@@ -49,8 +49,8 @@ namespace Penumbra
             cloudMapMetres = 16000.0f,
             cloudBorder = 0.1f,
             cloudFeatureMetres = 2400.0f,
-            cloudCoverage = 0.55f,
-            cloudDensity = 6.0f,
+            cloudCoverage = 0.45f,
+            cloudDensity = 4.0f,
         };
 
         /// <summary>The value of _PenumbraCloudParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
