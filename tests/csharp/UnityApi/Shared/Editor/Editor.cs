@@ -102,6 +102,8 @@ namespace UnityEditor
         public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => default;
         public static void EndScrollView() { }
         public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => false;
+        public static Object ObjectField(GUIContent label, Object obj, Type objType, bool allowSceneObjects,
+                                         params GUILayoutOption[] options) => obj;
         public static int Popup(GUIContent label, int selectedIndex, string[] displayedOptions,
                                 params GUILayoutOption[] options) => selectedIndex;
         public static bool PropertyField(SerializedProperty property, GUIContent label,

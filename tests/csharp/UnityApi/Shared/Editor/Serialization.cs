@@ -68,6 +68,8 @@ namespace UnityEditor
 
         internal static void Remember(Action step) => Steps.Push(step);
 
+        public static void RecordObject(UnityEngine.Object objectToUndo, string name) { }
+
         public static void PerformUndo()
         {
             if (Steps.Count > 0) Steps.Pop()();

@@ -33,6 +33,9 @@ namespace UnityEngine
         public LightShadows shadows { get; set; }
         public float shadowBias { get; set; }
         public float shadowNormalBias { get; set; }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public float shadowStrength { get; set; } = 1.0f;
     }
 

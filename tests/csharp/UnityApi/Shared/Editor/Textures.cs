@@ -1,0 +1,82 @@
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+using UnityEngine;
+
+namespace UnityEditor
+{
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
+    public partial class AssetImporter : Object
+    {
+        [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new Dictionary<string, AssetImporter>();
+
+        /// <summary>How often its asset was imported again.</summary>
+        [OwnBehaviour] public int Imports { get; private set; }
+
+        public static AssetImporter GetAtPath(string path) =>
+            Importers.TryGetValue(path, out AssetImporter importer) ? importer : null;
+
+        public void SaveAndReimport() => ++Imports;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
+    public sealed partial class TextureImporter : AssetImporter
+    {
+        /// <summary>Of the default platform.</summary>
+        [OwnBehaviour] public TextureImporterPlatformSettings Settings { get; private set; } =
+            new TextureImporterPlatformSettings();
+
+        public bool sRGBTexture { get; set; } = true;
+        public bool mipmapEnabled { get; set; } = true;
+        public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
+        public TextureImporterNPOTScale npotScale { get; set; } = TextureImporterNPOTScale.ToNearest;
+
+        public TextureImporterPlatformSettings GetDefaultPlatformTextureSettings() => new TextureImporterPlatformSettings();
+
+        public void SetPlatformTextureSettings(TextureImporterPlatformSettings platformSettings) => Settings = platformSettings;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
+    public sealed partial class TextureImporterPlatformSettings
+    {
+        public int maxTextureSize { get; set; } = 2048;
+        public TextureImporterFormat format { get; set; }
+        public TextureImporterCompression textureCompression { get; set; } = TextureImporterCompression.Compressed;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterFormat { R16 = 9, RGBA64 = 74 }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterNPOTScale { None = 0, ToNearest = 1 }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterCompression { Uncompressed = 0, Compressed = 1 }
+}
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
+    public partial class TextAsset : Object
+    {
+        public TextAsset(string text) { this.text = text; }
+
+        public string text { get; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
+    public static class JsonUtility
+    {
+        /// <summary>Reads public fields by their names, and skips other keys, as Unity's does.</summary>
+        [OwnBehaviour] public static System.Func<string, System.Type, object> Reader { get; set; }
+
+        public static T FromJson<T>(string json) => (T)Reader(json, typeof(T));
+    }
+}
