@@ -1,6 +1,8 @@
 // From the manifests to passes, and every technique that runs over the screen from end to end.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -64,7 +66,7 @@ std::vector<std::string> screen_techniques() {
   return names;
 }
 
-// Of techniques with needs: ground without form, somewhere about the scene.
+// Of techniques with needs: ground and an object without form, somewhere about the scene.
 FrameInputs ground_at_random() {
   constexpr int kSide = 9;
   std::mt19937 bits(5);
@@ -82,6 +84,18 @@ FrameInputs ground_at_random() {
   add("_PenumbraGroundHeightsTexture", gpu::Format::r16, 1);
   add("_PenumbraHorizonFirstTexture", gpu::Format::rgba16, 4);
   add("_PenumbraHorizonSecondTexture", gpu::Format::rgba16, 4);
+  gpu::Image fields(test_device(),
+                    {.format = gpu::Format::r16, .width = kSide, .height = kSide, .depth = kSide});
+  std::vector<std::uint16_t> voxels;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) voxels.push_back(static_cast<std::uint16_t>(bits()));
+  fields.upload(std::span<const std::uint16_t>(voxels));
+  inputs.images.emplace("_PenumbraFieldTexture", std::move(fields));
+  std::vector<glm::vec4> rows(96, glm::vec4(0.0F));
+  const glm::vec4 object[] = {{1.0F, 0.0F, 0.0F, 0.0F},  {0.0F, 1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F, 0.0F},
+                              {-4.0F, 0.0F, 4.0F, 3.0F}, {9.0F, 9.0F, 9.0F, 1.0F}, {0.0F, 0.0F, 0.0F, 0.0F}};
+  std::copy(std::begin(object), std::end(object), rows.begin());
+  inputs.uniforms.set("_PenumbraFieldAtlas", glm::vec4(kSide, kSide, kSide, 1.0F));
+  inputs.uniforms.set("_PenumbraFieldObjects", std::span<const glm::vec4>(rows));
   return inputs;
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "bake/field_objects.h"
 #include "bake/horizon_angles.h"
 #include "cli/adapter_argument.h"
 #include "cli/known_names.h"
@@ -131,6 +132,9 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
   add("--horizon-texels", options.bake.horizon_texels, "N",
       "Horizon angles along that side, for techniques that read them")
       ->check(within(1, bake::most_horizon_texels_per_side));
+  add("--field-voxels", options.bake.field_voxels, "N",
+      "Voxels along the longest side of each object, for techniques that read distance fields")
+      ->check(within(bake::least_voxels_of_objects, bake::most_voxels_per_side));
   constexpr const char* kOwn = "each technique's own";
   add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting, for all techniques")
       ->check(bounds("/shadows/depth_bias"))

@@ -44,8 +44,8 @@ struct StudyOptions {
   std::vector<double> map_ages{0.0};  // degrees; several are tried one by one
   double distance_metres = 0.0;       // 0: the scene's own
   study::BakeSettings bake;
-  std::vector<double> sun;            // elevation and azimuth in degrees; empty: the scene's own
-  std::vector<double> origin;         // world position of the scene's own origin, metres; empty: 0 0 0
+  std::vector<double> sun;     // elevation and azimuth in degrees; empty: the scene's own
+  std::vector<double> origin;  // world position of the scene's own origin, metres; empty: 0 0 0
   std::vector<double> camera;  // position, target and perhaps the field of view; empty: the scene's own
   scene::ImportOptions import;
   std::string device;

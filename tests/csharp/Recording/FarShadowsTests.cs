@@ -36,6 +36,8 @@ namespace Penumbra.Tests
             SystemInfo.Unsupported = null;
             TerrainData.Format = GraphicsFormat.R16_UNorm;
             Time.timeAsDouble = 0.0;
+            Time.frameCount = 0;
+            CommandBuffer.Silent = false;
             GraphicsSettings.currentRenderPipeline = null;
         }
 
@@ -353,6 +355,27 @@ namespace Penumbra.Tests
                     Assert.That(variants.Count(set => set.SetEquals(on)), Is.EqualTo(1), mode + " " + clouds);
                     Assert.That(on.Length, Is.EqualTo((mode == FarShadowMode.Off ? 0 : 1) + (clouds ? 1 : 0)));
                 }
+        }
+
+        [Test]
+        public void FramesAllocateNothing()
+        {
+            Ground(Baked);
+            feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
+            feature.Settings.farShadows.clouds = true;
+            feature.Settings.contactShadowMetres = 0.5f;
+            var camera = new SteadyCamera(scene);
+            CommandBuffer.Silent = true;
+            void Frames(int count)
+            {
+                for (int frame = 0; frame < count; ++frame, ++Time.frameCount) camera.Render(feature);
+            }
+
+            Frames(3);
+            Assert.That((feature.LastSkip, feature.MissingGround), Is.EqualTo((SkipReason.None, (string)null)));
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            Frames(1000);
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
         }
 
         // GetMainLightShadowFade of URP's Shadows.hlsl.

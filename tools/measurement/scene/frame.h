@@ -40,8 +40,9 @@ struct ShadowAtlas {
 constexpr std::uint32_t no_triangle = 0xFFFF'FFFFU;
 
 // One record per pixel, row 0 at the top of the picture. position_ws.w is 1 where a surface within the shadow
-// distance, or the scene's seen distance, was seen, else 0. normal_ws is the geometric (flat) normal, unit, turned to the camera. triangle
-// is that of the surface seen at any distance, no_triangle where there is none.
+// distance, or the scene's seen distance, was seen, else 0. normal_ws is the geometric (flat) normal, unit,
+// turned to the camera. triangle is that of the surface seen at any distance, no_triangle where there is
+// none.
 struct Receivers {
   int width = 0;
   int height = 0;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <utility>
 
+#include "bake/field_objects.h"
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
 #include "bake/texels_16.h"
@@ -16,6 +18,7 @@ using techniques::Need;
 constexpr const char* kHeights = "_PenumbraGroundHeightsTexture";
 constexpr const char* kFirstAngles = "_PenumbraHorizonFirstTexture";
 constexpr const char* kSecondAngles = "_PenumbraHorizonSecondTexture";
+constexpr const char* kFields = "_PenumbraFieldTexture";
 
 bool has(const std::vector<Need>& needs, Need need) {
   return std::find(needs.begin(), needs.end(), need) != needs.end();
@@ -29,8 +32,30 @@ gpu::Image texture(const gpu::Device& device, gpu::Format format, int width, int
 }
 
 std::vector<std::string> names_of(Need need) {
-  if (need == Need::ground_heights) return {kHeights};
-  return {kFirstAngles, kSecondAngles};
+  switch (need) {
+    case Need::ground_heights:
+      return {kHeights};
+    case Need::horizon_angles:
+      return {kFirstAngles, kSecondAngles};
+    case Need::distance_fields:
+      break;
+  }
+  return {kFields};
+}
+
+void add_fields(resolve::FrameInputs& inputs, const gpu::Device& device, const scene::Scene& scene,
+                const BakeSettings& settings, const bake::BakeOptions& run) {
+  bake::ObjectFieldsOptions options;
+  options.each.voxels = settings.field_voxels;
+  const bake::ObjectFields fields = bake::bake_object_fields(scene, options, run);
+  const auto [width, height, depth] = fields.voxels;
+  gpu::Image image(device, {.format = gpu::Format::r16, .width = width, .height = height, .depth = depth});
+  image.upload(fields.texels());
+  inputs.images.emplace(kFields, std::move(image));
+  std::vector<glm::vec4> rows = fields.rows(scene.origin);
+  rows.resize(std::size_t{6} * bake::most_field_objects, glm::vec4(0.0F));
+  inputs.uniforms.set("_PenumbraFieldAtlas", fields.atlas());
+  inputs.uniforms.set("_PenumbraFieldObjects", std::span<const glm::vec4>(rows));
 }
 
 }  // namespace
@@ -39,7 +64,8 @@ resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene&
                                   const std::vector<Need>& needs, const BakeSettings& settings,
                                   const bake::BakeOptions& run) {
   resolve::FrameInputs inputs;
-  if (needs.empty()) return inputs;
+  if (has(needs, Need::distance_fields)) add_fields(inputs, device, scene, settings, run);
+  if (!has(needs, Need::ground_heights) && !has(needs, Need::horizon_angles)) return inputs;
   const scene::Scene ground = bake::ground_of(scene);
   const bake::Area area = bake::area_of(ground);
   const bake::HeightField field =

@@ -14,6 +14,7 @@ struct BakeSettings {
   int ground_samples = 1025;    // along the ground's longer side
   int horizon_texels = 512;     // the same
   double nearest_metres = 0.0;  // ground nearer than this hides nothing, of horizon angles
+  int field_voxels = 64;        // along the longest side of each object, of distance fields
 };
 
 // Of the scene's ground (bake::ground_of), as textures of 16 bits, which is how `penumbra bake` writes them:
@@ -22,6 +23,8 @@ struct BakeSettings {
 //   _PenumbraGroundChannels  of heights in one channel
 //   _PenumbraGroundHeightsTexture
 //   _PenumbraHorizonFirstTexture, _PenumbraHorizonSecondTexture
+// Of its objects (bake::ObjectFields):
+//   _PenumbraFieldAtlas, _PenumbraFieldObjects, _PenumbraFieldTexture
 // Throws as the bakes do.
 resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene& scene,
                                   const std::vector<techniques::Need>& needs, const BakeSettings& settings,

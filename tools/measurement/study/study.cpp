@@ -152,7 +152,8 @@ class Study {
     if (!prepared.subject().graph.graph.needs.empty())
       hash.update(settings_.bake.ground_samples)
           .update(settings_.bake.horizon_texels)
-          .update(settings_.bake.nearest_metres);
+          .update(settings_.bake.nearest_metres)
+          .update(settings_.bake.field_voxels);
     return hash.hex();
   }
 

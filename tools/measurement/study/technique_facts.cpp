@@ -68,10 +68,13 @@ bool has_advice(const std::vector<TechniqueRow>& rows) {
 }
 
 std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts) {
+  const bool baked = std::any_of(rows.begin(), rows.end(), [](const TechniqueRow& row) { return row.baked; });
   std::string text =
-      "Maps: the shadow map, the textures that are made of it and those that are baked from the scene, "
-      "without "
-      "those of the picture's size.";
+      baked
+          ? "Maps: the shadow map, the textures that are made of it and those that are baked from the scene, "
+            "without those of the picture's size."
+          : "Maps: the shadow map and the textures that are made of it, without those of the "
+            "picture's size.";
   if (!facts.cycles_of.empty())
     text +=
         " Cycles: a compiler's static estimate per 64 threads, of the program that gives the visibility + of "
@@ -114,6 +117,7 @@ std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTe
       return each.technique == choice.technique && choice_of(results, each) == choice;
     });
     row.map_mebibytes = map_mebibytes(*record, fact.textures);
+    row.baked = record->baked_mebibytes.has_value();
     if (!fact.has_shadow_map) row.map_mebibytes -= map_mebibytes(*record, {});
     row.cycles = fact.cycles;
     row.use_when = fact.use_when;

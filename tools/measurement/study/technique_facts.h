@@ -45,6 +45,7 @@ struct TechniqueRow {
   std::vector<std::optional<Estimate>> rmse_penumbra{};  // by light, as light_sizes()
   std::optional<Estimate> fetches{};                     // under the middle light
   double map_mebibytes = 0.0;
+  bool baked = false;  // some of it is baked from the scene
   std::optional<ProgramCycles> cycles{};
   std::string use_when{};
   std::string not_when{};

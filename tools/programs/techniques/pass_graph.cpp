@@ -63,13 +63,15 @@ const char* name_of(Need need) {
     case Need::ground_heights:
       return "groundHeights";
     case Need::horizon_angles:
+      return "horizonAngles";
+    case Need::distance_fields:
       break;
   }
-  return "horizonAngles";
+  return "distanceFields";
 }
 
 std::vector<Need> all_needs() {
-  return {Need::ground_heights, Need::horizon_angles};
+  return {Need::ground_heights, Need::horizon_angles, Need::distance_fields};
 }
 
 const char* name_of(Frequency frequency) {

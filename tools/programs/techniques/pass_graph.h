@@ -115,11 +115,12 @@ struct GraphPass {
 // A texture or buffer by its name in the graph; a depth target is written, too.
 bool writes_to(const GraphPass& pass, const std::string& name);
 
-// What the programs of a graph read besides the frame, by names that are the same in every graph: textures and
-// numbers that are made from the scene's geometry before the first frame.
+// What the programs of a graph read besides the frame, by names that are the same in every graph: textures
+// and numbers that are made from the scene's geometry before the first frame.
 enum class Need {
-  ground_heights,  // of the ground, on a grid: heights alone, or with them
-  horizon_angles,  // up to which the ground hides the sky, in eight directions
+  ground_heights,   // of the ground, on a grid: heights alone, or with them
+  horizon_angles,   // up to which the ground hides the sky, in eight directions
+  distance_fields,  // of the scene's objects, in one 3D texture
 };
 
 const char* name_of(Need need);  // as manifests have it

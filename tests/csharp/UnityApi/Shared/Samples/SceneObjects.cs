@@ -122,8 +122,16 @@ namespace UnityEngine
 
         [OwnBehaviour] public bool Readable { get; set; } = true;
 
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public bool isReadable => Readable;
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public IndexFormat indexFormat { get; set; }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public Bounds bounds { get; set; }
         public Vector3[] vertices { get; set; } = new Vector3[0];
         public int[] triangles { get; set; } = new int[0];
