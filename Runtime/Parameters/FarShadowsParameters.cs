@@ -21,8 +21,8 @@ namespace Penumbra
         [Range(1, 256)]
         public int heightSteps;
 
-        /// <summary>The first step of that ray. Unit: m.</summary>
-        [Tooltip("The first step of that ray. Unit: m.")]
+        /// <summary>How far from the receiver that ray begins. Unit: m.</summary>
+        [Tooltip("How far from the receiver that ray begins. Unit: m.")]
         [Range(0.01f, 10000.0f)]
         public float nearestMetres;
 
@@ -30,7 +30,7 @@ namespace Penumbra
         public static FarShadowsParameters Default => new FarShadowsParameters
         {
             handOverBorder = 0.2f,
-            heightSteps = 32,
+            heightSteps = 64,
             nearestMetres = 20.0f,
         };
 

@@ -9,7 +9,7 @@ struct FarShadowsParameters
 {
     float handOverBorder; // 1: share of the shadow distance, before its end, over which far shadows take over
     int heightSteps; // fetches: steps of a ray over the ground's heights, 1 to 256
-    float nearestMetres; // m: the first step of that ray
+    float nearestMetres; // m: how far from the receiver that ray begins
 };
 
 // Unpacks the uniforms _PenumbraFarShadowsParameters0, which the package's C# struct of the same name sets.

@@ -19,8 +19,9 @@
 // Cost:       a filtered fetch of a 3D texture for each step; none for a ray or cone that misses the box. The six cones begin
 //             where the one about them is touched, and only if it is neither free nor covered.
 // Guarantees: [0, 1] for any input; at most 256 steps of each cone; texels of other parts of the texture have no weight; the
-//             hard test never reports a surface nearer than a quarter voxel where there is none. A ray that runs out of
-//             steps is lit as far as it has come. Cones are wider than the box: outside of it the distance is known from below.
+//             hard test never reports a surface nearer than a quarter voxel where there is none. For a ray that runs out of
+//             steps, only what the steps so far have met counts: beyond, nothing casts. Cones are wider than the box: there the
+//             distance is a lower bound of the distance to the object, so that a step never passes through it.
 // Use it:     for objects without a shadow map. Not: for anything thinner than two voxels, which a field does not hold.
 #ifndef PENUMBRA_DISTANCE_FIELD_MARCH_HLSL
 #define PENUMBRA_DISTANCE_FIELD_MARCH_HLSL
@@ -71,8 +72,8 @@ DistanceFieldBox BoundedFieldBox(float4 corner, float4 size)
     return BoundedFieldPart(corner, size, float3(0.0, 0.0, 0.0), floor(size.xyz / voxel + 0.5));
 }
 
-// Metres, negative inside. Outside of the box not the distance, but never more: seen from the nearest place of the box, whatever
-// lies in the box is at a right angle to the way there or more.
+// Metres, negative inside. Outside of the box it is a lower bound of the distance: from the nearest place of the box, the way
+// out and the way to any place in the box meet at a right angle or more.
 float FieldDistance(TEXTURE3D(field), SAMPLER(sampler_linear), float3 position, DistanceFieldBox box)
 {
     const float3 wanted = (position - box.corner) / box.size * box.extent;

@@ -16,6 +16,7 @@
 #include "bake/ray_traced_share.h"
 #include "bake/visibility_kernel.h"
 #include "platform/atomic_file.h"
+#include "platform/source_commit.h"
 #include "scene/scene.h"
 
 namespace penumbra::bake {
@@ -104,7 +105,7 @@ Json errors_of(const gpu::Device& device, const std::string& name, const scene::
     parameters.light[3] = static_cast<float>(light.tan_half);
     parameters.march[0] = 1000.0F;
     parameters.march[1] = 256.0F;
-    for (const char* march : {"Quilez", "Aaltonen", "Cone", "Soft"}) {
+    for (const char* march : {"Quilez", "Aaltonen", "QuilezInner", "Cone", "Soft"}) {
       const std::vector<float> answers = run_kernel(device, "FieldMarches.hlsl", march, {{"_Field", &image}},
                                                     parameters, receivers.places, 2);
       std::vector<double> seen;
@@ -256,6 +257,7 @@ Json run() {
                                           strewn(count, static_cast<std::uint32_t>(count), 1.0), width));
   }
   return {{"command", "penumbra_field_errors FILE"},
+          {"commit", platform::source_commit().value_or("")},
           {"device", device.info().name},
           {"voxels", kVoxels},
           {"rays", kRays},

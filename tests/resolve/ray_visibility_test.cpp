@@ -15,6 +15,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "platform/source_commit.h"
 #include "reference/disc_tracer.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
@@ -146,6 +147,7 @@ void write_results(const nlohmann::json& records, const scene::Frame& frame) {
   const nlohmann::json results{{"command",
                                 "PENUMBRA_VOLUMETRIC_RESULTS=Documentation~/results/volumetric.json "
                                 "build/release/penumbra_resolve_tests --gtest_filter='RayVisibility.*'"},
+                               {"commit", platform::source_commit().value_or("")},
                                {"device", test_device().info().name},
                                {"picture", {frame.receivers.width, frame.receivers.height}},
                                {"map", {frame.atlas.width, frame.atlas.height}},

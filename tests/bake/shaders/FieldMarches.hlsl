@@ -1,4 +1,4 @@
-// Comparison: the soft shadow of a distance field by this library and by two published marches, and the fetches of each.
+// Comparison: the soft shadow of a distance field by this library and by three published marches, and the fetches of each.
 #include "Platform/Platform.hlsl"
 
 static float s_fetches = 0.0;
@@ -20,7 +20,7 @@ CBUFFER_START(Parameters)
     float4 _March;  // length, steps
 CBUFFER_END
 
-// Both published marches, in the same box: Quilez, "Free penumbra shadows for raymarching distance fields" (2010), and with
+// Two published marches, in the same box: Quilez, "Free penumbra shadows for raymarching distance fields" (2010), and with
 // `between`, Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook" (GDC 2018), who estimates the nearest
 // place between two steps.
 float Published(float3 origin, float3 direction, float farthest, float spread, int steps, DistanceFieldBox box, bool between)
@@ -40,6 +40,31 @@ float Published(float3 origin, float3 direction, float farthest, float spread, i
         t += max(distance, 0.25 * box.voxelMetres);
     }
     return visibility;
+}
+
+// The later march of Quilez's article, https://iquilezles.org/articles/rmshadows (2018): it goes on within the object, so
+// that distance / t falls below 0 and the penumbra has an inner half; smoothstep over [-1, 1] gives the visibility. His
+// steps within the object are as short as his shortest; here as those of the other marches.
+float PublishedInner(float3 origin, float3 direction, float farthest, float spread, int steps, DistanceFieldBox box)
+{
+    const float2 range = ConeThroughBox(origin, direction, farthest, spread, box);
+    float t = max(range.x, 1e-4 * box.voxelMetres);
+    float free = 1.0;
+    for (int i = 0; i < steps && t < range.y && free > -1.0; ++i)
+    {
+        const float distance = FieldDistance(TEXTURE3D_ARGS(_Field, sampler_Linear), origin + t * direction, box);
+        free = min(free, distance / (spread * t));
+        t += max(distance, 0.25 * box.voxelMetres);
+    }
+    free = max(free, -1.0);
+    return 0.25 * (1.0 + free) * (1.0 + free) * (2.0 - free);
+}
+
+[numthreads(64, 1, 1)] void QuilezInner(uint3 id : SV_DispatchThreadID)
+{
+    const float visibility = PublishedInner(_Receivers[id.x].xyz, _Light.xyz, _March.x, _Light.w, int(_March.y),
+                                            BoundedFieldBox(_Corner, _Size));
+    _Visibility[id.x] = float2(visibility, s_fetches);
 }
 
 [numthreads(64, 1, 1)] void Quilez(uint3 id : SV_DispatchThreadID)

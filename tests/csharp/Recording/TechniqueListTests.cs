@@ -95,8 +95,8 @@ namespace Penumbra.Tests
             Assert.That(options.ContactShadows().Vector0, Is.EqualTo(parameters.Vector0));
         }
 
-        [TestCase(FarShadowMode.HeightMap, false, "pcss-angular-24-16-far-heights-32")]
-        [TestCase(FarShadowMode.HeightMap, true, "pcss-angular-24-16-far-heights-32-clouds")]
+        [TestCase(FarShadowMode.HeightMap, false, "pcss-angular-24-16-far-heights")]
+        [TestCase(FarShadowMode.HeightMap, true, "pcss-angular-24-16-far-heights-clouds")]
         [TestCase(FarShadowMode.HorizonAngles, false, "pcss-angular-24-16-far-horizon")]
         [TestCase(FarShadowMode.HorizonAngles, true, "pcss-angular-24-16-far-horizon-clouds")]
         [TestCase(FarShadowMode.Off, true, "pcss-angular-24-16-clouds")]
