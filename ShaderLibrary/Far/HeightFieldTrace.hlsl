@@ -5,7 +5,7 @@
 // Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): 8 steps over a height map towards the sun, blended by how far
 //             the ground reaches over the ray. Here the blend is the sun's own disc, and the places are nearest + (farthest -
 //             nearest) s^2 for s equally spaced in [0, 1), up to where the ray is over all ground. Steps so grow with the root
-//             of the distance. Steps in proportion to it, of which a third are spent on the first hundred metres, are a
+//             of the distance. Steps in proportion to it, of which a quarter lie within the first hundred metres, are a
 //             kilometre long where mountains of an open landscape stand, and step over them.
 // Inputs:     heights: of `penumbra bake heightfield` or a terrain; texels: how many each way; the world position of the
 //             receiver; the direction towards the sun, world space, of any positive length; half its angular diameter in

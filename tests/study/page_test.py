@@ -15,6 +15,9 @@ loader.exec_module(page)
 PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # of a record, with fields of their own
 
 
+COMMIT = "0123456789" * 4
+
+
 def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
     made = {"technique": technique, "scene": scene, "light_degrees": light, "rmse_penumbra": 0.1, "fetches_mean": 4.0,
             "preprocess_fetches_per_pixel": 0.0, "penumbra_pixels": 3000, **figures}
@@ -26,7 +29,7 @@ def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
 
 
 def results(*records):
-    return {"device": "device", "command": "penumbra measure --made", "records": list(records)}
+    return {"device": "device", "command": "penumbra measure --made", "commit": COMMIT, "records": list(records)}
 
 
 class Pages(unittest.TestCase):
@@ -51,12 +54,44 @@ class Volumetric(unittest.TestCase):
             return {"scene": scene, "extinction_per_metre": 0.05, "samples": 8, "jittered": jittered, "rmse": rmse,
                     "rmse_of_blocks": blocks}
 
-        text = page.volumetric({"device": "d", "command": "c", "picture": [160, 90], "map": [64, 32], "cascades": 2,
+        text = page.volumetric({"device": "d", "command": "c", "commit": COMMIT, "picture": [160, 90], "map": [64, 32], "cascades": 2,
                                 "longest_ray_metres": 50.0, "places_of_the_exact_answer": 256, "block_pixels": 4,
                                 "records": [one("a", False, 0.2, 0.1), one("a", True, 0.3, 0.02),
                                             one("b", False, 0.2, 0.3), one("b", True, 0.3, 0.02)]})
-        # Means 0.2 ± 12.706 * 0.1 where the scenes differ.
-        self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 ± 1.271 | 0.020 ± 0.000 |"), text)
+        # Means 0.2 ± 12.706 * 0.1 where the scenes differ, which goes below 0 and above 1.
+        self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 [0, 1] | 0.020 ± 0.000 |"), text)
+
+
+class Provenance(unittest.TestCase):
+    def test_results_of_changed_sources_or_of_no_commit_are_refused(self):
+        self.assertTrue(page.made(results()).endswith(f", at commit {COMMIT}"))
+        for commit in (COMMIT + "-dirty", COMMIT[1:], "", None):
+            with self.assertRaisesRegex(page.Problem, "nobody can check out"):
+                page.made({**results(), "commit": commit})
+
+
+class Intervals(unittest.TestCase):
+    def test_an_interval_ends_where_the_figure_does(self):
+        self.assertEqual(page.mean_and_interval([0.4, 0.5, 0.6], 3), "0.500 ± 0.248")
+        self.assertEqual(page.mean_and_interval([0.0, 0.1, 0.2], 3), "0.100 [0, 0.348]")
+        self.assertEqual(page.mean_and_interval([80.0, 90.0, 100.0], 1, 100.0), "90.0 [65.2, 100]")
+        self.assertEqual(page.mean_and_interval([0.0, 100.0], 1, 100.0), "50.0 [0, 100]")
+        self.assertEqual(page.mean_and_interval([0.3], 3), "0.300")
+
+
+class FarSteps(unittest.TestCase):
+    def test_a_row_has_the_error_beyond_the_shadow_distance_alone(self):
+        def of(scene, steps, error, leaks):
+            rings = [{"from_metres": 0.0, "to_metres": 120.0, "pixels": 900, "rmse_all": 0.9},
+                     {"from_metres": 120.0, "to_metres": 150.0, "pixels": 900, "rmse_all": 0.9},
+                     {"from_metres": 150.0, "to_metres": 300.0, "pixels": 30, "rmse_all": error},
+                     {"from_metres": 300.0, "to_metres": 9000.0, "pixels": 10, "rmse_all": 0.0}]
+            return record(f"t heightSteps={steps}", scene, by_distance=rings, leak_rate=leaks, false_shadow_rate=0.0,
+                          parameters={"heightSteps": [float(steps)]})
+
+        text = page.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1), of("b", 16, 0.0, 0.0)))
+        # Root of 3 / 4 of the first ring's.
+        self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |", text)
 
 
 class PresetSteps(unittest.TestCase):
@@ -64,6 +99,7 @@ class PresetSteps(unittest.TestCase):
         figures = dict(rmse_all=0.1, bias=0.0, leak_rate=0.0, false_shadow_rate=0.0, fetches_penumbra_mean=4.0, invalid=0)
         def run(device, rows):
             return {"device": device, "driver": "1", "command": f"penumbra measure --device {device}",
+                    "commit": COMMIT,
                     "records": [record(name, light=light, **{**figures, **own}) for name, light, own in rows]}
         first = run("one", [("a", 2.0, {"rmse_penumbra": 0.2}), ("a", 5.0, {"rmse_penumbra": 0.3}), ("b", 2.0, {}), ("b", 5.0, {})])
         second = run("two", [("b", 2.0, {"fetches_mean": 4.5}), ("a", 2.0, {"rmse_penumbra": 0.21}),
@@ -196,9 +232,10 @@ class ScreenFigures(unittest.TestCase):
             record("plain", "a", rmse_penumbra=None, fetches_mean=None)))
         self.assertTrue(text.startswith(
             "device, mean of 2 scenes, at least 2017 penumbra pixels per scene and light; ± is half the width of the"
-            " 95 % confidence interval over the scenes.  \nCommand: `penumbra measure --made`\n"), text)
-        # Of two values the interval is 12.706 times half their difference.
-        self.assertIn("| t | 0.150 ± 0.635 | 4.5 ± 6.4 | 30 | 1.00 | 0.200 | 0.200 |", text)
+            " 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest possible value, [a, b] gives its"
+            f" ends.  \nCommand: `penumbra measure --made`, at commit {COMMIT}.\n"), text)
+        # Of two values the interval is 12.706 times half their difference, below 0 here.
+        self.assertIn("| t | 0.150 [0, 0.785] | 4.5 [0, 10.9] | 30 | 1.00 | 0.200 | 0.200 |", text)
         self.assertIn("| plain | - | - | - | - | - | - |", text)
 
 
@@ -226,7 +263,7 @@ class SampleSplit(unittest.TestCase):
             split(24.0, 32.0, 2.0, 0.08, 40.0), split(24.0, 32.0, 2.0, 0.28, 40.0, "b")))
         # Differences 0.02 and 0.04; of two values the interval is 12.706 times half their difference.
         self.assertIn("| **8** | **16** | **0.210 (+0.030 ± 0.127)** |", text)
-        self.assertIn("| **24** | **32** | **0.180 ± 1.271** |", text)
+        self.assertIn("| **24** | **32** | **0.180 [0, 1]** |", text)
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ float Published(float3 origin, float3 direction, float farthest, float spread, i
     return visibility;
 }
 
-// The later march of Quilez's article, https://iquilezles.org/articles/rmshadows (2018): it goes on within the object, so
+// The later march of Quilez's article, https://iquilezles.org/articles/rmshadows: it goes on within the object, so
 // that distance / t falls below 0 and the penumbra has an inner half; smoothstep over [-1, 1] gives the visibility. His
 // steps within the object are as short as his shortest; here as those of the other marches.
 float PublishedInner(float3 origin, float3 direction, float farthest, float spread, int steps, DistanceFieldBox box)
