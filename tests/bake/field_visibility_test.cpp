@@ -148,6 +148,45 @@ TEST_F(FieldVisibility, ASoftShadowIsThatOfTheDiscLight) {
   }
 }
 
+// The marches that the library is compared with: the least of distance / length along the ray, in radii of
+// the disc, is known for a sphere. Quilez's first is dark where it is 0 or less, his later one is its
+// smoothstep over
+// [-1, 1].
+TEST_F(FieldVisibility, PublishedMarchesAreTheirFormulasOfASphere) {
+  const DistanceField field = field_of_sphere(1.0, 96, 1.5);
+  const gpu::Image image = texture(field);
+  const double below = 6.0;
+  for (const double tan_half : {0.02, 0.08}) {
+    std::vector<glm::vec4> places;
+    constexpr int kPlaces = 512;
+    for (int i = 0; i < kPlaces; ++i)
+      places.emplace_back(static_cast<float>(1.0 + 1.5 * below * tan_half * (2.0 * i / kPlaces - 1.0)),
+                          static_cast<float>(-below), 0.0F, 1.0F);
+    const auto run_march = [&](const char* entry) {
+      return run_kernel(device_, "FieldMarches.hlsl", entry, {{"_Field", &image}},
+                        parameters(field, tan_half, 256), places, 2);
+    };
+    const std::vector<float> first = run_march("Quilez"), later = run_march("QuilezInner");
+    int inner = 0, outer = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double x = static_cast<double>(places[i].x);
+      double least = 1.0;
+      for (double t = below - 1.5; t < below + 1.5; t += 1e-3)
+        least = std::min(least, (std::hypot(x, t - below) - 1.0) / (tan_half * t));
+      const double bounded = std::max(least, -1.0);
+      // The nearest place may lie in the middle of a step, which is as long as the distance.
+      const double step = std::max(x - 1.0, 0.0);
+      const double slack = 0.01 + 0.25 * step * step / (2.0 * x) / (tan_half * (below - step));
+      ASSERT_NEAR(first[2 * i], std::max(least, 0.0), slack) << x;
+      ASSERT_NEAR(later[2 * i], 0.25 * (1.0 + bounded) * (1.0 + bounded) * (2.0 - bounded), slack) << x;
+      inner += bounded > -0.9 && bounded < -0.1 ? 1 : 0;
+      outer += bounded > 0.1 && bounded < 0.9 ? 1 : 0;
+    }
+    EXPECT_GT(inner, 100) << tan_half;
+    EXPECT_GT(outer, 100) << tan_half;
+  }
+}
+
 TEST_F(FieldVisibility, WhatTheRayDoesNotReachCastsNothing) {
   const DistanceField field = field_of_sphere(1.0, 24, 1.5);
   for (const char* entry : {"Hard", "Soft"}) {
