@@ -46,7 +46,8 @@ double share_above(double horizon, const Sun& sun) {
 
 class FarVisibility : public testing::Test {
  protected:
-  FarVisibility() : device_({.name = "", .validation = true}), log_(device_.validation_log()) {}
+  explicit FarVisibility(HeightField field = rough_field(129, 129, kGround, 11))
+      : device_({.name = "", .validation = true}), log_(device_.validation_log()), field_(std::move(field)) {}
   ~FarVisibility() override { EXPECT_THAT(log_->messages(), testing::IsEmpty()); }
 
   std::vector<glm::vec4> receivers(int count, std::uint32_t seed) const {
@@ -101,8 +102,9 @@ class FarVisibility : public testing::Test {
 
   Parameters parameters(const Sun& sun) const {
     const glm::dvec3 towards = sun.towards();
-    return {{static_cast<float>(kGround.corner.x), static_cast<float>(kGround.corner.y),
-             static_cast<float>(kGround.size.x), static_cast<float>(kGround.size.y)},
+    const Area& ground = field_.area;
+    return {{static_cast<float>(ground.corner.x), static_cast<float>(ground.corner.y),
+             static_cast<float>(ground.size.x), static_cast<float>(ground.size.y)},
             {static_cast<float>(towards.x), static_cast<float>(towards.y), static_cast<float>(towards.z),
              static_cast<float>(sun.half_diameter)},
             {static_cast<float>(low_), static_cast<float>(high_), static_cast<float>(field_.width),
@@ -172,7 +174,7 @@ class FarVisibility : public testing::Test {
 
   gpu::Device device_;
   std::shared_ptr<const gpu::ValidationLog> log_;
-  const HeightField field_ = rough_field(129, 129, kGround, 11);
+  const HeightField field_;
   const HorizonSearch search_{field_};
   const double low_ = *std::min_element(field_.metres.begin(), field_.metres.end());
   const double high_ = *std::max_element(field_.metres.begin(), field_.metres.end());
@@ -222,6 +224,32 @@ TEST_F(FarVisibility, ByTraceConvergesToTheExactHorizon) {
     before = error;
   }
   EXPECT_LT(before, 0.05);
+}
+
+// A plain with a ridge at 6 km that reaches over the rays for about 400 m, and a mountain beside them that
+// makes the rays 12 km long. There 64 steps are 270 m apart; in proportion to the distance they would be 600
+// m.
+class FarRidge : public FarVisibility {
+ protected:
+  FarRidge()
+      : FarVisibility(made_field(241, 241, {{0.0, 0.0}, {12'000.0, 12'000.0}}, [](glm::dvec2 at) {
+          const double across = (at.y - 6000.0) / 400.0;
+          return at.x > 11'900.0 ? 1000.0 : 650.0 * std::exp(-across * across);
+        })) {}
+};
+
+TEST_F(FarRidge, LiesBetweenNoTwoOf64Steps) {
+  const Sun sun{5.0 * kDegree, 0.0};
+  std::vector<glm::vec4> places;
+  for (int i = 0; i < 400; ++i)
+    places.emplace_back(1000.0F + 10.0F * static_cast<float>(i), 0.0F, static_cast<float>(i), 1.0F);
+  const std::vector<float> seen = by_trace(64, 20.0, sun, places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ASSERT_LT(exact(places[i], sun, 20.0), 0.01) << i;
+    ASSERT_LT(seen[i], 0.5F) << i;
+  }
+  // The ridge is what hides the sun.
+  EXPECT_THAT(by_trace(64, 20.0, {12.0 * kDegree, 0.0}, places), testing::Each(1.0F));
 }
 
 // A terrain of Unity holds the same heights with 15 bits; half of its range is not used.
