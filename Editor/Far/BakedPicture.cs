@@ -16,6 +16,11 @@ namespace Penumbra.Editor
         {
             if (AssetImporter.GetAtPath(path) is TextureImporter importer)
             {
+                // A project for 2D imports sprites, whose colours change where alpha is 0: alpha is an angle, too.
+                importer.textureType = TextureImporterType.Default;
+                importer.textureShape = TextureImporterShape.Texture2D;
+                importer.alphaSource = TextureImporterAlphaSource.FromInput;
+                importer.alphaIsTransparency = false;
                 importer.sRGBTexture = false;
                 importer.mipmapEnabled = false;
                 importer.wrapMode = TextureWrapMode.Clamp;

@@ -16,9 +16,9 @@ namespace Penumbra
         internal const string NoGround = "no Far Shadow Ground is enabled in the loaded scenes. Add Component > Rendering > " +
                                          "Penumbra Far Shadow Ground to the Terrain";
         internal const string NoHeights = "the Far Shadow Ground has neither a Terrain with data nor a height map. Add it to the " +
-                                          "Terrain, or assign the picture of `penumbra bake heightfield`";
-        internal const string NoAngles = "the Far Shadow Ground lacks one of the two pictures of horizon angles. Assign those of " +
-                                         "`penumbra bake horizon`, or set Far Shadows to Height Map";
+                                          "Terrain, or give the file of `penumbra bake heightfield` to Assign Bake";
+        internal const string NoAngles = "the Far Shadow Ground lacks one of the two pictures of horizon angles. Give the " +
+                                         "file of `penumbra bake horizon` to Assign Bake, or set Far Shadows to Height Map";
         internal const string NoSize = "the Far Shadow Ground has no Terrain, and no size. Copy size_metres of the bake's file";
         internal const string NoRange = "the highest height of the Far Shadow Ground is not above its lowest. Copy heights_metres of " +
                                         "the bake's file";
@@ -29,15 +29,14 @@ namespace Penumbra
                  "place and size are those of the horizon angles, too.")]
         [SerializeField] private Terrain terrain;
 
-        [Tooltip("Without a Terrain: the picture of `penumbra bake heightfield`, imported as R 16 bit, without sRGB, mip " +
-                 "maps and compression.")]
+        [Tooltip("Without a Terrain: the picture of `penumbra bake heightfield`. Assign Bake sets it, and its import settings.")]
         [SerializeField] private Texture2D heightMap;
 
-        [Tooltip("The first picture of `penumbra bake horizon`, imported as RGBA 64 bit, without sRGB, mip maps and " +
-                 "compression.")]
+        [Tooltip("The first picture of `penumbra bake horizon`: 0 to 135 degrees from +Z towards +X. Assign Bake sets both, and " +
+                 "their import settings.")]
         [SerializeField] private Texture2D horizonFirst;
 
-        [Tooltip("The second picture of `penumbra bake horizon`, imported as the first.")]
+        [Tooltip("The second picture of `penumbra bake horizon`: 180 to 315 degrees from +Z towards +X.")]
         [SerializeField] private Texture2D horizonSecond;
 
         [Tooltip("Without a Terrain: world x and z of the pictures' smallest corner in metres: corner_metres of the bake's " +

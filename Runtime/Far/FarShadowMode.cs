@@ -13,8 +13,9 @@ namespace Penumbra
         HeightMap,
 
         /// <summary>
-        /// From the angles up to which the ground hides the sky in eight directions, baked into two textures. The sun
-        /// may move, the ground may not.
+        /// From the angles up to which the ground hides the sky in eight directions, baked into two textures. For ground that
+        /// does not change, and a sun that is high or near one of those directions: between two of them, shadows of a low
+        /// sun are far off.
         /// </summary>
         HorizonAngles,
     }

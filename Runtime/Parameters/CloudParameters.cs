@@ -22,13 +22,13 @@ namespace Penumbra
         [Range(10.0f, 1e+06f)]
         public float cloudMapMetres;
 
-        /// <summary>Share of the map over which the shadow fades, on each side.</summary>
-        [Tooltip("Share of the map over which the shadow fades, on each side.")]
+        /// <summary>Share of the map over which the clouds' shadow fades out, on each side.</summary>
+        [Tooltip("Share of the map over which the clouds' shadow fades out, on each side.")]
         [Range(0.0f, 0.5f)]
         public float cloudBorder;
 
-        /// <summary>Size of the largest octave of the noise. Unit: m.</summary>
-        [Tooltip("Size of the largest octave of the noise. Unit: m.")]
+        /// <summary>Size of the largest octave of the noise: larger values make larger clouds. Unit: m.</summary>
+        [Tooltip("Size of the largest octave of the noise: larger values make larger clouds. Unit: m.")]
         [Range(1.0f, 1e+06f)]
         public float cloudFeatureMetres;
 
@@ -37,8 +37,8 @@ namespace Penumbra
         [Range(0.0f, 1.0f)]
         public float cloudCoverage;
 
-        /// <summary>Optical depth straight up where the noise is highest.</summary>
-        [Tooltip("Optical depth straight up where the noise is highest.")]
+        /// <summary>Optical depth straight up where the noise is highest: exp(-density) of the light passes there.</summary>
+        [Tooltip("Optical depth straight up where the noise is highest: exp(-density) of the light passes there.")]
         [Range(0.0f, 100.0f)]
         public float cloudDensity;
 

@@ -205,7 +205,8 @@ namespace Penumbra
             internal const string Tooltip =
                 "Shadows of mountains and hills beyond the shadow distance. Height Map: of a Terrain or a baked " +
                 "height map, searched towards the sun in every frame. Horizon Angles: of two baked textures, with " +
-                "two fetches per pixel. Both need a Far Shadow Ground component in the scene.";
+                "two fetches per pixel; a low sun must be near one of the eight baked directions, every 45 " +
+                "degrees from +Z. Both need a Far Shadow Ground component in the scene.";
         }
 
         internal static class Clouds

@@ -5,8 +5,9 @@ using Object = UnityEngine.Object;
 namespace Penumbra.Samples.PlanarAndBlobShadows
 {
     /// <summary>
-    /// Builds a scene below its game object: level ground, a sun, and two rows of shapes that rise from the ground, with planar
-    /// shadows in front and blob shadows behind. Nothing casts into URP's shadow map.
+    /// Builds a scene below its game object: level ground, a sun, a camera, and two rows of shapes that rise from the ground, with
+    /// planar shadows in front and blob shadows behind. Nothing casts into URP's shadow map. Rebuilding removes only what was
+    /// built before.
     /// </summary>
     [AddComponentMenu("Penumbra Samples/Simple Shadow Scene")]
     public sealed class SimpleShadowScene : MonoBehaviour
@@ -25,7 +26,6 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
         public void Build()
         {
             Remove();
-            AddSun();
             Material ground = Surface("Ground", new Color(0.62f, 0.6f, 0.56f, 1.0f));
             Material shape = Surface("Shape", new Color(0.75f, 0.42f, 0.3f, 1.0f));
             // Unity's plane is ten metres long.
@@ -38,6 +38,8 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
                 Add(PrimitiveType.Sphere, "Blob", new Vector3(x, Gaps[i] + 0.5f, 4.0f), Vector3.one, shape)
                     .AddComponent<BlobShadow>();
             }
+            AddSun();
+            AddCamera();
         }
 
         [ContextMenu("Remove")]
@@ -74,6 +76,19 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
             sun.intensity = 2.0f;
             sun.shadows = LightShadows.None;
             RenderSettings.sun = sun;
+            built.Add(item);
+        }
+
+        private void AddCamera()
+        {
+            var item = new GameObject("Camera");
+            item.transform.SetParent(transform, false);
+            item.transform.localPosition = new Vector3(0.0f, 5.0f, -9.0f);
+            item.transform.localRotation = Quaternion.Euler(20.0f, 0.0f, 0.0f);
+            Camera camera = item.AddComponent<Camera>();
+            camera.fieldOfView = 60.0f;
+            camera.nearClipPlane = 0.1f;
+            camera.farClipPlane = 200.0f;
             built.Add(item);
         }
 

@@ -4,7 +4,8 @@
 //             GroundCoverage  1 where the map has ground, 0 beside it
 //             GroundHeight    metres of a stored height
 // Source:     the layout of Unity's terrains: the first texel of heights lies at the smallest x and z, rows along +X.
-// Inputs:     GroundMap, by BoundedGroundMap: world x and z of the map's corner, its size, and metres of 0 and 1.
+// Inputs:     GroundMap, by BoundedGroundMap: world x and z of the map's corner, its size, and metres of 0 and 1; of a bake's JSON
+//             file, float4(corner_metres, size_metres) and heights_metres. Horizon angles have no heights: float2(0, 1).
 // Cost:       no fetches.
 // Guarantees: coordinates are finite for any place; coverage is 0 for a place that is not finite.
 // Use it:     with bakes of `penumbra bake`, or a terrain's own height map. Not: for ground with overhangs.

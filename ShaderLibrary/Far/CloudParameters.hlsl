@@ -9,10 +9,10 @@ struct CloudParameters
 {
     float cloudAltitudeMetres; // m: height of the layer, world space
     float cloudMapMetres; // m: side of the map, which lies where the sun shines through the layer on the camera
-    float cloudBorder; // 1: share of the map over which the shadow fades, on each side
-    float cloudFeatureMetres; // m: size of the largest octave of the noise
+    float cloudBorder; // 1: share of the map over which the clouds' shadow fades out, on each side
+    float cloudFeatureMetres; // m: size of the largest octave of the noise: larger values make larger clouds
     float cloudCoverage; // 1: 0: no clouds, 1: everywhere
-    float cloudDensity; // 1: optical depth straight up where the noise is highest
+    float cloudDensity; // 1: optical depth straight up where the noise is highest: exp(-density) of the light passes there
 };
 
 // Unpacks the uniforms _PenumbraCloudParameters0, _PenumbraCloudParameters1, which the package's C# struct of the same name sets.

@@ -1,10 +1,11 @@
 // Penumbra: shadows of a cloud layer.
 //
-// Computes:   how much of the sun's light passes the clouds between it and a receiver.
+// Computes:   CloudVisibility  how much of the sun's light passes the clouds between it and a receiver
 // Source:     as Core/CloudLayer.hlsl; the map holds the transmittance of the layer straight up, which is raised to the power of
 //             the way through it: Beer and Lambert.
-// Inputs:     transmittance: one channel, 1 where there is no cloud; CloudLayer; the receiver and the direction towards the sun,
-//             world space, the latter of unit length.
+// Inputs:     transmittance: one channel, 1 where there is no cloud, over the layer's area, its first texel at the smallest x and
+//             z; layer: BoundedCloudLayer, or CloudLayerAround for a map that follows the camera (Core/CloudLayer.hlsl); the
+//             receiver and the direction towards the sun, world space, the latter of unit length.
 // Cost:       1 filtered fetch.
 // Guarantees: [0, 1] for any input; 1 beside the map and over the layer.
 // Use it:     for broad clouds over a landscape; multiply with the shadows of the ground. Not: for their penumbrae, which are wide

@@ -1,16 +1,21 @@
 // Penumbra: far shadows from a height field.
 //
-// Computes:   visibility of the sun: the share of its disc above the steepest of the ground's slopes that a few steps
-//             towards the sun find.
+// Computes:   HeightFieldVisibility  the share of the sun's disc above the steepest of the ground's slopes that a few steps
+//                                    towards the sun find
+//             StoredHeight           a height at a place of the map, 0 for the lowest and 1 for the highest
 // Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): 8 steps over a height map towards the sun, blended by how far
 //             the ground reaches over the ray. Here the blend is the sun's own disc, and the places are nearest + (farthest -
 //             nearest) s^2 for s equally spaced in [0, 1), up to where the ray is over all ground. Steps so grow with the root
 //             of the distance. Steps in proportion to it, of which a quarter lie within the first hundred metres, are a
 //             kilometre long where mountains of an open landscape stand, and step over them.
-// Inputs:     heights: of `penumbra bake heightfield` or a terrain; texels: how many each way; the world position of the
-//             receiver; the direction towards the sun, world space, of any positive length; half its angular diameter in
-//             radians; nearestMetres: where the ray begins; steps; jitter: [0, 1), another for each pixel; channels: what the
-//             heights' red and green are multiplied with, (1, 0) of one channel. A terrain of Unity stores heights up to
+// Inputs:     heights: one texture, of `penumbra bake heightfield` or of a terrain; its first texel at the smallest x and z, rows
+//             along +X. texels: how many each way; the first and last lie on the area's edges.
+//             ground: BoundedGroundMap(float4(corner_metres, size_metres), float2(heights_metres)), with the numbers of the bake's
+//             JSON file: a stored 0 and 1 mean the first and the second of heights_metres.
+//             The receiver's world position; the direction towards the sun, world space, of any positive length; half its angular
+//             diameter in radians.
+//             HeightFieldRay: nearestMetres, where the ray begins; steps; jitter in [0, 1), another for each pixel; channels, what
+//             the heights' red and green are multiplied with, (1, 0) of a bake. A terrain of Unity stores heights up to
 //             32766 / 65535, with Vulkan and OpenGL ES in two channels, red the low byte and green the high one (its
 //             PaintContext.kNormalizedHeightScale and UnpackHeightmap).
 // Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before. Of heights in two
@@ -25,10 +30,10 @@
 
 struct HeightFieldRay
 {
-    float nearestMetres;
-    int steps;
-    float jitter;
-    float2 channels;
+    float nearestMetres; // the first step
+    int steps;           // at most 256
+    float jitter;        // [0, 1)
+    float2 channels;     // factors of the heights' red and green
 };
 
 // 0 for ground.low, 1 for the highest.

@@ -9,11 +9,12 @@
 //             one said nothing about the other. Documentation~/distance-fields.md compares the ways.
 // Inputs:     a 3D texture in which each object has a part, of `penumbra bake distance-field --objects N`; world positions and
 //             the surface's normal, in metres; uniforms:
-//             _PenumbraFieldAtlas   texels of the texture along x, y and z; the number of objects
+//             _PenumbraFieldAtlas   voxels of the JSON file, the texture's texels along x, y and z; the number of objects
 //             _PenumbraFieldObjects six rows for each object: three that take a world position to the field's own space, which
-//                                   may be turned, moved and scaled alike along all axes; the box's smallest corner and the
-//                                   largest distance; the box's size and a voxel's edge; the object's first voxel in the
-//                                   texture. Lengths but for the first three rows are those of the field's own space.
+//                                   may be turned, moved and scaled alike along all axes; then, of the object's entry in the
+//                                   file, corner_metres and distances_metres[1]; size_metres and a voxel's edge,
+//                                   size_metres[0] / voxels[0]; first_voxel. Lengths but for the first three rows are those
+//                                   of the field's own space. Documentation~/bakes.md sets them from C#.
 //             They are constants, not a buffer, so that OpenGL ES 3.0 and WebGL 2 have them.
 // Cost:       for each object about 30 operations where its box is beside the ray or cone; else DistanceFieldMarch.hlsl's.
 // Guarantees: [0, 1] for any input; at most 16 objects. An object whose rows are not finite casts nothing. Texels of one object

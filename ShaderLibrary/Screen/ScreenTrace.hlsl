@@ -1,7 +1,8 @@
 // Penumbra: shadows of what the camera sees, by a march towards the sun over its depth texture ("contact shadows").
 //
-// Computes:   visibility of the sun's centre, as far as the camera's depth texture knows: a ray from the receiver is walked
-//             in equal steps over the screen, and is blocked where it is behind a seen surface by less than a thickness.
+// Computes:   ScreenTraceVisibility: visibility of the sun's centre, as far as the camera's depth texture knows. A ray from the
+//             receiver is walked in equal steps over the screen, and is blocked where it is behind a seen surface by less
+//             than a thickness.
 //
 //                 sun  .                o: samples. The ray begins above the surface by what half a pixel of its slope and
 //                        o  |##|          the rounding of depth can hide, so that a plane never shadows itself.

@@ -102,12 +102,13 @@ TEST_F(SampleShaders, TheShadowVolumesCompileForEveryTarget) {
   }
 }
 
-// A page's first block of HLSL.
-std::string first_block(const std::string& page_file) {
+// A page's first block of HLSL, or the one after `skipped` others.
+std::string first_block(const std::string& page_file, int skipped = 0) {
   std::ifstream file(kSource + "/" + page_file, std::ios::binary);
   const std::string page((std::istreambuf_iterator<char>(file)), {});
   const std::string start = "```hlsl\n";
-  const std::size_t begin = page.find(start) + start.size();
+  std::size_t begin = page.find(start) + start.size();
+  for (int block = 0; block < skipped; ++block) begin = page.find(start, begin) + start.size();
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
@@ -117,7 +118,7 @@ std::string readme_shader() {
          "ENDHLSL\n} } }\n";
 }
 
-// The function of the page on bakes, beside calls of the other functions that read them.
+// The functions of the page on bakes, beside calls of the other functions that read them.
 std::string bakes_shader() {
   return R"(Shader "Bakes" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
 HLSLPROGRAM
@@ -125,13 +126,12 @@ HLSLPROGRAM
 #pragma fragment Fragment
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 )" + first_block("Documentation~/bakes.md") +
+         first_block("Documentation~/bakes.md", 1) +
          R"(
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Far/CloudShadow.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Far/HeightFieldTrace.hlsl"
-#include "Packages/com.penumbra.shadows/ShaderLibrary/Fields/DistanceFieldMarch.hlsl"
 TEXTURE2D(_Heights);
 TEXTURE2D(_Clouds);
-TEXTURE3D(_Field);
 struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
 Varyings Vertex(float4 p : POSITION)
 {
@@ -142,21 +142,22 @@ Varyings Vertex(float4 p : POSITION)
 }
 half4 Fragment(Varyings v) : SV_Target
 {
-    const float3 towardSun = float3(0.3, 0.4, 0.5);
+    const float3 up = float3(0.0, 1.0, 0.0);
+    const float3 towardSun = normalize(float3(0.3, 0.4, 0.5));
     HeightFieldRay ray;
     ray.nearestMetres = 5.0;
     ray.steps = 16;
     ray.jitter = 0.5;
     ray.channels = float2(1.0, 0.0);
     const GroundMap ground = BoundedGroundMap(float4(0.0, 0.0, 1000.0, 1000.0), float2(0.0, 600.0));
-    const DistanceFieldBox box = BoundedFieldBox(float4(0.0, 0.0, 0.0, 1.0), float4(1.0, 1.0, 1.0, 0.02));
     float visibility = FarVisibility(v.world, towardSun);
-    visibility *= HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_LinearClamp), float2(513.0, 513.0), v.world,
+    visibility *= HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_HorizonLinearClamp), float2(513.0, 513.0), v.world,
                                         towardSun, 0.0046, ray, ground);
-    visibility *= FieldHardVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 32, box);
-    visibility *= FieldSoftVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 0.0046, 32, box);
+    visibility *= MeshVisibility(v.world, up, towardSun) * ObjectsVisibility(v.world, up, towardSun);
+    const DistanceFieldBox box = BoundedFieldBox(_FieldCorner, _FieldSize);
+    visibility *= FieldHardVisibility(TEXTURE3D_ARGS(_Field, sampler_FieldLinearClamp), v.world, towardSun, 10.0, 32, box);
     const CloudLayer layer = BoundedCloudLayer(float4(-4000.0, -4000.0, 8000.0, 8000.0), 1500.0, 0.1);
-    visibility *= CloudVisibility(TEXTURE2D_ARGS(_Clouds, sampler_LinearClamp), v.world, towardSun, layer);
+    visibility *= CloudVisibility(TEXTURE2D_ARGS(_Clouds, sampler_HorizonLinearClamp), v.world, towardSun, layer);
     return visibility;
 }
 ENDHLSL

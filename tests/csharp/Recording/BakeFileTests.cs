@@ -65,6 +65,9 @@ namespace Penumbra.Tests
         private static void WasImported(TextureImporter importer, TextureImporterFormat format)
         {
             Assert.That(importer.Imports, Is.EqualTo(1));
+            Assert.That((importer.textureType, importer.textureShape, importer.alphaSource, importer.alphaIsTransparency),
+                        Is.EqualTo((TextureImporterType.Default, TextureImporterShape.Texture2D,
+                                    TextureImporterAlphaSource.FromInput, false)));
             Assert.That((importer.sRGBTexture, importer.mipmapEnabled, importer.wrapMode, importer.npotScale),
                         Is.EqualTo((false, false, TextureWrapMode.Clamp, TextureImporterNPOTScale.None)));
             Assert.That((importer.Settings.format, importer.Settings.textureCompression, importer.Settings.maxTextureSize),

@@ -142,5 +142,22 @@ namespace Penumbra.Samples
                 Assert.That(Path.Combine(package, sample.GetProperty("path").GetString(), "README.md"), Does.Exist);
             }
         }
+
+        // The same clicks for each: a command of the menu, which the README names.
+        [Test]
+        public void EverySceneThatBuildsItselfHasACommandInTheMenu()
+        {
+            string[] scenes = Files(samples, "*.cs").Where(file => File.ReadAllText(file).Contains("[ContextMenu(\"Build\")]"))
+                                                    .Select(Path.GetDirectoryName).ToArray();
+            Assert.That(scenes, Has.Length.EqualTo(4));
+            foreach (string folder in scenes)
+            {
+                string commands = string.Concat(Files(Path.Combine(folder, "Editor"), "*.cs").Select(File.ReadAllText));
+                Assert.That(commands, Does.Contain("\"GameObject/Penumbra Samples/").And.Contain("[MenuItem("), folder);
+                Assert.That(commands, Does.Contain("Undo.RegisterCreatedObjectUndo("), folder);
+                Assert.That(File.ReadAllText(Path.Combine(folder, "README.md")),
+                            Does.Contain("*GameObject, Penumbra Samples"), folder);
+            }
+        }
     }
 }

@@ -37,6 +37,7 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
             Assert.That(Made<PlanarShadow>().Length, Is.EqualTo(SimpleShadowScene.Gaps.Length));
             Assert.That(Made<BlobShadow>().Length, Is.EqualTo(SimpleShadowScene.Gaps.Length));
             Assert.That(Made<Light>().Single().shadows, Is.EqualTo(LightShadows.None));
+            Assert.That(Made<Camera>().Length, Is.EqualTo(1));
             Assert.That(Made<BlobShadow>().Select(blob => blob.gameObject.transform.localPosition.y - blob.RadiusMetres),
                         Is.EqualTo(SimpleShadowScene.Gaps).Within(1e-6f));
         }

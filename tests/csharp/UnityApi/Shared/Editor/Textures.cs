@@ -27,6 +27,11 @@ namespace UnityEditor
         [OwnBehaviour] public TextureImporterPlatformSettings Settings { get; private set; } =
             new TextureImporterPlatformSettings();
 
+        // Those of a new picture in a project whose default behaviour is 2D.
+        public TextureImporterType textureType { get; set; } = TextureImporterType.Sprite;
+        public TextureImporterShape textureShape { get; set; } = TextureImporterShape.Texture2D;
+        public TextureImporterAlphaSource alphaSource { get; set; } = TextureImporterAlphaSource.None;
+        public bool alphaIsTransparency { get; set; } = true;
         public bool sRGBTexture { get; set; } = true;
         public bool mipmapEnabled { get; set; } = true;
         public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
@@ -45,6 +50,18 @@ namespace UnityEditor
         public TextureImporterFormat format { get; set; }
         public TextureImporterCompression textureCompression { get; set; } = TextureImporterCompression.Compressed;
     }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterType { Default = 0, Sprite = 8 }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterShape { Texture2D = 1 << 0, Texture3D = 1 << 3 }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    public enum TextureImporterAlphaSource { None = 0, FromInput = 1 }
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]

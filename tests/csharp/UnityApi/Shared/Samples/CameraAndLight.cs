@@ -40,6 +40,14 @@ namespace UnityEngine
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalVector(int nameID, Vector4 value) => Globals[PropertyName(nameID)] = value;
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals[PropertyName(nameID)] = values;
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        public static void SetGlobalTexture(int nameID, Texture value) => Globals[PropertyName(nameID)] = value;
     }
 }
 
