@@ -49,8 +49,7 @@ TEST(BakedFiles, LevelGroundHasOneHeight) {
   EXPECT_THAT(read_height_field(json, {}).metres, testing::Each(7.25F));
 }
 
-// Channel c of picture p holds direction 4 p + c: read back through the reader of heights, which takes the
-// first.
+// Channel c of picture p holds direction 4 p + c.
 TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
   HorizonAngles angles{3, 2, kCovered, {}};
   for (int number = 0; number < horizon_directions; ++number)
@@ -60,10 +59,13 @@ TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
   const BakedFiles files = baked_files(angles, "hz");
   ASSERT_EQ(files.pictures.size(), 2U);
   for (int picture = 0; picture < 2; ++picture) {
-    const scene::HeightImage first =
-        scene::decode_height_image(files.pictures.at("hz-" + std::to_string(picture) + ".png"), "hz.png", {});
-    EXPECT_EQ(first.width, 3);
-    EXPECT_EQ(first.height, 2);
+    // Four channels are not heights.
+    expect_input_error(
+        [&] {
+          scene::decode_height_image(files.pictures.at("hz-" + std::to_string(picture) + ".png"), "hz.png",
+                                     {});
+        },
+        HasSubstr("4 channels"));
   }
   std::vector<std::uint16_t> samples;
   for (std::size_t i = 0; i < 6; ++i)
@@ -122,6 +124,8 @@ TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
     std::ofstream(json, std::ios::binary) << text.replace(at, from.size(), to);
     expect_input_error([&] { read_height_field(json, {}); }, says);
   };
+  refuse("\"kind\": \"height-field\",", "", HasSubstr("'kind' is missing"));
+  refuse("height-field", "horizon-angles", HasSubstr("'horizon-angles' is not a height field"));
   refuse("height-field", "horizon-angles", AllOf(HasSubstr("hills.json:2"), HasSubstr("bake heightfield")));
   refuse("\"version\": 1", "\"version\": 2", HasSubstr("hills.json:3"));
   refuse("hills.png", "../hills.png", AllOf(HasSubstr("hills.json:4"), HasSubstr("same folder")));

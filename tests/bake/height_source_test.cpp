@@ -85,6 +85,18 @@ TEST(HeightSource, RefusesAnAreaWithoutGround) {
         heights_of_scene(scene, {{HUGE_VAL, 0.0}, {1.0, 1.0}}, {4, 4});
       },
       HasSubstr("cannot cover"));
+  for (const double huge : {1e19, 1e300, -1e19}) {
+    expect_input_error(
+        [&] {
+          heights_of_scene(scene, {{huge, 0.0}, {1.0, 1.0}}, {4, 4});
+        },
+        HasSubstr("--area"));
+    expect_input_error(
+        [&] {
+          heights_of_scene(scene, {{0.0, 0.0}, {1.0, huge}}, {4, 4});
+        },
+        HasSubstr("--area"));
+  }
   expect_input_error([&] { heights_of_scene(scene, area_of(scene), {0, 4}); }, HasSubstr("not 0"));
   expect_input_error([&] { heights_of_scene(scene, area_of(scene), {4, 8194}); }, HasSubstr("not 8194"));
 }
@@ -97,6 +109,12 @@ TEST(HeightSource, OfAnImageIsItsRangeInSteps) {
   EXPECT_THAT(heights_of_image(image, area, {-10.0, 40.0}, true).metres,
               ElementsAre(30.0F, 10.0F, -10.0F, -10.0F, 40.0F, 0.0F));
   expect_input_error([&] { heights_of_image(image, area, {40.0, 40.0}); }, HasSubstr("from 40 to 40"));
+  for (const double huge : {1e308, 1e7, -1e308})
+    expect_input_error(
+        [&] {
+          heights_of_image(image, area, {std::min(huge, 0.0), std::abs(huge)});
+        },
+        HasSubstr("--heights"));
   expect_input_error([&] { heights_of_image(image, area, {0.0, HUGE_VAL}); }, HasSubstr("cannot go"));
   expect_input_error(
       [&] {

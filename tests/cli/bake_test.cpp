@@ -103,6 +103,55 @@ TEST_F(BakeProgram, SaysWhatItCannotBake) {
                  HasSubstr("is a file that this run reads"));
 }
 
+TEST_F(BakeProgram, RefusesNamesThatItsPicturesCouldTake) {
+  for (const char* name : {"x.png", "x.js", "x", ".json"})
+    expect_refused({"heightfield", "--scene", "street", "-o", file(name)}, HasSubstr(".json"));
+  expect_refused({"heightfield", "--scene", "street", "-o", "-"}, HasSubstr("standard output"));
+  expect_refused({"heightfield", "--scene", "street", "-o", "/dev/null"}, HasSubstr(".json"));
+  expect_refused({"heightfield", "--scene", "street", "-o", file("\xff.json")}, HasSubstr("UTF-8"));
+}
+
+TEST_F(BakeProgram, SaysWhyABakeWouldBeUseless) {
+  const std::string to = file("x.json");
+  const std::string field = heights_of_street();
+  for (const char* area : {"0,0,1e19,1e19", "1e300,0,1,1", "0,0,nan,1", "0,inf,1,1"})
+    expect_refused({"horizon", "--scene", "valley-20", "--area", area, "-o", to}, HasSubstr("--area"));
+  expect_refused(
+      {"heightfield", "--image", file("street.png"), "--heights", "0,1e308", "--area", "0,0,9,9", "-o", to},
+      HasSubstr("--heights"));
+  expect_refused({"horizon", "--field", field, "--nearest", "1e5", "-o", to}, HasSubstr("--nearest"));
+  expect_refused({"distance-field", "--scene", "street", "--voxels", "1", "-o", to}, HasSubstr("--voxels"));
+  expect_refused({"horizon", "--field", field, "--texels", "1x", "-o", to}, HasSubstr("--texels 512x256"));
+  const std::string raw = write("hill.raw", std::string("\x00\x00\xff\xff\x00\x80\x00\x40", 8)).string();
+  expect_refused(
+      {"heightfield", "--image", raw, "--raw-size", "0x0", "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
+      AllOf(HasSubstr("0 x 0"), HasSubstr("--raw-size")));
+  const std::string wall = write("wall.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").string();
+  expect_refused({"heightfield", "--scene", wall, "-o", to}, HasSubstr("vertical wall"));
+  const std::string large = write("large.obj", "v 0 0 0\nv 1e9 0 0\nv 0 0 1e9\nf 1 2 3\n").string();
+  expect_refused({"heightfield", "--scene", large, "-o", to}, HasSubstr("--metres-per-unit"));
+  ASSERT_EQ(shell("mkfifo " + file("pipe.png")).exit_code, 0);
+  expect_refused(
+      {"heightfield", "--image", file("pipe.png"), "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
+      HasSubstr("pipe"));
+}
+
+TEST_F(BakeProgram, CountsSamplesWithoutASurface) {
+  const std::string half = write("half.obj", "v 0 0 0\nv 4 0 0\nv 0 1 4\nf 1 3 2\n").string();
+  const auto baked = bake({"heightfield", "--scene", half, "--samples", "9", "-o", file("half.json")});
+  EXPECT_EQ(baked.exit_code, 0) << baked.errors;
+  EXPECT_THAT(baked.errors, AllOf(HasSubstr("samples without a surface"), HasSubstr("of 81")));
+}
+
+TEST_F(BakeProgram, AFileAboveTheLimitIsAnErrorAndLeavesNothing) {
+  const auto stopped = shell("ulimit -f 1; " + std::string(PENUMBRA_PROGRAM) +
+                             " bake heightfield --scene street --samples 257 --cache " + file("cache") +
+                             " -o " + file("x.json"));
+  EXPECT_EQ(stopped.exit_code, 2) << stopped.errors;
+  EXPECT_THAT(stopped.errors, HasSubstr("ulimit"));
+  EXPECT_THAT(listing(), UnorderedElementsAre("cache"));
+}
+
 TEST_F(BakeProgram, FieldsOfSeveralObjectsAreOneFile) {
   const std::string solid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   const std::string apart = "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\n";

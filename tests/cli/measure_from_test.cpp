@@ -37,6 +37,18 @@ TEST_F(MeasureFrom, WhatIsAskedForTwiceIsMeasuredOnceAndReadAgain) {
   EXPECT_EQ(results["frames"].size(), 1U);
 }
 
+TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
+  const auto refused = [&](const std::string& technique, const std::string& option) {
+    const auto result = run(small({"--scene", "slabs", "--technique", technique, option, "64"}));
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    EXPECT_THAT(result.errors, testing::HasSubstr(option + " has no effect on techniques that read no"));
+  };
+  for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
+    refused("hard", option);
+  refused("far-heights-8", "--horizon-texels");
+  refused("far-horizon", "--field-voxels");
+}
+
 TEST_F(MeasureFrom, AReportOfEarlierFiguresHasNoFolderForPictures) {
   measured({"--scene", "slabs", "--light", "2", "--technique", "hard"});
   const auto again = run({"measure", "--from", path("results.json").string(), "-o", path("again").string()});

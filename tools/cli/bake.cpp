@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -55,13 +56,35 @@ scene::ImageSize size_of(const std::string& option, const std::string& text) {
   if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 && read == all)
     return {width, height};
   if (std::sscanf(text.c_str(), "%d%n", &width, &read) == 1 && read == all) return {width, width};
-  throw InputError("", option + " '" + text + "' is not WIDTHxDEPTH, such as 513x513");
+  throw InputError("", option + " '" + text + "' is not WIDTHxDEPTH",
+                   "write " + option + " 512x256, or " + option + " 512 for a square");
 }
 
 constexpr const char* kHeightField = "heightfield";
 constexpr const char* kHorizon = "horizon";
 constexpr const char* kDistanceField = "distance-field";
 constexpr double kMuchThin = 0.1;  // of an object's surface
+
+// The pictures take the name without .json: any other ending could be that of a picture.
+void check_output_name(const std::string& output) {
+  if (output == "-") {
+    throw InputError("--output", "a bake is several files, which standard output cannot hold",
+                     "name a file that ends in .json");
+  }
+  const std::filesystem::path file = output;
+  if (file.extension() != ".json") {
+    throw InputError("--output",
+                     "'" + output + "' does not end in .json, and could be taken for one of its pictures",
+                     "name a file that ends in .json, such as terrain.json");
+  }
+  bake::check_stem(file.stem().string());
+}
+
+void refuse_useless_voxels(const BakeCommandOptions& options) {
+  if (options.product == kDistanceField && options.distances.voxels < 2)
+    throw InputError("--voxels", "one voxel is one distance, which has no shape",
+                     "give more, such as --voxels 64");
+}
 
 void refuse_idle_options(const CLI::App& command, const BakeCommandOptions& options) {
   const bool horizon = options.product == kHorizon, distances = options.product == kDistanceField;
@@ -102,6 +125,8 @@ class Bake {
         context_(context),
         store_(options.cache.empty() ? platform::cache_directory() : std::filesystem::path(options.cache)) {
     refuse_idle_options(command, options);
+    refuse_useless_voxels(options);
+    check_output_name(options.output);
     check_output_file(options.output);
     refuse_input_as_output("--output", options.output, {options.scene, options.image, options.field});
     check_cache_folder(options.cache, platform::cache_directory(), context);
@@ -121,6 +146,13 @@ class Bake {
   void horizon_angles() {
     const scene::ImageSize texels = size_of("--texels", options_.texels);
     const bake::HeightField ground = field();
+    const double across = std::hypot(ground.area.size.x, ground.area.size.y);
+    if (options_.nearest_metres >= across) {
+      throw InputError("--nearest",
+                       fmt::format("no ground counts from {} metres on: the area is {:.6g} metres across",
+                                   options_.nearest_metres, across),
+                       "give a smaller distance, or a larger area");
+    }
     write(with_progress("horizon angles", " rows", [&](const bake::BakeOptions& run) {
       return bake::baked_files(
           bake::bake_horizon_angles(ground, {texels.width, texels.height, options_.nearest_metres}, run),
@@ -130,6 +162,12 @@ class Bake {
 
   void distance_field() {
     const scene::Scene scene = loaded_scene();
+    if (options_.distances.margin == 0.0 && !context_.quiet) {
+      fmt::print(
+          stderr,
+          "note: with --margin 0 the field ends at the mesh, and has no distances around it: soft shadows "
+          "end there, too\n");
+    }
     if (options_.objects > 0) {
       object_fields(scene);
       return;
@@ -205,10 +243,25 @@ class Bake {
   bake::HeightField field_of_scene() {
     const scene::Scene scene = loaded_scene();
     const scene::ImageSize samples = size_of("--samples", options_.samples);
-    return with_progress("heights", " rows", [&](const bake::BakeOptions& run) {
-      return bake::heights_of_scene(scene, area([&] { return bake::area_of(scene); }),
-                                    {samples.width, samples.height}, run);
+    const bake::Area covered = area([&] {
+      const bake::Area all = bake::area_of(scene);
+      if (all.size.x > 0.0 && all.size.y > 0.0) return all;
+      throw InputError(
+          options_.scene,
+          fmt::format("has no ground: seen from above it is {} x {} metres", all.size.x, all.size.y),
+          "a vertical wall has no heights; bake its distance-field");
     });
+    const bake::HeightField field = with_progress("heights", " rows", [&](const bake::BakeOptions& run) {
+      return bake::heights_of_scene(scene, covered, {samples.width, samples.height}, run);
+    });
+    if (field.holes > 0 && !context_.quiet) {
+      fmt::print(
+          stderr,
+          "note: samples without a surface: {} of {}; they have the height of the scene's lowest vertex, "
+          "{:.6g} m\n",
+          field.holes, field.metres.size(), scene.bounds().minimum.y);
+    }
+    return field;
   }
 
   bake::HeightField field_of_image() const {
@@ -257,8 +310,8 @@ void add_bake(CLI::App& app, Context& context) {
                        const char* group) {
     return command->add_option(name, value, description)->type_name(placeholder)->group(group);
   };
-  command->add_option("bake", options->product, "What to bake")
-      ->type_name("BAKE")
+  command->add_option("product", options->product, "What to bake")
+      ->type_name("PRODUCT")
       ->check(one_of({kHeightField, kHorizon, kDistanceField}))
       ->required();
   const char* const ground = "Ground";

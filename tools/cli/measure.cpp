@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
@@ -183,16 +184,33 @@ bool writes_report(const MeasureOptions& options) {
   return !options.output.empty() && options.output != "-";
 }
 
+// Before anything is compiled or baked.
+void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::Subject>& subjects) {
+  using techniques::Need;
+  const auto reads = [&](Need need) {
+    return std::any_of(subjects.begin(), subjects.end(), [&](const study::Subject& subject) {
+      const std::vector<Need>& needs = subject.graph.graph.needs;
+      return std::find(needs.begin(), needs.end(), need) != needs.end();
+    });
+  };
+  const bool angles = reads(Need::horizon_angles), heights = angles || reads(Need::ground_heights);
+  refuse_idle(command, {"--ground-samples"}, !heights, "on techniques that read no heights of the ground");
+  refuse_idle(command, {"--horizon-texels"}, !angles, "on techniques that read no horizon angles");
+  refuse_idle(command, {"--field-voxels"}, !reads(Need::distance_fields),
+              "on techniques that read no distance fields");
+}
+
 struct Measured {
   study::Results results;
   std::vector<study::PictureRow> pictures;
 };
 
-Measured measure(const MeasureOptions& options, Context& context) {
+Measured measure(const CLI::App& command, const MeasureOptions& options, Context& context) {
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
   settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
+  refuse_idle_bake_options(command, subjects);
   gpu::Device device = open_device(options);
   // A software device's times rank nothing, and take as long as everything else together.
   settings.timing_repeats = options.timing_repeats.value_or(device.info().is_software ? 1 : 5);
@@ -265,13 +283,13 @@ void check_outputs(const MeasureOptions& options, const Context& context) {
     (void)study::replace_result_block(read_text_file(options.readme), "", options.readme, options.block);
 }
 
-void run(const MeasureOptions& options, Context& context) {
+void run(const CLI::App& command, const MeasureOptions& options, Context& context) {
   check_outputs(options, context);
   // Before the measuring: a mistake in a manifest loses no results.
   const study::FactsOfTechniques facts = shown_facts(options);
   Measured measured;
   if (options.from.empty()) {
-    measured = measure(options, context);
+    measured = measure(command, options, context);
   } else {
     measured.results = study::read_results(options.from);
   }
@@ -380,7 +398,7 @@ void add_measure(CLI::App& app, Context& context) {
   command->callback([command, options, &context] {
     refuse_beside_from(
         *command, {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--cost", "--output"});
-    run(*options, context);
+    run(*command, *options, context);
   });
 }
 

@@ -37,8 +37,9 @@ bool flush_to_disk(std::FILE* stream) {
 [[noreturn]] void fail(const std::filesystem::path& file, int reason) {
   const bool full = reason == ENOSPC;
   throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
-                   full ? "free some space or choose another folder; nothing was changed"
-                        : "check the folder and its permissions; nothing was changed");
+                   reason == EFBIG ? "raise the limit on the size of files (ulimit -f); nothing was changed"
+                   : full          ? "free some space or choose another folder; nothing was changed"
+                                   : "check the folder and its permissions; nothing was changed");
 }
 
 #ifdef _WIN32

@@ -71,6 +71,7 @@ extern "C" void take_interrupt(int signal_number) {
 void watch_interrupts() {
 #ifndef _WIN32
   std::signal(SIGALRM, end_at_last);
+  std::signal(SIGXFSZ, SIG_IGN);  // a write past the limit fails with EFBIG, and is reported
 #endif
   std::signal(SIGINT, take_interrupt);
   std::signal(SIGTERM, take_interrupt);

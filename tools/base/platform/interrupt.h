@@ -13,7 +13,8 @@ class Interrupted : public std::exception {
 inline constexpr const char* interrupted_message =
     "interrupted; the same command continues with what is in the cache";
 
-// SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU, is ended
+// A write past the limit on the size of files (SIGXFSZ) fails with EFBIG from then on, and does not end the
+// program. SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU, is ended
 // after two seconds; another signal, a second or more after the first, ends the program immediately. The exit
 // code is 128 plus the signal's number.
 void watch_interrupts();

@@ -75,6 +75,15 @@ std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices
 
 }  // namespace
 
+void check_stem(const std::string& stem) {
+  try {
+    (void)Json(stem).dump();
+  } catch (const Json::type_error&) {
+    throw InputError(stem, "is a name that is not UTF-8, and the JSON file names its pictures",
+                     "choose a name of letters, digits and '-'");
+  }
+}
+
 BakedFiles baked_files(const HeightField& field, const std::string& stem) {
   check_height_field(field);
   const HeightRange range = range_of(field);
@@ -165,7 +174,10 @@ HeightField read_height_field(const std::filesystem::path& json, const scene::Re
   const LocatedJson document = LocatedJson::read(json);
   JsonObject object(document);
   if (const std::string kind = object.text("kind", ""); kind != kHeights) {
-    object.fail("kind", fmt::format("'{}' is no {}", kind, kHeights), "penumbra bake heightfield writes one");
+    object.fail("kind",
+                kind.empty() ? fmt::format("'kind' is missing, which is \"{}\" in a height field", kHeights)
+                             : fmt::format("'{}' is not a height field", kind),
+                "penumbra bake heightfield writes one");
   }
   if (const int version = object.integer("version", 0); version != kVersion)
     object.fail("version", fmt::format("version {} of the format is unknown", version), "bake it again");

@@ -23,6 +23,9 @@ struct BakedFiles {
   std::map<std::string, std::vector<std::byte>> pictures;  // by file name
 };
 
+// Throws InputError for a stem that JSON cannot hold, because it is not UTF-8: baked_files() needs another.
+void check_stem(const std::string& stem);
+
 // stem: of the pictures' names. The smallest z is at a picture's bottom, as Unity's textures have it. Heights
 // become steps of (high - low) / 65535 of the field's own range; angles steps of a quarter turn / 65535, four
 // directions in each of two pictures; distances steps of twice the largest / 65535, the slices of one z side

@@ -11,8 +11,12 @@
 namespace penumbra::bake {
 namespace {
 
-bool positive(double metres) {
-  return std::isfinite(metres) && metres > 0.0;
+// Not a number is neither.
+bool is_place(double metres) {
+  return std::abs(metres) <= most_ground_metres;
+}
+bool is_side(double metres) {
+  return metres >= least_area_metres && metres <= most_ground_metres;
 }
 
 void check_side(int samples) {
@@ -38,10 +42,14 @@ double HeightField::height(glm::dvec2 xz) const {
 void check_grid(int width, int depth, const Area& area) {
   check_side(width);
   check_side(depth);
-  const bool placed = std::isfinite(area.corner.x) && std::isfinite(area.corner.y);
-  if (!placed || !positive(area.size.x) || !positive(area.size.y)) {
-    throw InputError("", fmt::format("a height field cannot cover {} x {} metres", area.size.x, area.size.y));
-  }
+  if (is_place(area.corner.x) && is_place(area.corner.y) && is_side(area.size.x) && is_side(area.size.y))
+    return;
+  throw InputError("",
+                   fmt::format("a height field cannot cover {} x {} metres from x {}, z {}: its corner lies "
+                               "within {} metres of the origin, and its sides are from {} to {} metres",
+                               area.size.x, area.size.y, area.corner.x, area.corner.y, most_ground_metres,
+                               least_area_metres, most_ground_metres),
+                   "give another area: X,Z,WIDTH,DEPTH in metres, such as --area 0,0,1000,1000");
 }
 
 void check_height_field(const HeightField& field) {

@@ -14,6 +14,10 @@ namespace penumbra::bake {
 // At least two samples each way, and at most so many.
 inline constexpr int most_samples_per_side = 8193;  // a power of two and one, as Unity's terrains have
 
+// Metres: how far from the origin an area or a height may lie, and how long an area's sides may be.
+inline constexpr double most_ground_metres = 1e6;
+inline constexpr double least_area_metres = 1e-6;
+
 // The rectangle that a grid covers: metres in x and z, relative to the scene's origin.
 struct Area {
   glm::dvec2 corner{0.0};  // the smallest x and z
@@ -27,6 +31,7 @@ struct HeightField {
   int depth = 0;  // samples along z
   Area area;
   std::vector<float> metres;  // width * depth
+  std::size_t holes = 0;      // samples where the source has no surface
 
   float at(int x, int z) const { return metres[static_cast<std::size_t>(z) * width + x]; }
   // Metres between neighbours along x and z.
@@ -38,11 +43,12 @@ struct HeightField {
 };
 
 // Throws InputError unless there are two samples each way or more, no more than most_samples_per_side, and an
-// area of a positive, finite size.
+// area within most_ground_metres of the origin whose sides are from least_area_metres to
+// most_ground_metres.
 void check_grid(int width, int depth, const Area& area);
 
 // Throws InputError unless the field has two samples each way or more, no more than most_samples_per_side,
-// as many heights as samples, all of them finite, and an area of a positive, finite size.
+// as many heights as samples, all of them finite, and an area as check_grid() has it.
 void check_height_field(const HeightField& field);
 
 }  // namespace penumbra::bake

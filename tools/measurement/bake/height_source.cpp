@@ -80,7 +80,9 @@ HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const 
   bool any = false;
   for (float& metres : field.metres) {
     any = any || metres != kNothing;
-    if (metres == kNothing) metres = lowest;
+    if (metres != kNothing) continue;
+    metres = lowest;
+    ++field.holes;
   }
   if (!any) {
     throw InputError(
@@ -93,8 +95,15 @@ HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const 
 
 HeightField heights_of_image(const scene::HeightImage& image, const Area& area, const HeightRange& range,
                              bool from_largest_z) {
-  if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.low >= range.high)
-    throw InputError("", fmt::format("heights cannot go from {} to {} metres", range.low, range.high));
+  const auto possible = [](double metres) { return std::abs(metres) <= most_ground_metres; };
+  if (!possible(range.low) || !possible(range.high) || range.low >= range.high) {
+    throw InputError(
+        "",
+        fmt::format("heights cannot go from {} to {} metres: the first is the lower, and both lie "
+                    "within {} metres of 0",
+                    range.low, range.high, most_ground_metres),
+        "give the heights of 0 and of 65535, such as --heights 0,600");
+  }
   HeightField field{image.width, image.height, area, {}};
   field.metres.reserve(image.samples.size());
   for (int z = 0; z < image.height; ++z) {

@@ -23,8 +23,8 @@ Area area_of(const scene::Scene& scene);
 SampleCounts even_counts(const Area& area, int longest);
 
 // The highest surface at each sample, which overhangs and roofs make solid down to the ground; where there is
-// none, the height of the scene's lowest vertex. Throws InputError for counts or an area that
-// check_height_field() refuses, and where the area has no surface at all; as run_bake.
+// none, the height of the scene's lowest vertex, counted in HeightField::holes. Throws InputError for counts
+// or an area that check_height_field() refuses, and where the area has no surface at all; as run_bake.
 HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const SampleCounts& counts,
                              const BakeOptions& run = {});
 
@@ -35,7 +35,7 @@ struct HeightRange {
 };
 
 // The image's first row, a picture's lowest, is at the smallest z, or with from_largest_z at the largest.
-// Throws InputError for a range that is not finite or empty, and as check_height_field().
+// Throws InputError for a range that is empty or exceeds most_ground_metres, and as check_height_field().
 HeightField heights_of_image(const scene::HeightImage& image, const Area& area, const HeightRange& range,
                              bool from_largest_z = false);
 

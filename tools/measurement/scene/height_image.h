@@ -28,10 +28,10 @@ struct ImageSize {
   int height = 0;
 };
 
-// PNG: one channel of 16 bits, or several, whose first counts. RAW (.raw or .r16): 16-bit numbers, the low
-// byte first; without raw_size a square. Throws InputError naming the file if it cannot be read, has neither
-// form, has 8 bits (256 steps are no ground), is not a square where it must be, or is smaller than 2 x 2 or
-// larger than the limit.
+// PNG: one channel of 16 bits; several are refused. RAW (.raw or .r16): 16-bit numbers, the low
+// byte first; without raw_size a square. Throws InputError naming the file if it cannot be read, is no
+// regular file, has neither form, has 8 bits (256 steps are no ground), is not a square where it must be, or
+// is smaller than 2 x 2 or larger than the limit.
 HeightImage read_height_image(const std::filesystem::path& file, std::optional<ImageSize> raw_size);
 
 // The same from memory; `name` is what messages call it and tells the form by its extension.

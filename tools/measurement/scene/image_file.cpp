@@ -79,6 +79,12 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& name) 
 namespace {
 
 std::string all_bytes(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::filesystem::file_type type = std::filesystem::status(file, unknown).type();
+  if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character ||
+      type == std::filesystem::file_type::block || type == std::filesystem::file_type::socket)
+    throw InputError(file.string(), "is a pipe or a device, and only regular files are read",
+                     "write its content to a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string(), "cannot be opened");
   const std::optional<std::string> bytes = rest_of(stream);
@@ -89,8 +95,11 @@ std::string all_bytes(const std::filesystem::path& file) {
 void check_height_image_size(const std::string& name, long long width, long long height) {
   const auto fits = [](long long side) { return side >= 2 && side <= kLargestHeightImageSide; };
   if (fits(width) && fits(height)) return;
-  throw InputError(name, fmt::format("has {} x {} samples; 2 to {} per side can be read", width, height,
-                                     kLargestHeightImageSide));
+  throw InputError(name,
+                   fmt::format("cannot have {} x {} samples; 2 to {} per side can be read", width, height,
+                               kLargestHeightImageSide),
+                   "export it with another resolution; of RAW say the size that it has: --raw-size "
+                   "WIDTHxDEPTH");
 }
 
 HeightImage decode_height_png(std::span<const std::byte> bytes, const std::string& name) {
@@ -102,7 +111,10 @@ HeightImage decode_height_png(std::span<const std::byte> bytes, const std::strin
   int channels = 0;
   if (stbi_info_from_memory(data, length, &image.width, &image.height, &channels) == 0) {
     throw InputError(
-        name, fmt::format("cannot be read as an image of heights: {}", stbi_failure_reason()),
+        name,
+        fmt::format("cannot be read as an image of heights: it is damaged, incomplete or of another format "
+                    "({})",
+                    stbi_failure_reason()),
         "PNG with 16 bits a channel can be read, and RAW: 16-bit numbers without a header, in a file named "
         ".raw or .r16");
   }
@@ -111,10 +123,19 @@ HeightImage decode_height_png(std::span<const std::byte> bytes, const std::strin
     throw InputError(name, "has 8 bits a channel, and 256 steps of height make terraces of a slope",
                      "export the heights with 16 bits, as PNG or RAW");
   }
+  if (channels != 1) {
+    throw InputError(name, fmt::format("has {} channels, and which one is the height is unknown", channels),
+                     "export the heights as grey with 16 bits, without colour and without alpha");
+  }
   const std::unique_ptr<stbi_us, void (*)(void*)> samples(
       stbi_load_16_from_memory(data, length, &image.width, &image.height, &channels, 1), stbi_image_free);
-  if (!samples)
-    throw InputError(name, fmt::format("cannot be read as an image of heights: {}", stbi_failure_reason()));
+  if (!samples) {
+    throw InputError(
+        name,
+        fmt::format("cannot be read as an image of heights: the file is damaged or incomplete ({})",
+                    stbi_failure_reason()),
+        "export it again");
+  }
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t row = height; row-- > 0;)
     image.samples.insert(image.samples.end(), samples.get() + row * width, samples.get() + (row + 1) * width);

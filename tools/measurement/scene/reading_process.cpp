@@ -24,9 +24,9 @@ std::string read_as_told(const std::string& message, platform::WorkerLink&) {
     const std::filesystem::path file = in.text();
     if (what == std::string(1, kPicture)) return encode(read_image(file));
     if (what == std::string(1, kHeights)) {
-      const int width = in.value<int>(), height = in.value<int>();
+      const int told = in.value<int>(), width = in.value<int>(), height = in.value<int>();
       return encode(
-          read_height_image(file, width == 0 ? std::nullopt : std::optional(ImageSize{width, height})));
+          read_height_image(file, told == 0 ? std::nullopt : std::optional(ImageSize{width, height})));
     }
     return encode(import(file, read_import_options(in)));
   });
@@ -86,6 +86,7 @@ HeightImage read_height_image_apart(const std::filesystem::path& file, std::opti
                                     const ReadingProcess& process) {
   if (process.arguments.empty()) return read_height_image(file, raw_size);
   platform::ByteWriter out = message_about(kHeights, file);
+  out.value(raw_size ? 1 : 0);
   out.value(raw_size ? raw_size->width : 0);
   out.value(raw_size ? raw_size->height : 0);
   const std::string answer = answer_of(process, file, out.take());
