@@ -89,7 +89,8 @@ namespace Penumbra
             ChainBinding Bound(GraphBinding binding) => Binding(binding, placed, firstBuffer);
             var step = new ChainStep
             {
-                pass = pass, reads = pass.reads.Select(Bound).ToArray(), writes = pass.writes.Select(Bound).ToArray(),
+                pass = pass, reads = pass.reads.Select(Bound).ToArray(),
+                writes = pass.writes.Concat(pass.updates).Select(Bound).ToArray(),
             };
             step.depth = Place(pass.depth, placed);
             if (pass.kind == PassKind.Compute)

@@ -31,6 +31,8 @@ namespace Penumbra
     {
         internal GraphPass pass;
         internal ChainBinding[] reads;
+
+        /// <summary>The pass's writes, then its updates.</summary>
         internal ChainBinding[] writes;
 
         /// <summary>

@@ -176,10 +176,10 @@ namespace Penumbra
             commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
         }
 
-        // Texels that the kernel does not write are 0 instead of the content of another frame.
+        // Texels that the kernel does not write are 0 instead of the content of another frame. What it updates is kept.
         private void ClearTargets(CommandBuffer commands, int mip)
         {
-            for (int i = 0; i < step.writes.Length; ++i)
+            for (int i = 0; i < step.pass.writes.Length; ++i)
                 if (!step.writes[i].isBuffer)
                     CoreUtils.SetRenderTarget(commands, slots[step.writes[i].index], RenderBufferLoadAction.DontCare,
                                               RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear, mip);

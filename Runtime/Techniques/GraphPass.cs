@@ -43,6 +43,9 @@ namespace Penumbra
         /// <summary>In the order of its render targets, for a pass that draws.</summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
 
+        /// <summary>Kernels: what another pass has written before, and this one changes.</summary>
+        internal GraphBinding[] updates = Array.Empty<GraphBinding>();
+
         /// <summary>Casters: the depth texture that they are tested against and write to; -1: none.</summary>
         internal int depth = -1;
 
@@ -59,7 +62,7 @@ namespace Penumbra
         internal GraphGroups groups;
 
         internal bool Writes(bool isBuffer, int index) =>
-            Has(writes, isBuffer, index) || !isBuffer && depth == index;
+            Has(writes, isBuffer, index) || Has(updates, isBuffer, index) || !isBuffer && depth == index;
 
         internal bool Reads(bool isBuffer, int index) =>
             Has(reads, isBuffer, index) || isBuffer && kind == PassKind.Compute && groups.indirect == index;

@@ -97,39 +97,63 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   EXPECT_THAT(result.fetches, testing::Each(1U));
 }
 
-TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
+// Of a picture of 40 x 32 pixels.
+constexpr int kBlocksWidth = 40, kBlocksHeight = 32;
+
+GraphResult run_blocks(const std::string& technique) {
   const techniques::TechniqueList list = added("Blocks");
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 64;
-  constexpr int kWidth = 40, kHeight = 32;
-  const std::vector<testing_frames::TilePoint> receivers(kWidth * kHeight, {0.5, 0.5, 0.5});
-  const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, kWidth);
+  const std::vector<testing_frames::TilePoint> receivers(kBlocksWidth * kBlocksHeight, {0.5, 0.5, 0.5});
+  const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, kBlocksWidth);
   const CameraImage camera = camera_image(frame);
-  GraphRunner runner(test_device(), compile(technique_graph(list, list.find("blocks"))));
-  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), &camera, kOnce);
+  GraphRunner runner(test_device(), compile(technique_graph(list, list.find(technique))));
+  return runner.run(FrameOnDevice(test_device(), frame), &camera, kOnce);
+}
 
-  const auto marked = [](int x, int y) { return (x + 2 * y) % 3 == 0; };
-  double blocks = 0.0;
-  for (int y = 0; y < kHeight / 8; ++y)
-    for (int x = 0; x < kWidth / 8; ++x) blocks += marked(x, y) ? 1.0 : 0.0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+bool marked(int x, int y) {
+  return (x + 2 * y) % 3 == 0;
+}
+
+// unlisted: what the kernel that shades the listed blocks leaves in the others.
+void expect_blocks(const GraphResult& result, double unlisted) {
+  for (int y = 0; y < kBlocksHeight; ++y) {
+    for (int x = 0; x < kBlocksWidth; ++x) {
       double sum = 0.0;
       for (int i = 0; i < 4; ++i) sum += marked(x / 16 * 2 + i % 2, y / 16 * 2 + i / 2) ? 1.0 : 0.0;
-      const bool in_pyramid = x / 16 < kWidth / 8 / 2;  // an odd number of blocks: the last has no half
-      const double expected = marked(x / 8, y / 8) && in_pyramid ? sum / 4.0 : 0.0;
-      ASSERT_EQ(result.visibility[0][static_cast<std::size_t>(y * kWidth + x)], expected) << x << ", " << y;
+      const bool in_pyramid = x / 16 < kBlocksWidth / 8 / 2;  // an odd number of blocks: the last has no half
+      const double expected = !marked(x / 8, y / 8) ? unlisted : in_pyramid ? sum / 4.0 : 0.0;
+      ASSERT_EQ(result.visibility[0][static_cast<std::size_t>(y * kBlocksWidth + x)], expected)
+          << x << ", " << y;
     }
   }
+}
+
+std::vector<std::string> pass_names(const GraphResult& result) {
   std::vector<std::string> names;
   for (const PassCounts& pass : result.passes) names.push_back(pass.pass);
-  EXPECT_THAT(names, ElementsAre("Mark", "Collect", "Sum", "Shade"));
-  const double pixels = kWidth * kHeight;
+  return names;
+}
+
+TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
+  const GraphResult result = run_blocks("blocks");
+  expect_blocks(result, 0.0);
+  double blocks = 0.0;
+  for (int y = 0; y < kBlocksHeight / 8; ++y)
+    for (int x = 0; x < kBlocksWidth / 8; ++x) blocks += marked(x, y) ? 1.0 : 0.0;
+  EXPECT_THAT(pass_names(result), ElementsAre("Mark", "Collect", "Sum", "Shade"));
+  const double pixels = kBlocksWidth * kBlocksHeight;
   EXPECT_DOUBLE_EQ(result.passes[0].texels_written, 2.0 * 20.0 / pixels);
   EXPECT_DOUBLE_EQ(result.passes[1].fetches, 20.0 / pixels);
   EXPECT_DOUBLE_EQ(result.passes[2].fetches, 4.0 * 4.0 / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].texels_written, 64.0 * blocks / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].fetches, 64.0 * blocks / pixels);
+}
+
+TEST(GraphRunner, AKernelThatUpdatesATextureKeepsWhatItDoesNotWrite) {
+  const GraphResult result = run_blocks("blocks-filled");
+  EXPECT_THAT(pass_names(result), ElementsAre("Mark", "Collect", "Sum", "Fill", "Shade"));
+  expect_blocks(result, 0.125);
 }
 
 // Runs a graph that differs from the one of its manifest; the message of the refusal.

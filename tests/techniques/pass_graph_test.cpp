@@ -196,7 +196,8 @@ TEST_F(PassGraphTest, NamesThatNothingHasOrTwoHaveAreFound) {
 TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
   EXPECT_THAT(problem(kVariance, R"("reads": {"_Source": "moments"}, "writes": ["rows"])",
                       R"("reads": {"_Source": "rows"}, "writes": ["moments"])"),
-              HasSubstr("more than one pass writes 'moments': 'Rows', 'Moments'"));
+              AllOf(HasSubstr("more than one pass writes 'moments': 'Rows', 'Moments'"),
+                    HasSubstr("or name it among the \"updates\" of a kernel")));
   EXPECT_THAT(problem(kVariance, R"(, "writes": ["moments"])", R"(, "writes": ["rows"])"),
               HasSubstr("no pass writes 'moments'"));
   EXPECT_THAT(problem(kVariance, R"("arguments": ["blurred", )", R"("arguments": [)"),
@@ -209,6 +210,40 @@ TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
   EXPECT_THAT(
       problem(kVariance, R"("writes": ["blurred"]},)", R"("writes": ["blurred"], "each_mip": true},)"),
       HasSubstr("'Columns' runs for each mip level of 'blurred'"));
+}
+
+// "Blank" fills the visibility, "Shade" changes it, and "Darken" reads what both have made.
+TEST_F(PassGraphTest, AKernelUpdatesWhatAnotherPassHasWritten) {
+  std::string text = kTiles;
+  text.replace(
+      text.find(R"({"name": "Mark")"), 0,
+      R"({"name": "Darken", "kind": "compute", "compute": "T.compute", "reads": {"_Shaded": "visibility"},
+     "writes": {"_Result": "darkened"}, "groups": {"texels_of": "darkened"}},
+    {"name": "Blank", "kind": "compute", "compute": "T.compute", "writes": {"_Visibility": "visibility"},
+     "groups": {"texels_of": "visibility"}},
+    )");
+  text.replace(text.find(R"("writes": {"_Visibility": "visibility"}, "groups": {"indirect")"), 8,
+               R"("updates")");
+  text.replace(text.find(R"({"name": "visibility")"), 0, R"({"name": "darkened", "format": "r32f"},
+     )");
+  const std::string shown = R"("visibility": "visibility"}],)";
+  text.replace(text.find(shown), shown.size(), R"("visibility": "darkened"}],)");
+  const PassGraph graph = read(text);
+  EXPECT_THAT(names(graph), ElementsAre("Blank", "Mark", "Collect", "Shade", "Darken"));
+  EXPECT_TRUE(changes(graph.passes[3], "visibility"));
+  EXPECT_FALSE(changes(graph.passes[0], "visibility"));
+
+  EXPECT_THAT(problem(kTiles, R"("writes": {"_Visibility")", R"("updates": {"_Visibility")"),
+              AllOf(HasSubstr("'Shade' updates 'visibility', which no other pass writes"),
+                    HasSubstr("name it among its \"writes\"")));
+  EXPECT_THAT(
+      problem(text, R"("reads": {"_List": "list"},)", R"("reads": {"_List": "list", "_Old": "visibility"},)"),
+      HasSubstr("'Shade' reads 'visibility', which it writes"));
+  EXPECT_THAT(problem(text, R"("updates": {"_Visibility": "visibility"})",
+                      R"("updates": {"_Visibility": "visibility", "_Again": "visibility"})"),
+              HasSubstr("'Shade' writes 'visibility' twice"));
+  EXPECT_THAT(problem(kVariance, R"("writes": ["moments"])", R"("updates": ["moments"])"),
+              HasSubstr("unknown key 'updates'"));
 }
 
 TEST_F(PassGraphTest, PassesThatWaitForEachOtherAreFound) {

@@ -125,6 +125,21 @@ namespace Penumbra.Tests
             Assert.That(draws[3].Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"), "its groups leave pixels out");
         }
 
+        /// <summary>It is not cleared, and both kernels have the same one.</summary>
+        [Test]
+        public void AKernelUpdatesWhatAnotherHasFilled()
+        {
+            AddedTechniques.AddFilledBlocks();
+            List<FakeDevice.DrawCall> draws = Draws(new FakeScene());
+            Assert.That(draws.Select(draw => draw.Pass + ": " + draw.Groups), Is.EqualTo(new[]
+            {
+                "Mark: 11 6 1", "Collect: 1 1 1", "Sum: 5 3 1", "Fill: 41 23 1",
+                "Shade: as Structured, IndirectArguments of 3 x 4 at 0",
+            }));
+            Assert.That(draws[3].Textures["_Visibility"], Is.EqualTo("_ScreenSpaceShadowmapTexture mip 0"));
+            Assert.That(draws[4].Textures["_Visibility"], Is.EqualTo("_ScreenSpaceShadowmapTexture mip 0"));
+        }
+
         [Test]
         public void KernelsFindTheirTexturesAndBuffers()
         {

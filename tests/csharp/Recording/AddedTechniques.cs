@@ -36,9 +36,14 @@ namespace Penumbra.Tests
         }
 
         /// <summary>Its kernels; the same.</summary>
-        internal static ComputeShader AddBlocks()
+        internal static ComputeShader AddBlocks() => AddKernels(BlocksGraphs.Blocks);
+
+        /// <summary>The same; one of them fills the visibility that another updates.</summary>
+        internal static ComputeShader AddFilledBlocks() => AddKernels(BlocksGraphs.BlocksFilled);
+
+        private static ComputeShader AddKernels(TechniqueGraph graph)
         {
-            Use(BlocksGraphs.Blocks);
+            Use(graph);
             var kernels = new ComputeShader { name = "Blocks" };
             foreach (Match kernel in Regex.Matches(Text("Blocks.compute"),
                                                    "\\[numthreads\\((\\d+), (\\d+), (\\d+)\\)\\]\\s+void (\\w+)"))

@@ -10,9 +10,14 @@
 namespace penumbra::techniques {
 namespace {
 
+// Writes its first mip level, or a buffer, whatever it held before.
+bool makes(const GraphPass& pass, const std::string& name) {
+  return writes_to(pass, name) && !pass.each_mip && !changes(pass, name);
+}
+
 bool made_once(const PassGraph& graph, const std::string& name) {
   return std::count_if(graph.passes.begin(), graph.passes.end(),
-                       [&](const GraphPass& pass) { return writes_to(pass, name) && !pass.each_mip; }) == 1;
+                       [&](const GraphPass& pass) { return makes(pass, name); }) == 1;
 }
 
 bool is_output(const PassGraph& graph, const std::string& name) {
@@ -141,11 +146,18 @@ Found wrong_use(const PassGraph& graph, const std::string& name, const std::stri
   if (!made_once(graph, name)) {
     std::string passes;
     for (const GraphPass& pass : graph.passes)
-      if (writes_to(pass, name) && !pass.each_mip) passes += (passes.empty() ? "'" : ", '") + pass.name + "'";
-    if (passes.empty())
-      return GraphProblem{where, "no pass writes the first mip level of '" + name + "'", ""};
-    return GraphProblem{where, "more than one pass writes '" + name + "': " + passes,
-                        "give each pass a texture of its own"};
+      if (makes(pass, name)) passes += (passes.empty() ? "'" : ", '") + pass.name + "'";
+    if (!passes.empty())
+      return GraphProblem{
+          where, "more than one pass writes '" + name + "': " + passes,
+          "give each pass a texture of its own, or name it among the \"updates\" of a kernel that "
+          "changes what the other has written"};
+    for (const GraphPass& pass : graph.passes)
+      if (changes(pass, name))
+        return GraphProblem{pass.where,
+                            "'" + pass.name + "' updates '" + name + "', which no other pass writes",
+                            "name it among its \"writes\""};
+    return GraphProblem{where, "no pass writes the first mip level of '" + name + "'", ""};
   }
   const auto makers = std::count_if(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
     return pass.each_mip && writes_to(pass, name);
@@ -273,6 +285,9 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
       if (reads(graph, pass, name))
         return problem("reads '" + name + "', which it writes", "only with \"each_mip\": true");
   }
+  if (pass.each_mip && !pass.updates.empty())
+    return problem("runs for each mip level, and updates '" + pass.updates.front() + "'",
+                   "a pass that makes mip levels has \"writes\" alone");
   if (pass.kind == PassKind::compute) {
     const GroupCount& groups = pass.groups;
     const int given = (groups.fixed != std::array<int, 3>{} ? 1 : 0) + (groups.texels_of.empty() ? 0 : 1) +

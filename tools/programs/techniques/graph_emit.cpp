@@ -138,7 +138,10 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
   if (pass.frequency != Frequency::frame)
     text += member("runs", "PassFrequency." + frequency(pass.frequency));
   text += bindings(graph, "reads", pass.reads);
-  text += bindings(graph, "writes", pass.writes);
+  std::vector<std::pair<std::string, std::string>> made, changed;
+  for (const auto& written : pass.writes) (changes(pass, written.second) ? changed : made).push_back(written);
+  text += bindings(graph, "writes", made);
+  text += bindings(graph, "updates", changed);
   if (pass.depth == shadow_map_name)
     text += member("testsShadowMap", "true");
   else if (!pass.depth.empty())

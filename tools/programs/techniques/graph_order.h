@@ -9,7 +9,8 @@ namespace penumbra::techniques {
 
 bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name);
 
-// Whether `later` has to wait for `earlier`: it reads what that writes, or makes the mip levels of it.
+// Whether `later` has to wait for `earlier`: it reads or changes what that writes, or makes the mip levels of
+// it.
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier);
 
 }  // namespace penumbra::techniques

@@ -128,9 +128,13 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
     pass.file = files.required(object, kernel ? "compute" : "shader");
     pass.program = object.text(kernel ? "kernel" : "pass", pass.name);
     pass.reads = read_bindings(object.object("reads"));
-    if (kernel)
+    if (kernel) {
       pass.writes = read_bindings(object.object("writes"));
-    else
+      for (auto& updated : read_bindings(object.object("updates"))) {
+        pass.updates.push_back(updated.second);
+        pass.writes.push_back(std::move(updated));
+      }
+    } else
       for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);

@@ -44,6 +44,8 @@ bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& nam
 
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier) {
   if (waits_for_stencil(later, earlier)) return true;
+  for (const std::string& name : later.updates)
+    if (writes_to(earlier, name) && !changes(earlier, name)) return true;
   for (const std::string& name : inputs(graph, later)) {
     if (!writes_to(earlier, name)) continue;
     const bool own = writes_to(later, name);  // the level before its own
@@ -56,6 +58,10 @@ bool writes_to(const GraphPass& pass, const std::string& name) {
   if (pass.depth == name && !name.empty()) return true;
   return std::any_of(pass.writes.begin(), pass.writes.end(),
                      [&](const auto& written) { return written.second == name; });
+}
+
+bool changes(const GraphPass& pass, const std::string& name) {
+  return std::find(pass.updates.begin(), pass.updates.end(), name) != pass.updates.end();
 }
 
 const char* name_of(Need need) {

@@ -98,7 +98,9 @@ struct GraphPass {
   // What the program calls a texture or buffer, and which one of the graph it is.
   std::vector<std::pair<std::string, std::string>> reads;
   std::vector<std::pair<std::string, std::string>> writes;  // of drawn passes the targets in order, unnamed
-  DrawnCasters casters = DrawnCasters::opaque;              // of kind casters
+  // Of kernels: those of `writes` that another pass has written before, and whose content this one changes.
+  std::vector<std::string> updates;
+  DrawnCasters casters = DrawnCasters::opaque;  // of kind casters
   // Of casters: the texture that they are tested against and whose depth they write, shadow_map_name, or
   // empty: no depth test.
   std::string depth;
@@ -114,6 +116,7 @@ struct GraphPass {
 
 // A texture or buffer by its name in the graph; a depth target is written, too.
 bool writes_to(const GraphPass& pass, const std::string& name);
+bool changes(const GraphPass& pass, const std::string& name);  // is among its updates
 
 // What the programs of a graph read besides the frame, by names that are the same in every graph: textures
 // and numbers that are made from the scene's geometry before the first frame.
@@ -159,9 +162,9 @@ struct GraphProblem {
 };
 
 // The first thing that is wrong: names that nothing has or two have, a texture that nothing or two passes
-// write, or nothing reads, depth where there is none, passes that wait for each other, a pass that runs more
-// rarely than what it reads, targets of different extents, uses that a format does not have anywhere, no
-// visibility or one of another size than the screen's.
+// write (others may change it), or nothing reads, depth where there is none, passes that wait for each other,
+// a pass that runs more rarely than what it reads, targets of different extents, uses that a format does not
+// have anywhere, no visibility or one of another size than the screen's.
 std::optional<GraphProblem> graph_problem(const PassGraph& graph);
 
 // The passes such that each comes after those whose output it reads, else in the order given; absent where

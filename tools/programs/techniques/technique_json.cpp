@@ -44,6 +44,7 @@ Json of(const GraphPass& pass) {
             {"writes", std::move(writes)},
             {"function", pass.filter ? pass.filter->function : ""}};
   if (!pass.depth.empty()) json["depth"] = pass.depth;
+  if (!pass.updates.empty()) json["updates"] = pass.updates;
   if (!pass.stencil.empty()) json["stencil"] = pass.stencil;
   if (pass.casters != DrawnCasters::opaque) json["casters"] = name_of(pass.casters);
   return json;
