@@ -57,6 +57,7 @@
 #define TEXTURE2D_X(textureName) TEXTURE2D(textureName)
 #define TEXTURE2D_X_FLOAT(textureName) TEXTURE2D(textureName)
 #define LOAD_TEXTURE2D_X(textureName, texel) LOAD_TEXTURE2D(textureName, texel)
+#define GATHER_RED_TEXTURE2D_X(textureName, samplerName, uv) GATHER_RED_TEXTURE2D(textureName, samplerName, uv)
 #define TEXTURE2D_X_MSAA(type, textureName) Texture2DMS<type> textureName
 #define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) textureName.Load(texel, sampleIndex)
 

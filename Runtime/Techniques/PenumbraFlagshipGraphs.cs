@@ -1,0 +1,77 @@
+using UnityEngine.Experimental.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-graphs` from Shaders/PenumbraFlagship.technique.json; do not edit.
+    /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
+    internal static class PenumbraFlagshipGraphs
+    {
+        internal static readonly TechniqueGraph Flagship = new TechniqueGraph
+        {
+            name = "flagship",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+                new GraphTexture("depthSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 4, mips: 0),
+                new GraphTexture("tileRadii", GraphExtent.Screen, GraphicsFormat.R32_UInt, divisor: 8),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R32_SFloat),
+            },
+            buffers = new[]
+            {
+                new GraphBuffer("tileGroups", words: 3, indirect: true),
+                new GraphBuffer("tileList", wordsPerTexel: 1, texture: 2),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "FirstLevel",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
+                    groups = GraphGroups.TexelsOf(0),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "NextLevel",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanes", 0), GraphBinding.Texture("_PenumbraSpreads", 1) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
+                    eachMip = true,
+                    groups = GraphGroups.TexelsOf(0),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResetTiles",
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    groups = GraphGroups.Fixed(1, 1, 1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ClassifyTiles",
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraTileRadiusTarget", 2), GraphBinding.Texture("_PenumbraVisibility", 3) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    groups = GraphGroups.TexelsOf(3),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveTiles",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraTileRadii", 2) },
+                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 3) },
+                    groups = GraphGroups.Indirect(0),
+                },
+            },
+            visibility = 3,
+        };
+    }
+}

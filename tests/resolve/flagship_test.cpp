@@ -1,0 +1,106 @@
+// The flagship's passes over the built-in scenes: what they decide for whole clusters is what the filter
+// gives at each pixel, bit for bit; what they do not decide is resolved, and nothing else is touched.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "resolve/drawn_scenes.h"
+#include "resolve/graph_runner.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr RunOptions kFlagshipOnce{.noise_seeds = 1, .timing_repeats = 0};
+
+class Flagship : public testing::TestWithParam<bool> {
+ protected:
+  static GraphRunner& chain(const std::string& name, bool without_last = false) {
+    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
+    const std::string key = name + (without_last ? ", classified" : "");
+    std::unique_ptr<GraphRunner>& made = (*runners)[{key, GetParam()}];
+    if (made == nullptr) {
+      const techniques::TechniqueList& list = library_techniques();
+      ShadowGraph graph = technique_graph(list, list.find(name), Taps::as_listed, GetParam());
+      if (without_last) graph.graph.passes.pop_back();
+      made = std::make_unique<GraphRunner>(test_device(), compile(graph));
+    }
+    return *made;
+  }
+
+  struct Pictures {
+    std::vector<float> filtered;    // of PCSS alone
+    std::vector<float> classified;  // -1: not decided
+    std::vector<float> flagship;
+  };
+
+  static Pictures pictures_of(const scene::Frame& frame) {
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    return {chain("screen-pcss-angular-24-16").run(on_device, &camera, kFlagshipOnce).visibility[0],
+            chain("flagship", true).run(on_device, &camera, kFlagshipOnce).visibility[0],
+            chain("flagship").run(on_device, &camera, kFlagshipOnce).visibility[0]};
+  }
+
+  struct Classes {
+    int lit = 0;
+    int dark = 0;
+    int undecided = 0;
+  };
+
+  static Classes expect_decided_as_filtered(const Pictures& pictures, const std::string& what) {
+    Classes classes;
+    for (std::size_t i = 0; i < pictures.classified.size(); ++i) {
+      const float decided = pictures.classified[i];
+      const float shown = pictures.flagship[i];
+      if (decided == -1.0f) {
+        ++classes.undecided;
+        EXPECT_TRUE(shown >= 0.0f && shown <= 1.0f) << what << ", pixel " << i << ": " << shown;
+        continue;
+      }
+      EXPECT_EQ(decided, pictures.filtered[i]) << what << ", pixel " << i;
+      EXPECT_EQ(decided, shown) << what << ", pixel " << i;
+      (decided == 1.0f ? classes.lit : classes.dark) += 1;
+    }
+    return classes;
+  }
+};
+
+TEST_P(Flagship, DecidesForClustersWhatTheFilterGives) {
+  Classes all;
+  for (const std::string& scene : scenes_for_small_pictures()) {
+    for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {4, 5.0}, {1, 2.0}}) {
+      const Classes here =
+          expect_decided_as_filtered(pictures_of(under_disc(drawn(scene, cascades, GetParam()), degrees)),
+                                     scene + ", " + std::to_string(degrees) + " degrees");
+      EXPECT_GT(here.lit + here.dark, 0) << scene << ", " << degrees;
+      all.lit += here.lit;
+      all.dark += here.dark;
+      all.undecided += here.undecided;
+    }
+  }
+  EXPECT_GT(all.lit, 20000);
+  EXPECT_GT(all.dark, 2000);
+  EXPECT_GT(all.undecided, 20000);
+}
+
+// Pixels of a border between cascades may read the next one: none of them is decided, all are resolved.
+TEST_P(Flagship, ResolvesTheBorderBetweenCascades) {
+  scene::Frame frame = drawn("trees", 4, GetParam());
+  frame.settings.cascade_choices.blend = {0.3, false};
+  const Classes classes = expect_decided_as_filtered(pictures_of(frame), "trees");
+  EXPECT_GT(classes.lit, 0);
+  EXPECT_GT(classes.undecided, 0);
+}
+
+// The same picture each time: no noise, and no order of threads.
+TEST_P(Flagship, DrawsTheSamePictureAgain) {
+  const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
+  EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothDirections, Flagship, testing::Bool(),
+                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+
+}  // namespace
+}  // namespace penumbra::resolve
