@@ -61,6 +61,17 @@ TEST_F(Render, TheScaleOfABuiltInSceneIsItsOwn) {
                               "every scene is a built-in one"});
 }
 
+TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
+  const auto refused = [&](const std::string& technique, const std::string& option) {
+    expect_refused({"--technique", technique, option, "64"},
+                   {option + " has no effect on techniques that read no"});
+  };
+  for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
+    refused("hard", option);
+  refused("far-heights-8", "--horizon-texels");
+  refused("far-horizon", "--field-voxels");
+}
+
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
   expect_refused({"--technique", "preset-high", "--set", "blockerSample=4"},
                  {"technique 'preset-high' has no parameter 'blockerSample'",
