@@ -70,6 +70,15 @@ TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
     refused("hard", option);
   refused("far-heights-8", "--horizon-texels");
   refused("far-horizon", "--field-voxels");
+  // Both end at a device that is not there.
+  const auto taken = [&](const std::string& technique, const std::string& option) {
+    const auto result =
+        run(small({"--technique", technique, option, "64", "--device", "no device has this name"}));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("no device has this name"), Not(HasSubstr("has no effect"))));
+  };
+  taken("hard,far-horizon", "--ground-samples");
+  taken("far-horizon", "--horizon-texels");
+  taken("distance-field-soft", "--field-voxels");
 }
 
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
