@@ -35,10 +35,27 @@ TEST(BakedFiles, AHeightFieldIsReadAgainToHalfAStep) {
   EXPECT_EQ(read.width, 33);
   EXPECT_EQ(read.depth, 17);
   EXPECT_EQ(read.area, kCovered);
+  EXPECT_EQ(read.holes, 0U);
   const auto [low, high] = std::minmax_element(field.metres.begin(), field.metres.end());
   const double half_step = 0.5 * (*high - *low) / 65535.0;
   for (std::size_t i = 0; i < field.metres.size(); ++i)
     ASSERT_NEAR(read.metres[i], field.metres[i], half_step + 1e-6 * std::abs(field.metres[i])) << i;
+}
+
+TEST(BakedFiles, AHeightFieldKeepsItsNumberOfSamplesWithoutASurface) {
+  const reference::ScratchFolder folder;
+  HeightField field = rough_field(4, 3, kCovered, 2);
+  field.holes = 12;
+  const std::filesystem::path json = folder.path() / "holes.json";
+  const BakedFiles files = baked_files(field, "holes");
+  EXPECT_EQ(nlohmann::json::parse(files.json)["samples_without_surface"], 12);
+  write_baked_files(files, json);
+  EXPECT_EQ(read_height_field(json, {}).holes, 12U);
+  std::string without = text_of(json);
+  const std::string key = ",\n  \"samples_without_surface\": 12";
+  ASSERT_NE(without.find(key), std::string::npos) << without;
+  std::ofstream(json, std::ios::binary) << without.erase(without.find(key), key.size());
+  EXPECT_EQ(read_height_field(json, {}).holes, 0U) << "the key may be absent";
 }
 
 TEST(BakedFiles, LevelGroundHasOneHeight) {
@@ -133,6 +150,9 @@ TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
   refuse("heights_metres", "heights", HasSubstr("heights_metres"));
   refuse("64.0", "-64.0", AllOf(HasSubstr("hills.json"), HasSubstr("cannot cover")));
   refuse("64.0", "1e999", HasSubstr("hills.json:"));
+  for (const char* count : {"-1", "17"})
+    refuse("\"samples_without_surface\": 0", std::string("\"samples_without_surface\": ") + count,
+           AllOf(HasSubstr("hills.json:"), HasSubstr(std::string(count) + " of 16 samples")));
 }
 
 TEST(BakedFiles, SamplesFitTheirPicture) {

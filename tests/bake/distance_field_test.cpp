@@ -185,6 +185,8 @@ TEST(DistanceField, SaysWhatItCannotBake) {
   };
   refuse(mesh_of({}, {}), {}, HasSubstr("no triangles"));
   refuse(whole, {0, 0.1}, HasSubstr("not 0"));
+  refuse(whole, {1, 0.1}, HasSubstr("from 2 to 512 voxels along its longest side, not 1"));
+  EXPECT_EQ(placed_field(whole, {2, 0.1}).voxels, (std::array{2, 2, 2}));
   refuse(whole, {513, 0.1}, HasSubstr("not 513"));
   refuse(whole, {8, -0.1}, HasSubstr("margin of -0.1"));
   refuse(whole, {8, std::nan("")}, HasSubstr("margin of nan"));

@@ -53,6 +53,14 @@ TEST(HeightSource, BesideTheSceneIsItsLowestHeight) {
   EXPECT_NEAR(field.at(2, 0), 5.0, 1e-5) << "x = 2";
 }
 
+// Its bounds are the area that is covered by default: rays along all four sides meet it.
+TEST(HeightSource, OfASceneReachesToItsEdges) {
+  for (const char* name : {"valley-20", "street", "garden"}) {
+    const scene::Scene scene = scene::built_in(name);
+    EXPECT_EQ(heights_of_scene(scene, area_of(scene), {17, 9}).holes, 0U) << name;
+  }
+}
+
 TEST(HeightSource, DoesNotDependOnTheNumberOfThreads) {
   const scene::Scene scene = scene::built_in("street");
   BakeOptions one;

@@ -120,7 +120,8 @@ TEST_F(BakeProgram, SaysWhyABakeWouldBeUseless) {
       {"heightfield", "--image", file("street.png"), "--heights", "0,1e308", "--area", "0,0,9,9", "-o", to},
       HasSubstr("--heights"));
   expect_refused({"horizon", "--field", field, "--nearest", "1e5", "-o", to}, HasSubstr("--nearest"));
-  expect_refused({"distance-field", "--scene", "street", "--voxels", "1", "-o", to}, HasSubstr("--voxels"));
+  expect_refused({"distance-field", "--scene", "street", "--voxels", "1", "-o", to},
+                 AllOf(HasSubstr("--voxels"), HasSubstr("2 .. 512")));
   expect_refused({"horizon", "--field", field, "--texels", "1x", "-o", to}, HasSubstr("--texels 512x256"));
   const std::string raw = write("hill.raw", std::string("\x00\x00\xff\xff\x00\x80\x00\x40", 8)).string();
   expect_refused(
@@ -129,11 +130,36 @@ TEST_F(BakeProgram, SaysWhyABakeWouldBeUseless) {
   const std::string wall = write("wall.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").string();
   expect_refused({"heightfield", "--scene", wall, "-o", to}, HasSubstr("vertical wall"));
   const std::string large = write("large.obj", "v 0 0 0\nv 1e9 0 0\nv 0 0 1e9\nf 1 2 3\n").string();
-  expect_refused({"heightfield", "--scene", large, "-o", to}, HasSubstr("--metres-per-unit"));
-  ASSERT_EQ(shell("mkfifo " + file("pipe.png")).exit_code, 0);
-  expect_refused(
-      {"heightfield", "--image", file("pipe.png"), "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
-      HasSubstr("pipe"));
+  expect_refused({"heightfield", "--scene", large, "-o", to},
+                 AllOf(HasSubstr("--metres-per-unit"), testing::Not(HasSubstr("height in metres"))));
+}
+
+// Whoever opened one would wait for somebody who writes.
+TEST_F(BakeProgram, ReadsOnlyRegularFiles) {
+  const std::string to = file("x.json");
+  const std::string field = heights_of_street();
+  ASSERT_EQ(shell("cd " + file("") + " && mkfifo pipe.png pipe.raw pipe.json pipe.obj pipe.glb").exit_code,
+            0);
+  for (const char* name : {"pipe.png", "pipe.raw"})
+    expect_refused({"heightfield", "--image", file(name), "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
+                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+  expect_refused({"horizon", "--field", file("pipe.json"), "-o", to},
+                 HasSubstr("pipe.json: is a device or a pipe"));
+  for (const char* name : {"pipe.obj", "pipe.glb"}) {
+    expect_refused({"heightfield", "--scene", file(name), "-o", to},
+                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+    expect_refused({"distance-field", "--scene", file(name), "-o", to},
+                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+  }
+  // The shell's <(...) names no folder in which the pictures lie.
+  const auto through = shell(std::string(PENUMBRA_PROGRAM) + " bake horizon --field <(cat " + field +
+                             ") --cache " + file("cache") + " -o " + to);
+  EXPECT_EQ(through.exit_code, 2) << through.errors;
+  EXPECT_THAT(through.errors, HasSubstr("is a device or a pipe"));
+  std::string json = read("street.json");
+  json.replace(json.find("street.png"), 10, "pipe.png");
+  expect_refused({"horizon", "--field", write("named.json", json).string(), "-o", to},
+                 HasSubstr("pipe.png: is a device or a pipe"));
 }
 
 TEST_F(BakeProgram, CountsSamplesWithoutASurface) {
@@ -141,6 +167,35 @@ TEST_F(BakeProgram, CountsSamplesWithoutASurface) {
   const auto baked = bake({"heightfield", "--scene", half, "--samples", "9", "-o", file("half.json")});
   EXPECT_EQ(baked.exit_code, 0) << baked.errors;
   EXPECT_THAT(baked.errors, AllOf(HasSubstr("samples without a surface"), HasSubstr("of 81")));
+  const std::string json = read("half.json"), key = "\"samples_without_surface\": ";
+  ASSERT_NE(json.find(key), std::string::npos) << json;
+  const int count = std::stoi(json.substr(json.find(key) + key.size()));
+  EXPECT_GT(count, 0);
+  EXPECT_THAT(baked.errors, HasSubstr(": " + std::to_string(count) + " of 81"));
+  EXPECT_EQ(bake({"horizon", "--field", file("half.json"), "--texels", "4", "-o", file("hz.json")}).exit_code,
+            0);
+  const auto all = bake(
+      {"heightfield", "--scene", half, "--area", "0.5,-1.5,1,1", "--samples", "3", "-o", file("all.json")});
+  EXPECT_EQ(all.exit_code, 0) << all.errors;
+  EXPECT_THAT(all.errors, testing::Not(HasSubstr("without a surface")));
+  EXPECT_THAT(read("all.json"), HasSubstr(key + "0"));
+}
+
+TEST_F(BakeProgram, ADistanceFieldWithoutAMarginIsNoted) {
+  const std::string model =
+      write("solid.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").string();
+  const auto notes = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"distance-field", "--scene", model, "--voxels", "8"});
+    options.insert(options.end(), {"-o", file("solid.json")});
+    const auto baked = bake(options);
+    EXPECT_EQ(baked.exit_code, 0) << baked.errors;
+    return baked.errors;
+  };
+  EXPECT_THAT(notes({"--margin", "0"}), HasSubstr("with --margin 0 the field ends at the mesh"));
+  EXPECT_THAT(notes({"--margin", "0", "--quiet"}), IsEmpty());
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{}, {"--margin", "0.01"}, {"--margin", "0", "--objects", "1"}})
+    EXPECT_THAT(notes(other), testing::Not(HasSubstr("--margin 0"))) << testing::PrintToString(other);
 }
 
 TEST_F(BakeProgram, AFileAboveTheLimitIsAnErrorAndLeavesNothing) {

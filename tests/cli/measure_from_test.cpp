@@ -47,6 +47,18 @@ TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
     refused("hard", option);
   refused("far-heights-8", "--horizon-texels");
   refused("far-horizon", "--field-voxels");
+  // What a technique reads, and what its bake is made of. The run ends at a device that is not there.
+  const auto taken = [&](const std::string& technique, const std::string& option) {
+    const auto result = run(small(
+        {"--scene", "slabs", "--technique", technique, option, "64", "--device", "no device has this name"}));
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_THAT(result.errors, testing::AllOf(HasSubstr("no device has this name"),
+                                              testing::Not(HasSubstr("has no effect"))));
+  };
+  taken("hard,far-heights-8", "--ground-samples");
+  taken("far-horizon", "--ground-samples");
+  taken("far-horizon,far-heights-8", "--horizon-texels");
+  taken("distance-field-soft", "--field-voxels");
 }
 
 TEST_F(MeasureFrom, AReportOfEarlierFiguresHasNoFolderForPictures) {

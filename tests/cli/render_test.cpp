@@ -61,6 +61,26 @@ TEST_F(Render, TheScaleOfABuiltInSceneIsItsOwn) {
                               "every scene is a built-in one"});
 }
 
+TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
+  const auto refused = [&](const std::string& technique, const std::string& option) {
+    expect_refused({"--technique", technique, option, "64"},
+                   {option + " has no effect on techniques that read no"});
+  };
+  for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
+    refused("hard", option);
+  refused("far-heights-8", "--horizon-texels");
+  refused("far-horizon", "--field-voxels");
+  // Both end at a device that is not there.
+  const auto taken = [&](const std::string& technique, const std::string& option) {
+    const auto result =
+        run(small({"--technique", technique, option, "64", "--device", "no device has this name"}));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("no device has this name"), Not(HasSubstr("has no effect"))));
+  };
+  taken("hard,far-horizon", "--ground-samples");
+  taken("far-horizon", "--horizon-texels");
+  taken("distance-field-soft", "--field-voxels");
+}
+
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
   expect_refused({"--technique", "preset-high", "--set", "blockerSample=4"},
                  {"technique 'preset-high' has no parameter 'blockerSample'",

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <png.h>
 
+#include <algorithm>
 #include <fstream>
+#include <string_view>
 
 #include "input/input_error_matcher.h"
 #include "reference/scratch_folder.h"
@@ -26,16 +28,17 @@ std::vector<std::byte> raw(const std::vector<int>& samples) {
   return bytes;
 }
 
-// By libpng's own simplified interface: 16 bits, or 8, of grey.
+// By libpng's own simplified interface: 16 bits a sample in its linear formats, else 8.
 std::vector<std::byte> png(int width, int height, const std::vector<std::uint16_t>& samples,
-                           bool eight_bits = false) {
+                           png_uint_32 format = PNG_FORMAT_LINEAR_Y) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
-  image.format = eight_bits ? PNG_FORMAT_GRAY : PNG_FORMAT_LINEAR_Y;
+  image.format = format;
   std::vector<png_byte> low(samples.begin(), samples.end());
-  const void* pixels = eight_bits ? static_cast<const void*>(low.data()) : samples.data();
+  const bool sixteen_bits = (format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  const void* pixels = sixteen_bits ? static_cast<const void*>(samples.data()) : low.data();
   std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(image));
   png_alloc_size_t size = bytes.size();
   EXPECT_NE(png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, nullptr), 0)
@@ -69,7 +72,7 @@ TEST(HeightImage, IsRefusedByNameAndReason) {
                          const auto& says) {
     expect_input_error([&] { decode_height_image(bytes, name, size); }, AllOf(HasSubstr(name), says));
   };
-  refuse(png(2, 2, {1, 2, 3, 4}, true), "eight.png", {}, HasSubstr("8 bits"));
+  refuse(png(2, 2, {1, 2, 3, 4}, PNG_FORMAT_GRAY), "eight.png", {}, HasSubstr("8 bits"));
   refuse(png(1, 4, {1, 2, 3, 4}), "thin.png", {}, HasSubstr("1 x 4 samples"));
   refuse(png(2, 2, {1, 2, 3, 4}), "told.png", ImageSize{2, 2}, HasSubstr("--raw-size"));
   refuse(raw({1, 2, 3}), "three.raw", {}, AllOf(HasSubstr("6 bytes"), HasSubstr("--raw-size")));
@@ -80,9 +83,35 @@ TEST(HeightImage, IsRefusedByNameAndReason) {
   refuse({}, "empty.raw", {}, HasSubstr("0 x 0"));
   refuse({}, "empty.png", {}, HasSubstr("cannot be read"));
   refuse(raw({1}), "one.raw", {}, HasSubstr("1 x 1"));
-  std::vector<std::byte> cut = png(3, 2, {0, 1, 256, 40000, 65534, 65535});
-  cut.resize(cut.size() / 2);
-  refuse(cut, "cut.png", {}, HasSubstr("cannot be read"));
+  refuse(png(2, 2, std::vector<std::uint16_t>(8, 65535), PNG_FORMAT_LINEAR_Y_ALPHA), "alpha.png", {},
+         AllOf(HasSubstr("2 channels"), HasSubstr("without colour and without alpha")));
+  refuse(png(2, 2, std::vector<std::uint16_t>(12, 300), PNG_FORMAT_LINEAR_RGB), "colour.png", {},
+         AllOf(HasSubstr("3 channels"), HasSubstr("without colour and without alpha")));
+}
+
+TEST(HeightImage, ADamagedPngIsNotTakenForAnotherFormat) {
+  const std::vector<std::byte> whole = png(3, 2, {0, 1, 256, 40000, 65534, 65535});
+  const auto refuse = [](std::span<const std::byte> bytes, const auto& says) {
+    expect_input_error([&] { decode_height_image(bytes, "heights.png", {}); },
+                       AllOf(HasSubstr("heights.png: cannot be read as an image of heights"), says,
+                             testing::Not(HasSubstr("()"))));
+  };
+  constexpr std::size_t size_and_depth = 8 + 8 + 9;  // the signature, IHDR's length and name, its beginning
+  constexpr std::size_t end = 12;                    // IEND, which is empty
+  for (std::size_t length = size_and_depth; length < whole.size() - end; ++length)
+    refuse(std::span(whole).first(length),
+           AllOf(HasSubstr("the file is damaged or incomplete"), HasSubstr("export it again")));
+  std::vector<std::byte> damaged = whole;
+  const std::string_view name = "IDAT";
+  const auto data = std::search(damaged.begin(), damaged.end(), name.begin(), name.end(),
+                                [](std::byte byte, char letter) { return byte == std::byte(letter); });
+  ASSERT_NE(data, damaged.end());
+  *(data + 4) = std::byte{0xff};  // the header of the compressed samples
+  refuse(damaged, AllOf(HasSubstr("the file is damaged or incomplete"), HasSubstr("export it again")));
+  for (std::size_t length = 0; length < size_and_depth; ++length)
+    refuse(std::span(whole).first(length),
+           AllOf(HasSubstr("damaged, incomplete or of another format"), HasSubstr(".r16")));
+  refuse(raw({1, 2, 3, 4}), AllOf(HasSubstr("damaged, incomplete or of another format"), HasSubstr(".r16")));
 }
 
 TEST(HeightImage, AnAnswerOfAnotherProcessIsBelievedOnlyWhereItIsWhole) {

@@ -122,6 +122,12 @@ TEST_F(ImportTest, NamesFilesThatAreMissing) {
       AllOf(HasSubstr("names the file 'absent.bin', which is not there"), HasSubstr("beside the model")));
 }
 
+TEST_F(ImportTest, RefusesAModelThatIsAPipe) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
+  EXPECT_THAT(refusal(folder_ / "pipe.obj"),
+              AllOf(HasSubstr("pipe.obj: is a device or a pipe"), HasSubstr("write its content to a file")));
+}
+
 // It would be read until somebody writes into it.
 TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
@@ -145,8 +151,12 @@ TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
 
 TEST_F(ImportTest, RefusesSizesThatCannotBeMetres) {
   const auto file = write("tetrahedron.obj", kTetrahedron);
-  EXPECT_THAT(refusal(file, {.metres_per_unit = 1e-5}), HasSubstr("3e-05 m across"));
+  EXPECT_THAT(refusal(file, {.metres_per_unit = 1e-5}),
+              AllOf(HasSubstr("3e-05 m across"), HasSubstr("give metres per unit: --metres-per-unit 0.01"),
+                    testing::Not(HasSubstr("height in metres"))));
   EXPECT_THAT(refusal(file, {.metres_per_unit = 1e5}), HasSubstr("300000 m across"));
+  EXPECT_THAT(refusal(file, {.height_metres = 1e5}),
+              AllOf(HasSubstr("150000 m across"), HasSubstr("give another height in metres")));
   const auto flat = write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
   EXPECT_THAT(refusal(flat, {.height_metres = 2.0}), HasSubstr("has no height"));
 }

@@ -80,12 +80,6 @@ void check_output_name(const std::string& output) {
   bake::check_stem(file.stem().string());
 }
 
-void refuse_useless_voxels(const BakeCommandOptions& options) {
-  if (options.product == kDistanceField && options.distances.voxels < 2)
-    throw InputError("--voxels", "one voxel is one distance, which has no shape",
-                     "give more, such as --voxels 64");
-}
-
 void refuse_idle_options(const CLI::App& command, const BakeCommandOptions& options) {
   const bool horizon = options.product == kHorizon, distances = options.product == kDistanceField;
   refuse_idle(command, {"--field", "--texels", "--nearest"}, !horizon, "on " + options.product);
@@ -125,7 +119,6 @@ class Bake {
         context_(context),
         store_(options.cache.empty() ? platform::cache_directory() : std::filesystem::path(options.cache)) {
     refuse_idle_options(command, options);
-    refuse_useless_voxels(options);
     check_output_name(options.output);
     check_output_file(options.output);
     refuse_input_as_output("--output", options.output, {options.scene, options.image, options.field});
@@ -162,15 +155,15 @@ class Bake {
 
   void distance_field() {
     const scene::Scene scene = loaded_scene();
+    if (options_.objects > 0) {
+      object_fields(scene);
+      return;
+    }
     if (options_.distances.margin == 0.0 && !context_.quiet) {
       fmt::print(
           stderr,
           "note: with --margin 0 the field ends at the mesh, and has no distances around it: soft shadows "
           "end there, too\n");
-    }
-    if (options_.objects > 0) {
-      object_fields(scene);
-      return;
     }
     const bake::DistanceField field =
         with_progress("distances", " slices", [&](const bake::BakeOptions& run) {
@@ -343,7 +336,7 @@ void add_bake(CLI::App& app, Context& context) {
   const char* const distances = "Distance field";
   add("--voxels", options->distances.voxels, "N", "Voxels along the longest side, margins included",
       distances)
-      ->check(within(1, bake::most_voxels_per_side));
+      ->check(within(bake::least_voxels_per_side, bake::most_voxels_per_side));
   add("--margin", options->distances.margin, "SHARE", "Room around the mesh, of its longest side", distances)
       ->check(within(0.0, 10.0));
   add("--objects", options->objects, "N",

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "cli/help.h"
-#include "cli/idle_options.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
@@ -182,22 +181,6 @@ std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& s
 
 bool writes_report(const MeasureOptions& options) {
   return !options.output.empty() && options.output != "-";
-}
-
-// Before anything is compiled or baked.
-void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::Subject>& subjects) {
-  using techniques::Need;
-  const auto reads = [&](Need need) {
-    return std::any_of(subjects.begin(), subjects.end(), [&](const study::Subject& subject) {
-      const std::vector<Need>& needs = subject.graph.graph.needs;
-      return std::find(needs.begin(), needs.end(), need) != needs.end();
-    });
-  };
-  const bool angles = reads(Need::horizon_angles), heights = angles || reads(Need::ground_heights);
-  refuse_idle(command, {"--ground-samples"}, !heights, "on techniques that read no heights of the ground");
-  refuse_idle(command, {"--horizon-texels"}, !angles, "on techniques that read no horizon angles");
-  refuse_idle(command, {"--field-voxels"}, !reads(Need::distance_fields),
-              "on techniques that read no distance fields");
 }
 
 struct Measured {

@@ -62,7 +62,7 @@ void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& 
   }
 }
 
-void render(const RenderOptions& options, Context& context) {
+void render(const CLI::App& command, const RenderOptions& options, Context& context) {
   check_cache_folder(options.cache, platform::cache_directory(), context);
   if (options.output == "-")
     throw InputError("--output", "pictures go into a folder, not to standard output",
@@ -72,6 +72,7 @@ void render(const RenderOptions& options, Context& context) {
   tell_notes(settings.scenes, context);
   const std::vector<study::Subject> subjects =
       varied_subjects(options, options.varied, study::light_kind(settings.scenes));
+  refuse_idle_bake_options(command, subjects);
   study::SheetOptions sheet;
   if (!options.sheet.file.empty()) {
     sheet = sheet_options(options.sheet, settings, subjects);
@@ -136,7 +137,7 @@ void add_render(CLI::App& app, Context& context) {
         "--zoom 3 --sheet blockers.png",
         "what a parameter does, enlarged"},
        {"penumbra render --scene model.glb --technique preset-high -o pictures", "each picture as a file"}});
-  command->callback([options, &context] { render(*options, context); });
+  command->callback([command, options, &context] { render(*command, *options, context); });
 }
 
 }  // namespace penumbra::cli

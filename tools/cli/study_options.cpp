@@ -13,6 +13,7 @@
 #include "bake/field_objects.h"
 #include "bake/horizon_angles.h"
 #include "cli/adapter_argument.h"
+#include "cli/idle_options.h"
 #include "cli/known_names.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
@@ -302,6 +303,21 @@ void choose_bias(const StudyOptions& options, study::Subject& subject) {
   subject.bias.normal = options.normal_bias.value_or(subject.bias.normal);
   if (options.soft_quality) subject.bias.soft_quality = parameters::soft_quality_named(*options.soft_quality);
   subject.raster_bias.slope = options.slope_bias.value_or(subject.raster_bias.slope);
+}
+
+void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::Subject>& subjects) {
+  using techniques::Need;
+  const auto reads = [&](Need need) {
+    return std::any_of(subjects.begin(), subjects.end(), [&](const study::Subject& subject) {
+      const std::vector<Need>& needs = subject.graph.graph.needs;
+      return std::find(needs.begin(), needs.end(), need) != needs.end();
+    });
+  };
+  const bool angles = reads(Need::horizon_angles), heights = angles || reads(Need::ground_heights);
+  refuse_idle(command, {"--ground-samples"}, !heights, "on techniques that read no heights of the ground");
+  refuse_idle(command, {"--horizon-texels"}, !angles, "on techniques that read no horizon angles");
+  refuse_idle(command, {"--field-voxels"}, !reads(Need::distance_fields),
+              "on techniques that read no distance fields");
 }
 
 // Those given by hand, then those of the project that are not.

@@ -77,6 +77,8 @@ std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options)
 std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
 // The requested biases instead of the subject's own.
 void choose_bias(const StudyOptions& options, study::Subject& subject);
+// Throws InputError for an option of bakes that no subject reads: before anything is compiled or baked.
+void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::Subject>& subjects);
 
 gpu::Device open_device(const StudyOptions& options);
 

@@ -12,7 +12,8 @@ namespace Penumbra.Tests
     {
         // As the program writes them.
         private const string Heights = @"{ ""kind"": ""height-field"", ""version"": 1, ""picture"": ""ground.png"",
-            ""heights_metres"": [-12.5, 640], ""corner_metres"": [-100, 50], ""size_metres"": [1000, 2000] }";
+            ""heights_metres"": [-12.5, 640], ""corner_metres"": [-100, 50], ""size_metres"": [1000, 2000],
+            ""samples_without_surface"": 3 }";
         private const string Angles = @"{ ""kind"": ""horizon-angles"", ""version"": 1, ""pictures"": [""sky-0.png"", ""sky-1.png""],
             ""directions_degrees"": [0, 45, 90, 135, 180, 225, 270, 315], ""angles_degrees"": [0, 90],
             ""corner_metres"": [-100, 50], ""size_metres"": [1000, 2000] }";

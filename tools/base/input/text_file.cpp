@@ -42,11 +42,17 @@ std::string read_text_file(const fs::path& file, std::size_t largest) {
   return text;
 }
 
-std::string read_found_text_file(const fs::path& file, std::size_t largest) {
+void require_regular_file(const fs::path& file) {
   std::error_code ignored;
-  const fs::file_status status = fs::status(file, ignored);
-  if (fs::exists(status) && !fs::is_directory(status) && !fs::is_regular_file(status))
-    throw InputError(file.string(), "is a device or a pipe, not a regular file");
+  const fs::file_type type = fs::status(file, ignored).type();
+  if (type == fs::file_type::fifo || type == fs::file_type::character || type == fs::file_type::block ||
+      type == fs::file_type::socket)
+    throw InputError(file.string(), "is a device or a pipe, not a regular file",
+                     "write its content to a file");
+}
+
+std::string read_found_text_file(const fs::path& file, std::size_t largest) {
+  require_regular_file(file);
   return read_text_file(file, largest);
 }
 

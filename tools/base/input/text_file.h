@@ -17,7 +17,11 @@ constexpr std::size_t kLargestTextFile = std::size_t{512}
 // cannot be opened or read, is a folder or a named pipe, or has more bytes than `largest`.
 std::string read_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
-// A file that was found in a project or folder. Also refuses anything but a regular file.
+// Throws InputError for a device, a pipe or a socket; not for a folder, nor for what does not exist.
+void require_regular_file(const std::filesystem::path& file);
+
+// A file that was found in a project or folder, or that names files beside it. Also refuses what
+// require_regular_file() does.
 std::string read_found_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
 // The rest of a stream; nothing if reading fails, where std::istreambuf_iterator throws.

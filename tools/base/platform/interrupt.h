@@ -14,9 +14,9 @@ inline constexpr const char* interrupted_message =
     "interrupted; the same command continues with what is in the cache";
 
 // A write past the limit on the size of files (SIGXFSZ) fails with EFBIG from then on, and does not end the
-// program. SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU, is ended
-// after two seconds; another signal, a second or more after the first, ends the program immediately. The exit
-// code is 128 plus the signal's number.
+// program. SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU,
+// is ended after two seconds; another signal, a second or more after the first, ends the program immediately.
+// The exit code is 128 plus the signal's number.
 void watch_interrupts();
 bool interrupted();
 int interrupting_signal();    // 0: none

@@ -93,6 +93,7 @@ BakedFiles baked_files(const HeightField& field, const std::string& stem) {
   Json json = {{"kind", kHeights}, {"version", kVersion}, {"picture", picture}};
   json["heights_metres"] = {range.low, range.high};
   json.update(area_json(field.area));
+  json["samples_without_surface"] = field.holes;
   files.json = json.dump(2) + "\n";
   return files;
 }
@@ -171,7 +172,7 @@ void write_baked_files(const BakedFiles& files, const std::filesystem::path& jso
 }
 
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process) {
-  const LocatedJson document = LocatedJson::read(json);
+  const LocatedJson document = LocatedJson::read_found(json);
   JsonObject object(document);
   if (const std::string kind = object.text("kind", ""); kind != kHeights) {
     object.fail("kind",
@@ -188,11 +189,20 @@ HeightField read_height_field(const std::filesystem::path& json, const scene::Re
   const std::vector<double> range = object.numbers("heights_metres", 2);
   const std::vector<double> corner = object.numbers("corner_metres", 2),
                             size = object.numbers("size_metres", 2);
+  const int holes = object.integer("samples_without_surface", 0);
   object.finish();
   const scene::HeightImage image =
       scene::read_height_image_apart(json.parent_path() / picture, std::nullopt, process);
+  if (holes < 0 || static_cast<std::size_t>(holes) > image.samples.size()) {
+    object.fail("samples_without_surface",
+                fmt::format("{} of {} samples cannot be without a surface", holes, image.samples.size()),
+                "bake it again");
+  }
   try {
-    return heights_of_image(image, {{corner[0], corner[1]}, {size[0], size[1]}}, {range[0], range[1]});
+    HeightField field =
+        heights_of_image(image, {{corner[0], corner[1]}, {size[0], size[1]}}, {range[0], range[1]});
+    field.holes = static_cast<std::size_t>(holes);
+    return field;
   } catch (const InputError& error) {
     throw InputError(json.string(), error.what());
   }

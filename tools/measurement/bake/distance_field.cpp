@@ -24,9 +24,10 @@ void check(const scene::Scene& scene, const DistanceFieldOptions& options) {
     if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) continue;
     throw InputError("", "the scene '" + scene.name + "' has a vertex that is not a finite number");
   }
-  if (options.voxels < 1 || options.voxels > most_voxels_per_side) {
-    throw InputError("", fmt::format("a distance field has from 1 to {} voxels per side, not {}",
-                                     most_voxels_per_side, options.voxels));
+  if (options.voxels < least_voxels_per_side || options.voxels > most_voxels_per_side) {
+    throw InputError("",
+                     fmt::format("a distance field has from {} to {} voxels along its longest side, not {}",
+                                 least_voxels_per_side, most_voxels_per_side, options.voxels));
   }
   if (!std::isfinite(options.margin) || options.margin < 0.0 || options.margin > 10.0)
     throw InputError("", fmt::format("a margin of {} of the mesh's longest side cannot be baked; 0 to 10 can",

@@ -32,6 +32,8 @@ struct DistanceFieldOptions {
   double margin = 0.1;  // of the longest side, on every side of the mesh
 };
 
+// Along the mesh's longest side. One voxel is one distance, which has no shape.
+inline constexpr int least_voxels_per_side = 2;
 inline constexpr int most_voxels_per_side = 512;
 
 // The voxels and the box of a field, without distances. Throws InputError as bake_distance_field().

@@ -17,7 +17,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr int kHeightsVersion = 1;  // a change of any result takes the next number
+constexpr int kHeightsVersion = 2;  // a change of any result takes the next number
 constexpr float kNothing = std::numeric_limits<float>::lowest();
 
 std::string height_key(const scene::Scene& scene, const Area& area, const SampleCounts& counts) {

@@ -1,8 +1,8 @@
 // The objects of a scene: triangles that hang together, without the ground.
 //
 // scene/stand_ins.h has another answer, for another purpose: there a part longer than half the scene is left
-// out and small ones are dropped, because a ball in its place would be wrong; here no part may be left out, and
-// positions are joined within rounding, because a field must be closed.
+// out and small ones are dropped, because a ball in its place would be wrong; here no part may be left out,
+// and positions are joined within rounding, because a field must be closed.
 #pragma once
 
 #include <cstddef>

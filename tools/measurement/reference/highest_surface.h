@@ -13,13 +13,14 @@ class HighestSurface {
   // Keeps references to both; `rays` is of that scene.
   HighestSurface(const EmbreeScene& rays, const scene::Scene& scene);
 
-  // Metres, relative to the scene's origin; nothing where no surface is. By one ray straight down, which
-  // passes where a material is cut out. Reentrant.
+  // Metres, relative to the scene's origin; nothing where no surface is. By a ray straight down, which
+  // passes where a material is cut out; the scene's edges belong to it. Reentrant.
   std::optional<double> at(glm::dvec2 xz) const;
 
  private:
   const EmbreeScene& rays_;
-  double above_;  // where rays begin: over everything
+  double above_ = 0.0;      // where rays begin: over everything
+  glm::vec2 middle_{0.0F};  // of the bounds
 };
 
 }  // namespace penumbra::reference

@@ -79,12 +79,7 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& name) 
 namespace {
 
 std::string all_bytes(const std::filesystem::path& file) {
-  std::error_code unknown;
-  const std::filesystem::file_type type = std::filesystem::status(file, unknown).type();
-  if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character ||
-      type == std::filesystem::file_type::block || type == std::filesystem::file_type::socket)
-    throw InputError(file.string(), "is a pipe or a device, and only regular files are read",
-                     "write its content to a file");
+  require_regular_file(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string(), "cannot be opened");
   const std::optional<std::string> bytes = rest_of(stream);
@@ -102,6 +97,12 @@ void check_height_image_size(const std::string& name, long long width, long long
                    "WIDTHxDEPTH");
 }
 
+// The library has none for some files.
+std::string reason() {
+  const char* text = stbi_failure_reason();
+  return text == nullptr || *text == '\0' ? "" : fmt::format(" ({})", text);
+}
+
 HeightImage decode_height_png(std::span<const std::byte> bytes, const std::string& name) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(name, "is larger than 2 GiB");
@@ -112,9 +113,7 @@ HeightImage decode_height_png(std::span<const std::byte> bytes, const std::strin
   if (stbi_info_from_memory(data, length, &image.width, &image.height, &channels) == 0) {
     throw InputError(
         name,
-        fmt::format("cannot be read as an image of heights: it is damaged, incomplete or of another format "
-                    "({})",
-                    stbi_failure_reason()),
+        "cannot be read as an image of heights: it is damaged, incomplete or of another format" + reason(),
         "PNG with 16 bits a channel can be read, and RAW: 16-bit numbers without a header, in a file named "
         ".raw or .r16");
   }
@@ -130,11 +129,9 @@ HeightImage decode_height_png(std::span<const std::byte> bytes, const std::strin
   const std::unique_ptr<stbi_us, void (*)(void*)> samples(
       stbi_load_16_from_memory(data, length, &image.width, &image.height, &channels, 1), stbi_image_free);
   if (!samples) {
-    throw InputError(
-        name,
-        fmt::format("cannot be read as an image of heights: the file is damaged or incomplete ({})",
-                    stbi_failure_reason()),
-        "export it again");
+    throw InputError(name,
+                     "cannot be read as an image of heights: the file is damaged or incomplete" + reason(),
+                     "export it again");
   }
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t row = height; row-- > 0;)

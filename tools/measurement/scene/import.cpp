@@ -96,7 +96,9 @@ double scale_of(const parameters::Bounds& bounds, const ImportOptions& options,
     throw InputError(file.string(),
                      "is " + shown(metres) + " m across; a scene has between " + shown(kSmallestExtent) +
                          " m and " + shown(kLargestExtent) + " m",
-                     "give metres per unit (--metres-per-unit, 0.01 for centimetres) or a height in metres");
+                     options.height_metres > 0.0
+                         ? "give another height in metres, or metres per unit in its place"
+                         : "give metres per unit: --metres-per-unit 0.01 for a file in centimetres");
   }
   return scale;
 }

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "scene/cut_out.h"
 #include "scene/model_folder.h"
 
@@ -50,7 +51,7 @@ void check_readable(const std::filesystem::path& file) {
   if (status.type() == std::filesystem::file_type::not_found) refuse(file, "no such file");
   if (error) refuse(file, error.message());
   if (std::filesystem::is_directory(status)) refuse(file, "is a folder, not a model", "choose a file in it");
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a regular file");
+  require_regular_file(file);
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse(file, error.message());
   if (size == 0) refuse(file, "is empty");
