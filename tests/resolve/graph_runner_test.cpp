@@ -100,8 +100,8 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
 // Of a picture of 40 x 32 pixels.
 constexpr int kBlocksWidth = 40, kBlocksHeight = 32;
 
-GraphResult run_blocks(const std::string& technique) {
-  const techniques::TechniqueList list = added("Blocks");
+GraphResult run_blocks(const std::string& manifest, const std::string& technique) {
+  const techniques::TechniqueList list = added(manifest);
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 64;
   const std::vector<testing_frames::TilePoint> receivers(kBlocksWidth * kBlocksHeight, {0.5, 0.5, 0.5});
@@ -136,7 +136,7 @@ std::vector<std::string> pass_names(const GraphResult& result) {
 }
 
 TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
-  const GraphResult result = run_blocks("blocks");
+  const GraphResult result = run_blocks("Blocks", "blocks");
   expect_blocks(result, 0.0);
   double blocks = 0.0;
   for (int y = 0; y < kBlocksHeight / 8; ++y)
@@ -151,7 +151,7 @@ TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
 }
 
 TEST(GraphRunner, AKernelThatUpdatesATextureKeepsWhatItDoesNotWrite) {
-  const GraphResult result = run_blocks("blocks-filled");
+  const GraphResult result = run_blocks("FilledBlocks", "blocks-filled");
   EXPECT_THAT(pass_names(result), ElementsAre("Mark", "Collect", "Sum", "Fill", "Shade"));
   expect_blocks(result, 0.125);
 }

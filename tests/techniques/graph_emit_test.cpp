@@ -38,7 +38,7 @@ TEST(GraphEmit, TheLibrarysGraphsAreCheckedIn) {
 
 TEST(GraphEmit, TheAddedTechniquesGraphsAreCheckedIn) {
   const fs::path added = fs::path(PENUMBRA_SOURCE_DIR) / "tests/techniques/added";
-  for (const char* name : {"Means", "Blocks", "Layers"})
+  for (const char* name : {"Means", "Blocks", "FilledBlocks", "Layers"})
     expect_checked_in(added, added / (std::string(name) + ".technique.json"),
                       "cd tests/techniques/added && penumbra validate --technique-list " + std::string(name) +
                           ".technique.json --emit-graphs .");

@@ -39,7 +39,7 @@ namespace Penumbra.Tests
         internal static ComputeShader AddBlocks() => AddKernels(BlocksGraphs.Blocks);
 
         /// <summary>The same; one of them fills the visibility that another updates.</summary>
-        internal static ComputeShader AddFilledBlocks() => AddKernels(BlocksGraphs.BlocksFilled);
+        internal static ComputeShader AddFilledBlocks() => AddKernels(FilledBlocksGraphs.BlocksFilled);
 
         private static ComputeShader AddKernels(TechniqueGraph graph)
         {
