@@ -3,30 +3,29 @@
 // Computes:   windows of texels and of larger cells around a cluster of receivers; the visibility of each, from them alone.
 // Source:     Penumbra's own; the filter is that of Filters/PcssAngular.hlsl over every cell of Filters/DepthRings.hlsl in place
 //             of samples.
-// Inputs:     the shadow map; _PenumbraSpreads: of the kernel FirstLevel, four cells in each texel; TileClusters.hlsl.
+// Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each texel;
+//             TileClusters.hlsl.
 // Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
 //             cluster. Arithmetic: some 28 cells for each octave of distance, twice.
 // Guarantees: [0, 1]; no noise: the same map gives the same picture. Reads no texel outside of the receivers' tile.
-// Use it:     in kernels of 8 x 8 threads, all of which call the functions that load.
+// Use it:     in kernels of 16 x 16 threads, all of which call the functions that load.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
 #define PENUMBRA_TILE_WINDOWS_HLSL
 
-#include "TileSurfaces.hlsl"
 #include "TileClusters.hlsl"
 #include "../ShaderLibrary/Filters/DepthRings.hlsl"
 
-// Texels of the first window each way; and cells of all others together, of which 36 / 2^n + 8 squared are in the n-th.
-#define WINDOW_TEXELS 36
-#define WINDOW_CELLS 1280
+// Texels of the first window each way; and cells of all others together, of which WINDOW_TEXELS / 2^n + 8 squared are in the
+// n-th.
+#define WINDOW_TEXELS 40
+#define WINDOW_CELLS 1640
 #define MOST_LEVELS 8
+
+// How far from the cluster's first receiver, texels along each axis, a receiver may lie.
+static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
 
 groupshared float windowDepths[WINDOW_TEXELS * WINDOW_TEXELS];
 groupshared uint windowSpreads[WINDOW_CELLS];
-groupshared int windowLeft;
-groupshared int windowTop;
-groupshared int windowRight;
-groupshared int windowBottom;
-
 // Receivers, in whole texels, and how far around them the windows reach.
 struct WindowBounds
 {
@@ -55,42 +54,23 @@ DepthWindow WindowOf(WindowBounds bounds, int level)
     return window;
 }
 
-// How far from the cluster's first receiver, texels along each axis, a receiver may lie.
-float WindowReach(float radius)
+WindowBounds BoundWindow(bool joins, QuadReceiver receiver, float radius)
 {
-    return 0.5 * (float(WINDOW_TEXELS) - 3.0) - min(radius, kRingCells) - 1.0;
-}
-
-WindowBounds BoundWindow(bool joins, uint thread, QuadReceiver receiver, float radius)
-{
-    if (thread == 0)
-    {
-        windowLeft = 0x7fffffff;
-        windowTop = 0x7fffffff;
-        windowRight = -1;
-        windowBottom = -1;
-    }
-    GroupMemoryBarrierWithGroupSync();
-    const int2 texel = int2(floor(receiver.centre));
-    if (joins)
-    {
-        InterlockedMin(windowLeft, texel.x);
-        InterlockedMin(windowTop, texel.y);
-        InterlockedMax(windowRight, texel.x);
-        InterlockedMax(windowBottom, texel.y);
-    }
+    BoundCluster(joins, receiver);
+    if (joins) InterlockedMax(clusterRadius, asuint(radius));
     GroupMemoryBarrierWithGroupSync();
     WindowBounds bounds;
-    bounds.low = int2(windowLeft, windowTop);
-    bounds.high = int2(windowRight, windowBottom);
-    bounds.radius = radius;
-    bounds.levels = RingLevels(radius, MOST_LEVELS);
+    bounds.low = int2(clusterLeft, clusterTop);
+    bounds.high = int2(clusterRight, clusterBottom);
+    bounds.radius = asfloat(clusterRadius);
+    bounds.levels = RingLevels(bounds.radius, MOST_LEVELS);
     bounds.tile = BoundsInTexels(clusterTile);
     return bounds;
 }
 
 // Threads of a group that nobody joined read nothing.
-void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, spreads), WindowBounds bounds, uint thread)
+void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, spreads),
+                 TYPED_TEXTURE2D(uint4, coarseSpreads), WindowBounds bounds, uint thread)
 {
     const bool any = bounds.high.x >= bounds.low.x;
     const DepthWindow texels = WindowOf(bounds, 0);
@@ -101,7 +81,7 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     for (i = int(thread); i < quads.x * quads.y; i += TILE_THREADS)
     {
         const int2 first = begin + 2 * int2(i % quads.x, i / quads.x);
-        const float2 uv = float2(first + 1) * clusterReceiver.texelSize;
+        const float2 uv = float2(first + 1) * clusterTexelSize;
         const float4 depths = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, uv));
         UNITY_UNROLL
         for (int k = 0; k < 4; ++k)
@@ -121,7 +101,9 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
         for (i = int(thread); i < blocks.x * blocks.y; i += TILE_THREADS)
         {
             const int2 block = firstBlock + int2(i % blocks.x, i / blocks.x);
-            const uint4 cells = LOAD_TEXTURE2D_LOD(spreads, block, level - 1);
+            uint4 cells;
+            if (level == 1) cells = LOAD_TEXTURE2D(spreads, block);
+            else cells = LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
             UNITY_UNROLL
             for (int k = 0; k < 4; ++k)
             {
@@ -162,16 +144,17 @@ CellLoop CellsAround(QuadReceiver receiver, DepthWindow window, int level, float
 }
 
 // low: how much of the cone low blockers hide, texels.
-RingSums SumBlockers(QuadReceiver receiver, ConeScales scales, WindowBounds bounds, out float low)
+RingSums SumBlockers(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds, out float low)
 {
     RingSums sums = NoBlockers();
     low = 0.0;
     int offset = 0;
+    const int levels = min(RingLevels(radius, MOST_LEVELS), bounds.levels);
     UNITY_LOOP
-    for (int level = 0; level <= bounds.levels; ++level)
+    for (int level = 0; level <= levels; ++level)
     {
         const DepthWindow window = WindowOf(bounds, level);
-        const CellLoop cells = CellsAround(receiver, window, level, bounds.radius);
+        const CellLoop cells = CellsAround(receiver, window, level, radius);
         const float width = exp2(float(level));
         UNITY_LOOP
         for (int i = 0; i < cells.size.x * cells.size.y; ++i)
@@ -179,7 +162,7 @@ RingSums SumBlockers(QuadReceiver receiver, ConeScales scales, WindowBounds boun
             const int2 cell = cells.low + int2(i % cells.size.x, i / cells.size.x);
             const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
             const float distance = length(away);
-            const float area = ShareInRing(distance, level, bounds.radius) * width * width;
+            const float area = ShareInRing(distance, level, radius) * width * width;
             if (!(area > 0.0)) continue;
             const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, receiver);
             if (!(blockers.share > 0.0)) continue;
@@ -250,13 +233,13 @@ float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, Wind
     return LitShare(lit, blocked);
 }
 
-float WindowVisibility(QuadReceiver receiver, ConeScales scales, WindowBounds bounds)
+float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
 {
     float low;
-    const RingSums sums = SumBlockers(receiver, scales, bounds, low);
+    const RingSums sums = SumBlockers(receiver, scales, radius, bounds, low);
     if (!(sums.nearby.x > 0.0)) return 1.0;
     const bool inside = sums.inside.x > 0.0;
-    const float penumbra = min(inside ? sums.inside.y / sums.inside.x : sums.nearby.y / sums.nearby.x, bounds.radius);
+    const float penumbra = min(inside ? sums.inside.y / sums.inside.x : sums.nearby.y / sums.nearby.x, radius);
     const float gap = penumbra * scales.depthPerTexel;
     LightCone cone;
     cone.scales = scales;

@@ -45,7 +45,7 @@ namespace Penumbra
             }
             foreach (GraphBuffer buffer in graph.buffers)
                 buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,
-                                            Place(buffer.texture, placed), buffer.indirect));
+                                            Place(buffer.texture, placed), buffer.divisor, buffer.indirect));
             foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, placed, firstBuffer));
             foreach (GraphBinding texture in graph.filterTextures)
                 globals.Add(new ChainGlobal
@@ -165,7 +165,7 @@ namespace Penumbra
             for (int i = 0; i < buffers.Count; ++i)
                 if (buffers[i].texture != ShadowChain.None)
                     buffers[i] = new GraphBuffer(buffers[i].name, buffers[i].words, buffers[i].wordsPerTexel,
-                                                 slotOf[buffers[i].texture], buffers[i].indirect);
+                                                 slotOf[buffers[i].texture], buffers[i].divisor, buffers[i].indirect);
             if (Mask != ShadowChain.None) Mask = slotOf[Mask];
         }
 

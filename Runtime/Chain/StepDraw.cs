@@ -76,8 +76,9 @@ namespace Penumbra
                 commands.SetGlobalVector(step.reads[i].sizeProperty,
                                          TextureSize.Drawn(chain.Slots[step.reads[i].index], frame).At(level).Uniform);
             }
-            if (step.Target == ShadowChain.None) return;
-            ChainTexture target = chain.Slots[step.Target];
+            int sized = step.threadsOf != ShadowChain.None ? step.threadsOf : step.Target;
+            if (sized == ShadowChain.None) return;
+            ChainTexture target = chain.Slots[sized];
             commands.SetGlobalVector(FrameUniforms.TargetSize, TextureSize.Drawn(target, frame).At(mip).Uniform);
             if (!step.ByCascade) return;
             Rect tile = PassGeometry.Area(target, frame, true, cascade, mip);

@@ -92,7 +92,7 @@ namespace Penumbra
             if (declared.texture != ShadowChain.None)
             {
                 TextureSize size = TextureSize.Of(chain.Slots[declared.texture], frame);
-                words += declared.wordsPerTexel * size.width * size.height * size.depth;
+                words += declared.wordsPerTexel * declared.Blocks(size.width) * declared.Blocks(size.height) * size.depth;
             }
             if (buffer != null && buffer.count >= words) return false;
             buffer?.Release();

@@ -1,6 +1,7 @@
 namespace Penumbra
 {
-    /// <summary>A buffer of 32-bit words: a fixed number plus a number per texel of a texture.</summary>
+    /// <summary>A buffer of 32-bit words: a fixed number plus a number per texel of a texture, or per block of
+    /// divisor x divisor texels.</summary>
     internal readonly struct GraphBuffer
     {
         internal readonly string name;
@@ -10,17 +11,26 @@ namespace Penumbra
         /// <summary>The texture whose texels are counted: an index into the graph's textures.</summary>
         internal readonly int texture;
 
+        internal readonly int divisor;
+
         /// <summary>The first three words are the thread group counts of an indirect dispatch.</summary>
         internal readonly bool indirect;
 
         internal GraphBuffer(string name, int words = 0, int wordsPerTexel = 0, int texture = TechniqueGraph.None,
-                             bool indirect = false)
+                             int divisor = 1, bool indirect = false)
         {
             this.name = name;
             this.words = words;
             this.wordsPerTexel = wordsPerTexel;
             this.texture = texture;
+            this.divisor = divisor;
             this.indirect = indirect;
+        }
+
+        /// <summary>How many blocks cover that many texels.</summary>
+        internal int Blocks(int texels)
+        {
+            return (texels + divisor - 1) / divisor;
         }
     }
 }

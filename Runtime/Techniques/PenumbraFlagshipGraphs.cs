@@ -11,15 +11,16 @@ namespace Penumbra
             name = "flagship",
             textures = new[]
             {
-                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
-                new GraphTexture("depthSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 4, mips: 0),
-                new GraphTexture("tileRadii", GraphExtent.Screen, GraphicsFormat.R32_UInt, divisor: 8),
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4),
+                new GraphTexture("depthSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 4),
+                new GraphTexture("coarsePlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 8, mips: 0),
+                new GraphTexture("coarseSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 8, mips: 0),
                 new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R32_SFloat),
             },
             buffers = new[]
             {
                 new GraphBuffer("tileGroups", words: 3, indirect: true),
-                new GraphBuffer("tileList", wordsPerTexel: 1, texture: 2),
+                new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
             },
             passes = new[]
             {
@@ -27,9 +28,9 @@ namespace Penumbra
                 {
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
-                    program = "FirstLevel",
+                    program = "FirstLevels",
                     runs = PassFrequency.Cascade,
-                    writes = new[] { GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlaneTarget", 2), GraphBinding.Texture("_PenumbraCoarseSpreadTarget", 3), GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
                     groups = GraphGroups.TexelsOf(0),
                 },
                 new GraphPass
@@ -38,10 +39,10 @@ namespace Penumbra
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "NextLevel",
                     runs = PassFrequency.Cascade,
-                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanes", 0), GraphBinding.Texture("_PenumbraSpreads", 1) },
-                    writes = new[] { GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraCoarseSpreads", 3) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlaneTarget", 2), GraphBinding.Texture("_PenumbraCoarseSpreadTarget", 3) },
                     eachMip = true,
-                    groups = GraphGroups.TexelsOf(0),
+                    groups = GraphGroups.TexelsOf(2),
                 },
                 new GraphPass
                 {
@@ -56,22 +57,22 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ClassifyTiles",
-                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraTileRadiusTarget", 2), GraphBinding.Texture("_PenumbraVisibility", 3) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     updates = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
-                    groups = GraphGroups.TexelsOf(3),
+                    groups = GraphGroups.TexelsOf(4),
                 },
                 new GraphPass
                 {
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveTiles",
-                    reads = new[] { GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraTileRadii", 2) },
-                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 3) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 1) },
+                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(0),
                 },
             },
-            visibility = 3,
+            visibility = 4,
         };
     }
 }

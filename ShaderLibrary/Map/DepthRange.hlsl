@@ -92,7 +92,7 @@ int HighestWholeLevel(TileBounds bounds)
     return int(firstbitlow(blocks.x | blocks.y));
 }
 
-// The blocks, at most `across` x `across`, that hold the tile's part of a disc.
+// The blocks, at most `across` x `across`, that hold the tile's part of a disc or of a box.
 struct DiscBlocks
 {
     int level;
@@ -101,16 +101,21 @@ struct DiscBlocks
     bool whole; // false: no level has so few, or the tile is none of blocks
 };
 
-DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds bounds)
+DiscBlocks BlocksOfBox(float2 low, float2 high, int across, TileBounds bounds)
 {
     DiscBlocks blocks;
-    const float narrowest = 2.0 * radius / (kRangeBlock * float(across - 1));
+    const float narrowest = max(high.x - low.x, high.y - low.y) / (kRangeBlock * float(across - 1));
     blocks.level = min(int(ceil(log2(max(narrowest, 1.0)))), HighestWholeLevel(bounds));
-    blocks.low = BlockAt(centre - radius, blocks.level, bounds);
-    blocks.high = BlockAt(centre + radius, blocks.level, bounds);
+    blocks.low = BlockAt(low, blocks.level, bounds);
+    blocks.high = BlockAt(high, blocks.level, bounds);
     const float2 beyond = fmod(bounds.minimum, kRangeBlock) + fmod(bounds.maximum, kRangeBlock);
     blocks.whole = all(blocks.high - blocks.low < across) && beyond.x + beyond.y == 0.0;
     return blocks;
+}
+
+DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds bounds)
+{
+    return BlocksOfBox(centre - radius, centre + radius, across, bounds);
 }
 
 #endif

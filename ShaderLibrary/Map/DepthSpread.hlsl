@@ -50,4 +50,18 @@ DepthSpread JoinSpreads(float4 means, float4 deviations)
     return whole;
 }
 
+// cells: four packed ones.
+uint JoinPackedSpreads(uint4 cells)
+{
+    float4 means, deviations;
+    UNITY_UNROLL
+    for (int i = 0; i < 4; ++i)
+    {
+        const DepthSpread spread = UnpackSpread(cells[i]);
+        means[i] = spread.mean;
+        deviations[i] = spread.deviation;
+    }
+    return PackSpread(JoinSpreads(means, deviations));
+}
+
 #endif

@@ -129,6 +129,7 @@ TEST_F(PassGraphTest, PassesRunAfterThoseWhoseOutputTheyRead) {
   EXPECT_TRUE(tiles.over_screen());
   EXPECT_EQ(tiles.passes[2].groups.indirect, "groups");
   EXPECT_EQ(tiles.buffer("list")->words_per_texel, 1);
+  EXPECT_EQ(tiles.buffer("list")->divisor, 1);
 }
 
 // The mean of this frame and the ones before.

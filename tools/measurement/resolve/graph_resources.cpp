@@ -88,8 +88,11 @@ GraphResources::GraphResources(const gpu::Device& device, const techniques::Pass
     std::size_t words = static_cast<std::size_t>(buffer.words);
     if (!buffer.texture.empty()) {
       const auto [width, height, depth] = texture_size_of(*graph.texture(buffer.texture), extents);
-      words += static_cast<std::size_t>(buffer.words_per_texel) * static_cast<std::size_t>(width) *
-               static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
+      const auto blocks = [&](int texels) {
+        return static_cast<std::size_t>((texels + buffer.divisor - 1) / buffer.divisor);
+      };
+      words += static_cast<std::size_t>(buffer.words_per_texel) * blocks(width) * blocks(height) *
+               static_cast<std::size_t>(depth);
     }
     require_size(buffer.where, buffer.name, 4.0 * static_cast<double>(words));
     const std::vector<std::uint32_t> zeros(words);

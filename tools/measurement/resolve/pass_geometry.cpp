@@ -31,6 +31,11 @@ const GraphTexture* PassGeometry::first_written_texture(const GraphPass& pass) c
   return graph_.texture(pass.stencil.empty() ? pass.depth : pass.stencil);
 }
 
+const GraphTexture* PassGeometry::target(const GraphPass& pass) const {
+  if (!pass.groups.texels_of.empty()) return graph_.texture(pass.groups.texels_of);
+  return first_written_texture(pass);
+}
+
 int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
   int levels = resources_.texture(texture.name).shape().mips;
   if (cascades == 1 || texture.extent != techniques::ExtentOf::map) return levels;
@@ -40,25 +45,25 @@ int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
 
 gpu::RasterTargets PassGeometry::targets(const GraphPass& pass, int cascade, int mip,
                                          const gpu::Image& shadow_map) const {
-  const auto target = [&](const std::string& name) {
+  const auto drawn = [&](const std::string& name) {
     const bool layers = graph_.texture(name)->extent == techniques::ExtentOf::tile;
     return gpu::RasterTarget(&resources_.texture(name), mip, layers ? cascade : 0);
   };
   gpu::RasterTargets targets;
-  for (const auto& [shader_name, name] : pass.writes) targets.colours.push_back(target(name));
+  for (const auto& [shader_name, name] : pass.writes) targets.colours.push_back(drawn(name));
   if (pass.depth == techniques::shadow_map_name)
     targets.depth = &shadow_map;
   else if (!pass.depth.empty())
-    targets.depth = target(pass.depth);
+    targets.depth = drawn(pass.depth);
   else if (!pass.stencil.empty())
-    targets.depth = target(pass.stencil);
+    targets.depth = drawn(pass.stencil);
   return targets;
 }
 
 gpu::RasterTile PassGeometry::tile(const GraphPass& pass, int cascade, int mip) const {
   gpu::RasterTile tile;
   tile.vertex_count = 3;
-  const GraphTexture* texture = first_written_texture(pass);
+  const GraphTexture* texture = target(pass);
   if (texture == nullptr) return tile;
   const gpu::Image& image = resources_.texture(texture->name);
   tile.width = gpu::mip_size(image.width(), mip);
@@ -106,8 +111,8 @@ UniformValues PassGeometry::uniforms(const GraphPass& pass, int cascade, int mip
     const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
     values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
   }
-  if (const GraphTexture* target = first_written_texture(pass))
-    values.set("_PenumbraTargetSize", size_at(target->name, mip));
+  if (const GraphTexture* texture = target(pass))
+    values.set("_PenumbraTargetSize", size_at(texture->name, mip));
   if (pass.each_mip) values.set("_PenumbraMip", mip);
   if (pass.frequency == techniques::Frequency::cascade) {
     const gpu::RasterTile drawn = tile(pass, cascade, mip);

@@ -78,6 +78,7 @@ std::string buffer(const PassGraph& graph, const GraphBuffer& buffer) {
       .number("wordsPerTexel", buffer.words_per_texel, 0);
   if (!buffer.texture.empty())
     arguments.add("texture: " + std::to_string(index_of(graph.textures, buffer.texture)));
+  arguments.number("divisor", buffer.divisor, 1);
   if (buffer.indirect) arguments.add("indirect: true");
   return "new GraphBuffer(" + arguments.text() + ")";
 }

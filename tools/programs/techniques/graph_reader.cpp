@@ -74,6 +74,7 @@ GraphBuffer read_buffer(JsonObject object) {
   buffer.words = object.integer("words", 0);
   buffer.words_per_texel = object.integer("words_per_texel", 0);
   buffer.texture = object.text("texture", "");
+  buffer.divisor = object.integer("divisor", 1);
   buffer.indirect = object.boolean("indirect", false);
   constexpr int kMost = 1 << 24;
   if (buffer.words < 0 || buffer.words > kMost || buffer.words_per_texel < 0 || buffer.words_per_texel > 64)
@@ -83,6 +84,9 @@ GraphBuffer read_buffer(JsonObject object) {
                 "give \"words\", or \"words_per_texel\" and \"texture\"");
   if ((buffer.words_per_texel > 0) == buffer.texture.empty())
     object.fail("name", "\"words_per_texel\" and \"texture\" must be used together");
+  if (buffer.divisor < 1 || buffer.divisor > 64) object.fail("divisor", "a divisor is 1 to 64");
+  if (buffer.divisor > 1 && buffer.texture.empty())
+    object.fail("divisor", "it divides the size of the buffer's texture, and there is none");
   if (buffer.indirect && buffer.words < 3)
     object.fail("name", "numbers of groups take three words: '" + buffer.name + "' has " +
                             std::to_string(buffer.words));

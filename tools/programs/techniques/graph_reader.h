@@ -29,7 +29,7 @@ class ManifestFiles {
 
 // {name, parts: [graphs above it, whose content it takes over],
 //  textures: [{name, extent, divisor, size, format, mips, layers, samples} or {name, previous_of}],
-//  buffers: [{name, words, words_per_texel, texture, indirect}],
+//  buffers: [{name, words, words_per_texel, texture, divisor, indirect}],
 //  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
 //  name), reads: {name in the shader: name},
 //            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters

@@ -29,13 +29,15 @@ struct GraphTexture {
   std::string previous_of;    // holds what this texture held a frame ago, 0 in the first; has its shape
 };
 
-// Words of 32 bits: as many as a fixed number and so many for each texel of a texture.
+// Words of 32 bits: as many as a fixed number and so many for each texel of a texture, or for each block of divisor x divisor
+// texels.
 struct GraphBuffer {
   std::string name;
   std::string where;
   int words = 0;
   int words_per_texel = 0;
   std::string texture;    // whose texels count; empty: none
+  int divisor = 1;        // of the texture's width and height, rounded up
   bool indirect = false;  // the first three words are the numbers of groups of dispatches
 };
 
