@@ -6,7 +6,8 @@
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each texel;
 //             TileClusters.hlsl.
 // Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
-//             cluster. Arithmetic: some 28 cells for each octave of distance, twice.
+//             cluster. Arithmetic: some 30 cells for each octave of distance in search of
+//             blockers, and 60 in the filter; 19 KiB of groupshared memory.
 // Guarantees: [0, 1]; no noise: the same map gives the same picture. Reads no texel outside of the receivers' tile.
 // Use it:     in kernels of 16 x 16 threads, all of which call the functions that load.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
@@ -15,12 +16,17 @@
 #include "TileClusters.hlsl"
 #include "../ShaderLibrary/Filters/DepthRings.hlsl"
 
-// Texels of the first window each way; and cells of all others together, of which WINDOW_TEXELS / 2^n + 8 squared are in the
-// n-th.
+// Texels of the first window each way; and cells of all others together: the n-th is at most 2 kWindowReach / 2^n +
+// 2 kRingCells + 5 wide.
 #define WINDOW_TEXELS 40
-#define WINDOW_CELLS 1640
+#define WINDOW_CELLS 2650
 #define MOST_LEVELS 8
 
+// The kernel of narrow penumbrae is wider than its radius by its texels: so much narrower it is made, and no narrower than
+// that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and that over all pixels rises from 1 on; fitting a
+// straight edge to the texels changes either by a hundredth.
+static const float kKernelNarrowing = 0.25;
+static const float kNarrowestRadius = 1.125;
 // How far from the cluster's first receiver, texels along each axis, a receiver may lie.
 static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
 
@@ -63,7 +69,7 @@ WindowBounds BoundWindow(bool joins, QuadReceiver receiver, float radius)
     bounds.low = int2(clusterLeft, clusterTop);
     bounds.high = int2(clusterRight, clusterBottom);
     bounds.radius = asfloat(clusterRadius);
-    bounds.levels = RingLevels(bounds.radius, MOST_LEVELS);
+    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, MOST_LEVELS);
     bounds.tile = BoundsInTexels(clusterTile);
     return bounds;
 }
@@ -117,12 +123,19 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     GroupMemoryBarrierWithGroupSync();
 }
 
-CellBlockers BlockersInWindow(DepthWindow window, int offset, int level, int2 cell, float2 away, QuadReceiver receiver)
+float DepthInWindow(DepthWindow texels, int2 texel)
 {
-    const int2 in0 = cell - window.low;
-    const int place = in0.y * window.size.x + in0.x;
-    if (level == 0) return BlockersOfTexel(windowDepths[place], away, receiver);
-    return BlockersOfCell(UnpackSpread(windowSpreads[min(offset + place, WINDOW_CELLS - 1)]), away, exp2(float(level)), receiver);
+    const int2 at = texel - texels.low;
+    return windowDepths[at.y * texels.size.x + at.x];
+}
+
+CellBlockers BlockersInWindow(DepthWindow window, int offset, int level, int2 cell, float2 away, float ground,
+                              QuadReceiver receiver)
+{
+    if (level == 0) return BlockersOfTexel(DepthInWindow(window, cell), away, receiver);
+    const int2 at = cell - window.low;
+    const DepthSpread spread = UnpackSpread(windowSpreads[min(offset + at.y * window.size.x + at.x, WINDOW_CELLS - 1)]);
+    return BlockersOfCell(spread, away, exp2(float(level)), ground, receiver);
 }
 
 // Cells of a level around a receiver, up to `radius` texels from it.
@@ -132,10 +145,10 @@ struct CellLoop
     int2 size;
 };
 
-CellLoop CellsAround(QuadReceiver receiver, DepthWindow window, int level, float radius)
+CellLoop CellsAround(QuadReceiver receiver, DepthWindow window, int level, float radius, float ringCells)
 {
     const float cell = exp2(float(level));
-    const int reach = int(ceil(min(kRingCells, radius / cell) + 0.5));
+    const int reach = int(ceil(min(ringCells, radius / cell) + 0.5));
     const int2 here = int2(floor(receiver.centre / cell));
     CellLoop cells;
     cells.low = max(here - reach, window.low);
@@ -143,18 +156,27 @@ CellLoop CellsAround(QuadReceiver receiver, DepthWindow window, int level, float
     return cells;
 }
 
-// low: how much of the cone low blockers hide, texels.
-RingSums SumBlockers(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds, out float low)
+struct WindowSearch
 {
-    RingSums sums = NoBlockers();
-    low = 0.0;
+    RingSums sums;
+    float low;    // how much of the cone low blockers hide, texels
+    float ground; // BlockersOfCell
+};
+
+WindowSearch SumBlockers(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
+{
+    WindowSearch search;
+    search.sums = NoBlockers();
+    search.low = 0.0;
+    search.ground = UsualGround(scales);
+    bool groundFound = false;
     int offset = 0;
-    const int levels = min(RingLevels(radius, MOST_LEVELS), bounds.levels);
+    const int levels = min(RingLevels(radius, kSearchRingCells, MOST_LEVELS), bounds.levels);
     UNITY_LOOP
     for (int level = 0; level <= levels; ++level)
     {
         const DepthWindow window = WindowOf(bounds, level);
-        const CellLoop cells = CellsAround(receiver, window, level, radius);
+        const CellLoop cells = CellsAround(receiver, window, level, radius, kSearchRingCells);
         const float width = exp2(float(level));
         UNITY_LOOP
         for (int i = 0; i < cells.size.x * cells.size.y; ++i)
@@ -162,18 +184,20 @@ RingSums SumBlockers(QuadReceiver receiver, ConeScales scales, float radius, Win
             const int2 cell = cells.low + int2(i % cells.size.x, i / cells.size.x);
             const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
             const float distance = length(away);
-            const float area = ShareInRing(distance, level, radius) * width * width;
+            const float area = ShareInRing(distance, level, radius, kSearchRingCells) * width * width;
             if (!(area > 0.0)) continue;
-            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, receiver);
+            if (level == 0 && distance < kGroundReach)
+                search.ground = GroundWithTexel(search.ground, groundFound, DepthInWindow(window, cell), away, receiver, scales);
+            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, search.ground, receiver);
             if (!(blockers.share > 0.0)) continue;
-            const float before = sums.inside.x;
-            sums = AddBlockers(sums, blockers, distance, width, area, scales);
+            const float before = search.sums.inside.x;
+            search.sums = AddBlockers(search.sums, blockers, distance, width, area, scales);
             const bool isLow = level == 0 && blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
-            if (isLow && sums.inside.x > before) low += area;
+            if (isLow && search.sums.inside.x > before) search.low += area;
         }
         if (level > 0) offset += window.size.x * window.size.y;
     }
-    return sums;
+    return search;
 }
 
 // As FilterBlock of PcssAngular.hlsl, over the window.
@@ -191,7 +215,7 @@ float FilterWindowBlock(QuadReceiver receiver, LightCone cone, float radius, flo
         if (any(at < 0) || any(at >= window.size)) continue;
         const float2 away = float2(texel) + 0.5 - receiver.centre;
         const float distance = length(away);
-        const CellBlockers blockers = BlockersOfTexel(windowDepths[at.y * window.size.x + at.x], away, receiver);
+        const CellBlockers blockers = BlockersOfTexel(DepthInWindow(window, texel), away, receiver);
         const float weight = blockers.gap < largestGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
         const float offset = ConeOffset(distance, cone.slackTexels, cone.largestOffset, cone.scales);
         const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
@@ -202,17 +226,17 @@ float FilterWindowBlock(QuadReceiver receiver, LightCone cone, float radius, flo
 }
 
 // As FilterDisc, over every cell of the disc.
-float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, WindowBounds bounds)
+float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, float ground, WindowBounds bounds)
 {
     float lit = 0.0;
     float blocked = 0.0;
     int offset = 0;
-    const int levels = min(RingLevels(radius + 0.5, MOST_LEVELS), bounds.levels);
+    const int levels = min(RingLevels(radius + 0.5, kRingCells, MOST_LEVELS), bounds.levels);
     UNITY_LOOP
     for (int level = 0; level <= levels; ++level)
     {
         const DepthWindow window = WindowOf(bounds, level);
-        const CellLoop cells = CellsAround(receiver, window, level, radius);
+        const CellLoop cells = CellsAround(receiver, window, level, radius, kRingCells);
         const float width = exp2(float(level));
         UNITY_LOOP
         for (int i = 0; i < cells.size.x * cells.size.y; ++i)
@@ -220,9 +244,9 @@ float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, Wind
             const int2 cell = cells.low + int2(i % cells.size.x, i / cells.size.x);
             const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
             const float distance = length(away);
-            const float weight = ShareInRing(distance, level, radius) * width * width;
+            const float weight = ShareInRing(distance, level, radius, kRingCells) * width * width;
             if (!(weight > 0.0)) continue;
-            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, receiver);
+            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, ground, receiver);
             const float cut = ConeOffset(distance, max(cone.slackTexels, width), cone.largestOffset, cone.scales);
             const float hidden = blockers.gap > cut ? blockers.share * weight : 0.0;
             blocked += hidden;
@@ -235,8 +259,8 @@ float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, Wind
 
 float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
 {
-    float low;
-    const RingSums sums = SumBlockers(receiver, scales, radius, bounds, low);
+    const WindowSearch search = SumBlockers(receiver, scales, radius, bounds);
+    const RingSums sums = search.sums;
     if (!(sums.nearby.x > 0.0)) return 1.0;
     const bool inside = sums.inside.x > 0.0;
     const float penumbra = min(inside ? sums.inside.y / sums.inside.x : sums.nearby.y / sums.nearby.x, radius);
@@ -246,17 +270,17 @@ float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, W
     cone.largestOffset = inside ? kConeHeightShare * gap : kAnyGap;
     const bool narrow = penumbra <= kWidestBlockTexels;
     float visibility = 1.0;
-    if (narrow || low > 0.0)
+    if (narrow || search.low > 0.0)
     {
         cone.slackTexels = kWidestBlockTexels + kBlockReachTexels;
         const float lowGap = min(kLowBlockerTexels * scales.depthPerTexel, kLowBlockerShare * gap);
-        visibility = FilterWindowBlock(receiver, cone, min(max(penumbra - 0.25, 0.5), kWidestBlockTexels),
+        visibility = FilterWindowBlock(receiver, cone, min(max(penumbra - kKernelNarrowing, kNarrowestRadius), kWidestBlockTexels),
                                        narrow ? kAnyGap : lowGap, WindowOf(bounds, 0));
     }
     if (!narrow && visibility > 0.0)
     {
         cone.slackTexels = kQuadSlackTexels;
-        visibility = min(visibility, FilterWindowDisc(receiver, cone, penumbra, bounds));
+        visibility = min(visibility, FilterWindowDisc(receiver, cone, penumbra, search.ground, bounds));
     }
     return SanitizeVisibility(visibility);
 }

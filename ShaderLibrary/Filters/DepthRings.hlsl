@@ -1,16 +1,18 @@
 // Penumbra: blockers around a receiver, by cells of the shadow map that grow with their distance.
 //
-// Computes:   ShareInRing, BlockersOfTexel, BlockersOfCell, AddBlockers: the share of a cell that belongs to the ring of its level, how much of a cell blocks and how far above the
-//             receiver, and with their sums the mean radius of the penumbrae that all blockers make.
+// Computes:   ShareInRing: the share of a cell that belongs to the ring of its level; BlockersOfTexel, BlockersOfCell: how much
+//             of it blocks, and how far above the receiver; AddBlockers: sums, for the mean radius of the penumbrae that all
+//             blockers make.
 //
-//                 +-------+-------+-------+   cells of one texel up to kRingCells texels from the receiver, of two texels
+//                 +-------+-------+-------+   cells of one texel up to ringCells texels from the receiver, of two texels
 //                 |       +-+-+-+-+       |   up to twice as far, and so on: each octave of distance has as many cells,
 //                 |       +-+-o-+-+       |   so that a low blocker, whose penumbra is narrow, is seen as sharply in
 //                 +-------+-+-+-+-+-------+   proportion as a high one
 //
-// Source:     Penumbra's own. A cell with the mean m above the receiver's plane and the deviation s is taken for a share f at
-//             the height h, the rest on the plane itself: f h = m, f h^2 = m^2 + s^2. Weighting each blocker by area / r^2,
-//             r its penumbra's radius, weights it by the share of the light's disc that it hides.
+// Source:     Penumbra's own. A cell with the mean m above the ground and the deviation s is taken for a share f at the height
+//             h above it, the rest on the ground: f h = m, f h^2 = m^2 + s^2. Were the ground taken to lie on the receiver's
+//             plane, which is above it by the casters' bias, a small share of blockers would be far too high. Weighting each
+//             blocker by area / r^2, r its penumbra's radius, weights it by the share of the light's disc that it hides.
 // Inputs:     QuadReceiver; ConeScales; lengths in texels, depths as stored.
 // Cost:       no fetches.
 // Guarantees: finite; a cell without anything above the plane blocks nothing. The rings' shares of a cell's levels are in
@@ -22,11 +24,21 @@
 #include "../Map/DepthSpread.hlsl"
 #include "TexelQuad.hlsl"
 
-// From the receiver to where the next level begins, in cells. With 2 the error in penumbrae is 1 to 4 % larger, for 3 to 15 %
-// fewer fetches (street, trees and garden, 0.53, 2 and 5 degrees).
-static const float kRingCells = 3.0;
-// A mean that lies above the plane by less is on it: two steps of 16 bits.
-static const float kLeastAbove = 3e-5;
+// From the receiver to where the next level begins, in cells of the level: for the filter, and for the search, whose mean
+// changes less with the size of cells.
+static const float kRingCells = 5.0;
+static const float kSearchRingCells = 3.0;
+// A mean that lies above the ground by less is on it: four steps of 16 bits; and by less than this share of how far the
+// receiver's plane rises from the receiver to the cell: its slope is that of depths of the camera.
+static const float kLeastAbove = 6e-5;
+static const float kSlopeError = 0.03;
+// Share by which the squared deviation of a plane may be larger than that of the receiver's; and error of a deviation.
+static const float kSquareError = 0.1;
+static const float kDeviationError = 2e-5;
+// The ground lies below the receiver's plane by the bias with which casters are drawn: it is looked for up to so many texels
+// away, and so many texels deep.
+static const float kGroundReach = 2.5;
+static const float kDeepestGround = 8.0;
 // How many times as wide as the light's cone the search looks where the cone is empty, as in PcssAngular.hlsl.
 static const float kNearbyCones = 5.0;
 
@@ -37,20 +49,20 @@ struct CellBlockers
     float gap;
 };
 
-// distance: of the cell's centre. radius: beyond which no cell counts.
-float ShareInRing(float distance, int level, float radius)
+// distance: of the cell's centre. radius: beyond which no cell counts. ringCells: kRingCells or kSearchRingCells.
+float ShareInRing(float distance, int level, float radius, float ringCells)
 {
     const float cell = exp2(float(level));
-    const float share = min(max((min(kRingCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
+    const float share = min(max((min(ringCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
     if (level == 0) return share;
     const float inner = 0.5 * cell;
-    return share * (1.0 - min(max((min(kRingCells * inner, radius) - distance) / inner + 0.5, 0.0), 1.0));
+    return share * (1.0 - min(max((min(ringCells * inner, radius) - distance) / inner + 0.5, 0.0), 1.0));
 }
 
 // The smallest number of levels beyond the first whose rings reach `radius`, at most `most`.
-int RingLevels(float radius, int most)
+int RingLevels(float radius, float ringCells, int most)
 {
-    return int(min(ceil(log2(max(radius / kRingCells, 1.0))), float(most)));
+    return int(min(ceil(log2(max(radius / ringCells, 1.0))), float(most)));
 }
 
 float PlaneDepth(QuadReceiver receiver, float2 away)
@@ -66,21 +78,38 @@ CellBlockers BlockersOfTexel(float depth, float2 away, QuadReceiver receiver)
     return blockers;
 }
 
-// cell: its width, texels.
-CellBlockers BlockersOfCell(DepthSpread spread, float2 away, float cell, QuadReceiver receiver)
+// cell: its width, texels. ground: how far the ground lies below the receiver's plane, stored depth.
+CellBlockers BlockersOfCell(DepthSpread spread, float2 away, float cell, float ground, QuadReceiver receiver)
 {
     CellBlockers blockers;
     blockers.share = 0.0;
     blockers.gap = 0.0;
     const float plane = PlaneDepth(receiver, away);
-    const float above = DepthGap(spread.mean, plane);
-    if (!(above > kLeastAbove)) return blockers;
+    const float above = DepthGap(spread.mean, plane) + ground;
+    const float rise = dot(abs(receiver.gradient), abs(away) + cell);
+    if (!(above > kLeastAbove + kSlopeError * rise)) return blockers;
     // The plane itself spreads over the cell, too.
-    const float slope = dot(receiver.gradient, receiver.gradient) * cell * cell / 12.0;
-    const float square = above * above + max(spread.deviation * spread.deviation - slope, 0.0);
-    blockers.gap = square / above + DepthGap(plane, receiver.depth);
+    const float slope = (1.0 + kSquareError) * dot(receiver.gradient, receiver.gradient) * cell * cell / 12.0;
+    const float own = slope + 2.0 * kDeviationError * spread.deviation;
+    const float square = above * above + max(spread.deviation * spread.deviation - own, 0.0);
+    blockers.gap = square / above - ground + DepthGap(plane, receiver.depth);
     blockers.share = blockers.gap > 0.0 ? above * above / square : 0.0;
     return blockers;
+}
+
+// Depth of the ground below the receiver's plane where no texel shows it: as far as a texel is wide.
+float UsualGround(ConeScales scales)
+{
+    return scales.depthPerMetre / max(scales.texelsPerMetre, 1e-9);
+}
+
+// With a texel near the receiver: the nearest below the plane is the ground. found: whether one was.
+float GroundWithTexel(float ground, inout bool found, float depth, float2 away, QuadReceiver receiver, ConeScales scales)
+{
+    const float below = DepthGap(PlaneDepth(receiver, away), depth);
+    const bool isGround = below > 0.0 && below < (found ? ground : kDeepestGround * UsualGround(scales));
+    found = found || isGround;
+    return isGround ? below : ground;
 }
 
 // Over all cells: of those in the light's cone, and of those in a cone kNearbyCones as wide.
