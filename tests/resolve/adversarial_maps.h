@@ -118,6 +118,15 @@ inline std::vector<NamedReceivers> adversarial_receivers() {
   add("just above the map", [finite](int column, int row, glm::dvec2, double map) {
     return finite(map) + std::exp2(-24.0 + 16.0 * share_of(column / 16, row / 16, 19));
   });
+  // Half of a tile's pixels below the map, half above it, so little that one plane may stand for both.
+  add("both sides of the map", [finite](int column, int row, glm::dvec2, double map) {
+    const double away = std::exp2(-16.0 + 9.0 * share_of(column / 8, row / 8, 22));
+    return finite(map) + (column % 8 < 4 ? away : -away);
+  });
+  add("a ridge through the map in each tile", [finite](int column, int row, glm::dvec2, double map) {
+    const double slope = std::exp2(-16.0 + 9.0 * share_of(column / 8, row / 8, 23));
+    return finite(map) + slope * (2.0 - std::abs(column % 8 - 3.5));
+  });
   add("both ends of the map", [](int column, int row, glm::dvec2, double) {
     const double off_the_end = std::exp2(-22.0 + 18.0 * share_of(column / 8, row / 8, 20));
     return hash_of(column / 8, row / 8, 21) % 2 == 0 ? off_the_end : 1.0 - off_the_end;

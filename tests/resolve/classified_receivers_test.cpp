@@ -251,8 +251,8 @@ TEST_P(Classified, ReceiversOfEveryScene) {
       scene.light_direction = elevation > 0.0 ? scene::sunlight(elevation, between(0.0, 360.0)) : own_sun;
       scene::FrameSettings settings = screen_settings(1 + drawing++ % 4, GetParam());
       settings.shadows.distance_metres = scene.shadow_distance_metres;
-      settings.width = 447;
-      settings.height = 251;
+      settings.width = 351;
+      settings.height = 197;
       settings.lens_shift = {between(-0.2, 0.2), between(-0.2, 0.2)};
       const scene::Frame frame = scene::rasterise(test_device(), scene, settings);
       for (const double degrees : {0.53, 2.0, 5.0}) {
