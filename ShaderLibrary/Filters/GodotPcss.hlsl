@@ -56,24 +56,36 @@ float GodotWidening(float tanHalf, float diameterShare)
     return tanHalf > 1e-6 ? tan(angle) / tanHalf : 2.0 * diameterShare;
 }
 
-float FilterGodotPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
-                      ShadowReceiver receiver, ShadowTile tile, GodotPcssParameters parameters)
+// The receiver with both biases.
+QuadReceiver GodotReceiver(ShadowReceiver receiver, ShadowTile tile, ConeScales scales, GodotPcssParameters parameters)
 {
-    const ConeScales scales = ConeScalesOf(tile);
     const QuadReceiver surface = PrepareQuads(receiver, tile);
     const float texel = 1.0 / max(scales.texelsPerMetre, 1e-6);
     const float2 across = ReceiverNormalLS(surface, scales).xy * (BoundedOrLow(parameters.normalBias, 0.0, 64.0) * texel);
     QuadReceiver prepared = MoveReceiver(surface, float3(across, 0.0), scales);
     prepared.depth = min(max(MoveTowardLight(prepared.depth, BoundedOrLow(parameters.depthBias, 0.0, 1.0)), 0.0), 1.0);
     prepared.depth = KeepBehindNearPlane(prepared.depth);
+    return prepared;
+}
 
+// Texels: of the light's cone at the near plane.
+float GodotSearchRadius(QuadReceiver prepared, ConeScales scales, GodotPcssParameters parameters)
+{
     const float tanHalf =
         scales.texelsPerMetre > 0.0 ? scales.texelsPerDepth * scales.depthPerMetre / scales.texelsPerMetre : 0.0;
     const float widening = GodotWidening(tanHalf, BoundedOrLow(parameters.diameterShare, 0.0, 4.0));
+    return min(widening * scales.texelsPerDepth * LargestGap(prepared.depth), scales.largestRadius);
+}
+
+float FilterGodotPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
+                      ShadowReceiver receiver, ShadowTile tile, GodotPcssParameters parameters)
+{
+    const ConeScales scales = ConeScalesOf(tile);
+    const QuadReceiver prepared = GodotReceiver(receiver, tile, scales, parameters);
     const float2 rotation = UnitRotation(receiver.rotation);
     const int count = BoundedSampleCount(parameters.samples);
     const float receiverDistance = LargestGap(prepared.depth); // from the near plane
-    const float searchRadius = min(widening * scales.texelsPerDepth * receiverDistance, scales.largestRadius);
+    const float searchRadius = GodotSearchRadius(prepared, scales, parameters);
     float distanceSum = 0.0;
     float blockers = 0.0;
     int i;

@@ -61,6 +61,7 @@ ReceiverGroup JoinGroup(ReceiverGroup group, QuadReceiver receiver)
 struct GroupBounds
 {
     bool noneAbove;
+    bool noneAbovePlane; // whether or not they are nearer to the light than the receivers
     bool allAbove;
     float smallestGap;
     float largestGap;
@@ -84,7 +85,8 @@ GroupBounds BoundBlock(DepthPlanes block, float2 away, float blockTexels, float 
     GroupBounds bounds;
     bounds.largestGap = DepthGap(block.nearest, group.depths.y) + slope + margin;
     bounds.smallestGap = DepthGap(block.farthest, group.depths.x) - slope - margin;
-    bounds.noneAbove = bounds.largestGap < 0.0 || (inMap && DepthGap(block.nearest, plane) + parting < 0.0);
+    bounds.noneAbovePlane = inMap && DepthGap(block.nearest, plane) + parting < 0.0;
+    bounds.noneAbove = bounds.largestGap < 0.0 || bounds.noneAbovePlane;
     bounds.allAbove = DepthGap(block.farthest, plane) - parting > 0.0;
     bounds.nearest = max(length(outside) - group.spread, 0.0);
     return bounds;

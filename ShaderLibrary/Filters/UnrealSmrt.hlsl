@@ -127,32 +127,49 @@ bool SmrtHit(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, S
     return hit;
 }
 
-float FilterUnrealSmrt(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
-                       ShadowReceiver receiver, ShadowTile tile, UnrealSmrtParameters parameters)
+// What all rays of a receiver share.
+struct SmrtBase
 {
-    const ConeScales scales = ConeScalesOf(tile);
+    QuadReceiver receiver; // moved along its normal
+    float rise;            // of a ray, stored depth
+    float dither;          // texels, of a ray's start, from side to side
+};
+
+SmrtBase SmrtBaseOf(ShadowReceiver receiver, ShadowTile tile, ConeScales scales, UnrealSmrtParameters parameters)
+{
     const QuadReceiver surface = PrepareQuads(receiver, tile);
     // In place of the distance to the camera, metres.
     const float viewDistance = 0.5 * scales.largestRadius / max(scales.texelsPerMetre, 1e-6);
     const float away = max(BoundedOrLow(parameters.normalBias, 0.0, 1e3) * 1e-3 * viewDistance, kSmrtSmallestOffset);
-    const QuadReceiver prepared = MoveReceiver(surface, ReceiverNormalLS(surface, scales) * away, scales);
+    SmrtBase base;
+    base.receiver = MoveReceiver(surface, ReceiverNormalLS(surface, scales) * away, scales);
+    base.rise = min(BoundedOrLow(parameters.rayLengthScale, 0.0, 1e3) * viewDistance * scales.depthPerMetre, 1e3);
+    base.dither = kSmrtDitherTexels * BoundedOrLow(parameters.texelDither, 0.0, 64.0);
+    return base;
+}
+
+float FilterUnrealSmrt(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
+                       ShadowReceiver receiver, ShadowTile tile, UnrealSmrtParameters parameters)
+{
+    const ConeScales scales = ConeScalesOf(tile);
+    const SmrtBase base = SmrtBaseOf(receiver, tile, scales, parameters);
+    const QuadReceiver prepared = base.receiver;
 
     SmrtRay ray;
-    ray.rise = min(BoundedOrLow(parameters.rayLengthScale, 0.0, 1e3) * viewDistance * scales.depthPerMetre, 1e3);
+    ray.rise = base.rise;
     ray.largestSlope = BoundedOrLow(parameters.largestSlopeMetres, 0.0, 1e6) * scales.depthPerMetre;
 
     const float2 rotation = UnitRotation(receiver.rotation);
     const float noise = frac(atan2(rotation.y, rotation.x) * 0.15915494 + 1.0);
     const float2 start = float2(noise, frac(noise * 29.0));
     const float offset = frac(noise * 11.0);
-    const float dither = kSmrtDitherTexels * BoundedOrLow(parameters.texelDither, 0.0, 64.0);
     const int rays = BoundedSampleCount(parameters.rays);
     const int samples = BoundedSampleCount(parameters.samplesPerRay);
     float lit = 0.0;
     UNITY_LOOP
     for (int i = 0; i < rays; ++i)
     {
-        const float2 texels = (SmrtRandom(start, i + rays) - 0.5) * dither;
+        const float2 texels = (SmrtRandom(start, i + rays) - 0.5) * base.dither;
         const float planeRise = max(dot(RisePerTexel(prepared), texels), 0.0);
         ray.start = prepared.centre + texels;
         ray.height = DepthGap(prepared.depth, kFarthestDepth) + kSmrtBiasOfDither * planeRise;

@@ -261,8 +261,9 @@ class KnownTechniques {
   // The list that has the technique; the given one, if none has.
   const techniques::TechniqueList& list_of(const std::string& name) const {
     const auto has = [&](const techniques::TechniqueList& list) {
-      return std::any_of(list.techniques.begin(), list.techniques.end(),
-                         [&](const techniques::Technique& technique) { return technique.name == name; });
+      const auto is_named = [&](const techniques::Technique& technique) { return technique.name == name; };
+      return std::any_of(list.techniques.begin(), list.techniques.end(), is_named) ||
+             std::any_of(list.with_exits.begin(), list.with_exits.end(), is_named);
     };
     return library_ && !has(given_) && has(*library_) ? *library_ : given_;
   }

@@ -250,6 +250,12 @@ FilterCall read_filter(JsonObject object, const TechniqueList& list, const Manif
       object.has("arguments") ? object.texts("arguments") : std::vector<std::string>{"shadowMap"};
   filter.parameters = object.text("parameters", "");
   if (!filter.parameters.empty()) require_structs(object, list, {filter.parameters});
+  if (object.has("exits")) {
+    JsonObject exits = object.object("exits");
+    filter.exits_file = files.required(exits, "file");
+    filter.exits_function = required_identifier(exits, "function");
+    exits.finish();
+  }
   object.finish();
   return filter;
 }

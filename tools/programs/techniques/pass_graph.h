@@ -46,6 +46,9 @@ inline constexpr const char* shadow_map_name = "shadowMap";
 // An argument of filters: the SpotMap of ShaderLibrary/Core/SpotLight.hlsl.
 inline constexpr const char* spot_light_name = "spotLight";
 
+// The texture of a graph that exits read: planes of the shadow map's blocks, with mip levels.
+inline constexpr const char* exits_planes = "depthPlanes";
+
 // The keyword of materials with alpha test, as URP's own shaders declare it. Programs of casters that declare
 // it have it on for such materials alone.
 inline constexpr const char* alpha_test_keyword = "_ALPHATEST_ON";
@@ -58,6 +61,12 @@ struct FilterCall {
   std::vector<std::string> arguments;  // "shadowMap" (with its comparison sampler), "pointSampler",
                                        // "linearSampler", "spotLight", or a texture of the graph
   std::string parameters;              // struct name, may be empty
+  // Says what the filter reads: ExitReach of ShaderLibrary/Filters/FilterExits.hlsl, of the receiver, its
+  // tile and the same parameters. Empty: nothing is known that decides the filter without running it.
+  std::string exits_file{};
+  std::string exits_function{};
+  bool exits =
+      false;  // the filter runs only where they do not decide; it has exits_planes among its arguments
 
   bool takes(const std::string& argument) const;
 };

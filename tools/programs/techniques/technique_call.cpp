@@ -47,24 +47,35 @@ class CallWriter {
     std::string arguments;
     for (const std::string& argument : filter.arguments) {
       if (declared_.insert(argument).second) call_.declarations += argument_declaration(argument, graph_);
+      if (filter.exits && argument == exits_planes) continue;
       arguments += argument_expression(argument) + ", ";
     }
-    arguments += "receiver, tile";
+    std::string receiver = "receiver, tile";
     if (const ParameterStruct* parameters = list_.find_struct(filter.parameters)) {
       std::string vectors;
       for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
         call_.declarations += "float4 " + name(*parameters, i) + ";\n";
         vectors += (i == 0 ? "" : ", ") + name(*parameters, i);
       }
-      arguments += ", Unpack" + parameters->name + "(" + vectors + ")";
+      receiver += ", Unpack" + parameters->name + "(" + vectors + ")";
     }
-    return filter.function + "(" + arguments + ")";
+    if (filter.exits) {
+      if (included_.insert(filter.exits_file).second)
+        call_.includes += "#include \"" + filter.exits_file + "\"\n";
+      decision_ =
+          "DecideExits(" + argument_name(exits_planes) + ", " + filter.exits_function + "(" + receiver + "))";
+    }
+    return filter.function + "(" + arguments + receiver + ")";
   }
+
+  // Of the filter with exits; empty: none has any.
+  const std::string& decision() const { return decision_; }
 
  private:
   const TechniqueList& list_;
   const PassGraph& graph_;
   TechniqueCall& call_;
+  std::string decision_;
   std::set<std::string> included_;
   std::set<std::string> declared_;  // arguments
 };
@@ -95,6 +106,9 @@ TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& te
   const std::string first = writer.expression(
       *filter, [](const ParameterStruct& parameters, std::size_t i) { return uniform_name(parameters, i); });
   std::string branches;
+  if (!writer.decision().empty())
+    branches =
+        "    const float decided = " + writer.decision() + ";\n    if (decided >= 0.0) return decided;\n";
   for (const CascadeRule& rule : technique.cascades) {
     const auto name = [&](const ParameterStruct& parameters, std::size_t i) {
       return uniform_name(parameters, i, rule);
