@@ -23,8 +23,8 @@ class PassGeometry {
   // The first of those that it writes, its depth or stencil last; null: none.
   const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
 
-  // What _PenumbraTargetSize and _PenumbraTile are of: of a kernel with a thread for each texel of a texture that
-  // texture, otherwise the first that is written.
+  // What _PenumbraTargetSize and _PenumbraTile are of: of a kernel with a thread for each texel of a texture
+  // that texture, otherwise the first that is written.
   const techniques::GraphTexture* target(const techniques::GraphPass& pass) const;
 
   // Levels of a texture that is made for so many cascades: in the last no tile is smaller than a texel.

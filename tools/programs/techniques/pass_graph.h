@@ -29,8 +29,8 @@ struct GraphTexture {
   std::string previous_of;    // holds what this texture held a frame ago, 0 in the first; has its shape
 };
 
-// Words of 32 bits: as many as a fixed number and so many for each texel of a texture, or for each block of divisor x divisor
-// texels.
+// Words of 32 bits: as many as a fixed number and so many for each texel of a texture, or for each block of
+// divisor x divisor texels.
 struct GraphBuffer {
   std::string name;
   std::string where;
