@@ -52,8 +52,10 @@ TEST(StaticCycles, AddThePassesOverTheMap) {
   EXPECT_EQ(of("variance-32").others, row("variance-32", "MapRows") + row("variance-32", "MapColumns"));
 }
 
-TEST(StaticCycles, KnowEveryTechnique) {
-  for (const auto& [name, known] : facts().techniques) EXPECT_TRUE(known.cycles) << name;
+// Those with exits are not in the list, and their programs are not compiled for the costs.
+TEST(StaticCycles, KnowEveryListedTechnique) {
+  for (const techniques::Technique& technique : techniques::read_technique_list(kRoot).techniques)
+    EXPECT_TRUE(facts().techniques.at(technique.name).cycles) << technique.name;
 }
 
 TEST(StaticCycles, AreOfTheFamilyThatThereIs) {

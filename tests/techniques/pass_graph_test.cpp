@@ -194,6 +194,18 @@ TEST_F(PassGraphTest, NamesThatNothingHasOrTwoHaveAreFound) {
               HasSubstr("there is no texture 'visible'"));
 }
 
+TEST_F(PassGraphTest, ABufferMayHaveWordsForEachBlockOfTexels) {
+  const std::string list = R"("words_per_texel": 1, "texture": "marks")";
+  std::string text = kTiles;
+  text.replace(text.find(list), list.size(),
+               R"("words_per_texel": 17, "texture": "visibility", "divisor": 16)");
+  EXPECT_EQ(read(text).buffer("list")->divisor, 16);
+  EXPECT_THAT(problem(kTiles, list, list + R"(, "divisor": 0)"),
+              AllOf(HasSubstr("t.technique.json:5:"), HasSubstr("a divisor is 1 to 64")));
+  EXPECT_THAT(problem(kTiles, R"("words": 3)", R"("words": 3, "divisor": 8)"),
+              HasSubstr("it divides the size of the buffer's texture, and there is none"));
+}
+
 TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
   EXPECT_THAT(problem(kVariance, R"("reads": {"_Source": "moments"}, "writes": ["rows"])",
                       R"("reads": {"_Source": "rows"}, "writes": ["moments"])"),
