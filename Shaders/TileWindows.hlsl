@@ -6,8 +6,8 @@
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each texel;
 //             TileClusters.hlsl.
 // Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
-//             cluster. Arithmetic: some 30 cells for each octave of distance in search of
-//             blockers, and 60 in the filter; 19 KiB of groupshared memory.
+//             cluster. Arithmetic: some 30 cells for each octave of distance in search of blockers, and 60 in the filter;
+//             19 KiB of groupshared memory.
 // Guarantees: [0, 1]; no noise: the same map gives the same picture. Reads no texel outside of the receivers' tile.
 // Use it:     in kernels of 16 x 16 threads, all of which call the functions that load.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
@@ -32,6 +32,7 @@ static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCell
 
 groupshared float windowDepths[WINDOW_TEXELS * WINDOW_TEXELS];
 groupshared uint windowSpreads[WINDOW_CELLS];
+
 // Receivers, in whole texels, and how far around them the windows reach.
 struct WindowBounds
 {

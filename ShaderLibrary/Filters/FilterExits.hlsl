@@ -21,11 +21,8 @@
 
 #include "ReceiverGroup.hlsl"
 
-static const float kExitsUndecided = -1.0;
 // As in DepthPlaneDecision.hlsl.
 static const int kExitBlocksAcross = 3;
-// From a sample to the centre of the farthest texel of its quad, also where the tile's edge moves the quad.
-static const float kQuadTexels = 2.25;
 // Along one axis, the same from a bilinear footprint, with what devices round of its place.
 static const float kFootprintTexels = 1.54;
 // From a texel's centre to where along the plane its reference depth is taken, along each axis.
@@ -91,7 +88,7 @@ float RadiusAfterSearch(float gap, ExitReach reach)
     if (!(reach.radiusPerGap > 0.0)) return before;
     const float left = 1.0 - gap * reach.inverseDistance;
     const float radius = left > 1e-6 ? 1.001 * gap * reach.radiusPerGap / left : reach.largestRadius;
-    return max(min(max(radius, reach.smallestRadius), reach.largestRadius) + kQuadTexels, before);
+    return max(min(max(radius, reach.smallestRadius), reach.largestRadius) + kSampleReachTexels, before);
 }
 
 // What the blocks within a radius say together.
@@ -144,21 +141,21 @@ bool ReachesBeyondTile(ExitReach reach, float radius)
            any(reach.receiver.centre + radius > reach.receiver.bounds.maximum);
 }
 
-// 1, 0 or kExitsUndecided.
+// 1, 0 or kUndecided.
 float DecideExits(TEXTURE2D(depthPlanes), ExitReach reach)
 {
-    if (reach.insideAlone && ReachesBeyondTile(reach, reach.searchRadius)) return kExitsUndecided;
+    if (reach.insideAlone && ReachesBeyondTile(reach, reach.searchRadius)) return kUndecided;
     const bool wantsGap = reach.foundAtReceiver && reach.radiusPerGap > 0.0;
     ExitBounds bounds = BoundExits(depthPlanes, reach, reach.searchRadius, wantsGap);
-    if (!bounds.whole) return kExitsUndecided;
+    if (!bounds.whole) return kUndecided;
     if (bounds.noneBlocks) return 1.0;
-    if (!reach.mayBeDark || (!reach.foundAtReceiver && !bounds.allBlock)) return kExitsUndecided;
+    if (!reach.mayBeDark || (!reach.foundAtReceiver && !bounds.allBlock)) return kUndecided;
     const float largestGap = bounds.largestGap;
     const float radius = RadiusAfterSearch(largestGap, reach);
-    if (reach.insideAlone && ReachesBeyondTile(reach, radius)) return kExitsUndecided;
+    if (reach.insideAlone && ReachesBeyondTile(reach, radius)) return kUndecided;
     if (radius != reach.searchRadius) bounds = BoundExits(depthPlanes, reach, radius, false);
     const bool dark = bounds.whole && bounds.allBlock && bounds.smallestGap > reach.darkShare * largestGap;
-    return dark ? 0.0 : kExitsUndecided;
+    return dark ? 0.0 : kUndecided;
 }
 
 #endif

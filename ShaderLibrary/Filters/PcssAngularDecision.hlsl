@@ -24,13 +24,10 @@
 #include "PcssAngular.hlsl"
 #include "ReceiverGroup.hlsl"
 
-static const float kUndecided = -1.0;
 static const int kGroupBlocksAcross = 4;
 // With 64, 128, 256 and 1000 the mask decides 16.6, 22.1, 25.4 and 27.6 % of the pixels under a disc of 5 degrees, 54.6, 55.7,
 // 55.9 and 55.9 % under the sun's, for 6.2, 6.9, 7.6 and 10.5 and always 5.1 fetches per pixel (mean of three scenes).
 static const int kMostBlocks = 256;
-// From a sample to the centre of the farthest texel of its quad, also where the tile's edge moves the quad.
-static const float kSampleReachTexels = 2.25;
 // By how much at most a cone of FilterFound is wider than the light's, beyond the smallest filter radius.
 static const float kWidestSlackTexels = 1.75;
 

@@ -26,7 +26,7 @@ ExitReach ReachOfPcssAngular(ShadowReceiver receiver, ShadowTile tile, PcssAngul
     const float narrowest = max(smallest, kWidestBlockTexels);
     const QuadReceiver prepared = PrepareQuads(receiver, tile);
     const float search = max(SearchRadius(prepared.depth, parameters.maxPenumbraMetres, smallest, scales), narrowest);
-    ExitReach reach = ReachOfDisc(prepared, search + kQuadTexels);
+    ExitReach reach = ReachOfDisc(prepared, search + kSampleReachTexels);
     reach.slackTexels = smallest + 1.75;
     reach.depthPerTexel = scales.depthPerTexel;
     reach.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
@@ -44,7 +44,7 @@ ExitReach ReachOfPcssClassic(ShadowReceiver receiver, ShadowTile tile, PcssClass
     const float smallest = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
     const float search = min(max(BoundedOrLow(parameters.searchRadiusMetres, 0.0, 1e6) * scales.texelsPerMetre, smallest),
                              scales.largestRadius);
-    ExitReach reach = ReachOfDisc(PrepareQuads(receiver, tile), search + kQuadTexels);
+    ExitReach reach = ReachOfDisc(PrepareQuads(receiver, tile), search + kSampleReachTexels);
     reach.radiusPerGap = scales.texelsPerDepth;
     reach.smallestRadius = smallest;
     reach.largestRadius = max(scales.largestRadius, smallest);
@@ -60,7 +60,7 @@ ExitReach ReachOfPcssHdrp(ShadowReceiver receiver, ShadowTile tile, PcssHdrpPara
     const float smallest = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
     const float gap = min(LargestGap(prepared.depth), hdrp.largestBlockerGap);
     const float search = min(max(gap * hdrp.texelsPerDepth, smallest), scales.largestRadius);
-    ExitReach reach = FlatReachOfDisc(prepared, search + kQuadTexels);
+    ExitReach reach = FlatReachOfDisc(prepared, search + kSampleReachTexels);
     reach.slackTexels = 1e-2;
     reach.depthPerTexel = hdrp.searchDepthPerTexel;
     reach.largestOffset = hdrp.largestOffset;

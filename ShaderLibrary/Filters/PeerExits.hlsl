@@ -34,14 +34,14 @@ ExitReach ReachOfGodotPcss(ShadowReceiver receiver, ShadowTile tile, GodotPcssPa
     const ConeScales scales = ConeScalesOf(tile);
     const QuadReceiver prepared = GodotReceiver(receiver, tile, scales, parameters);
     const float search = GodotSearchRadius(prepared, scales, parameters);
-    return WithRadiusOfRatio(FlatReachOfDisc(prepared, search + kQuadTexels), search, scales);
+    return WithRadiusOfRatio(FlatReachOfDisc(prepared, search + kSampleReachTexels), search, scales);
 }
 
 // Its taps are compared with the plane alone, also beyond the tile, where they take the texels of its edge.
 ExitReach FilamentReach(ShadowReceiver receiver, ShadowTile tile, ConeScales scales, FilamentParameters parameters)
 {
     const QuadReceiver prepared = FilamentReceiver(receiver, tile, scales, parameters);
-    ExitReach reach = ReachOfDisc(prepared, FilamentBulbRadius(scales, parameters) + kQuadTexels);
+    ExitReach reach = ReachOfDisc(prepared, FilamentBulbRadius(scales, parameters) + kSampleReachTexels);
     reach.planeShift = kFootprintShift;
     reach.planeAlone = true;
     reach.insideAlone = true;
@@ -66,7 +66,7 @@ ExitReach ReachOfUnrealSmrt(ShadowReceiver receiver, ShadowTile tile, UnrealSmrt
     const ConeScales scales = ConeScalesOf(tile);
     const SmrtBase base = SmrtBaseOf(receiver, tile, scales, parameters);
     const float slack = 0.7072 * base.dither + 0.1;
-    ExitReach reach = FlatReachOfDisc(base.receiver, base.rise * scales.texelsPerDepth + slack + kQuadTexels);
+    ExitReach reach = FlatReachOfDisc(base.receiver, base.rise * scales.texelsPerDepth + slack + kSampleReachTexels);
     reach.slackTexels = slack;
     reach.depthPerTexel = scales.depthPerTexel;
     reach.largestOffset = kAnyHeight;

@@ -18,7 +18,6 @@
 #include "../Map/DepthRange.hlsl"
 #include "SingleLoop.hlsl"
 
-static const float kUndecided = -1.0;
 // What floats lose of a receiver's plane, as a share of the terms that it is the sum of.
 static const float kPlaneRounding = 1e-6;
 // Diagonal neighbours within a radius of 1 texel.

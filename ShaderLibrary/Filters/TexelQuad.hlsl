@@ -25,6 +25,9 @@
 #include "../Core/SpotLight.hlsl"
 #include "../Core/TileBounds.hlsl"
 
+// From a sample to the centre of the farthest texel of its quad, also where the tile's edge moves the quad.
+static const float kSampleReachTexels = 2.25;
+
 struct QuadReceiver
 {
     TileBounds bounds;

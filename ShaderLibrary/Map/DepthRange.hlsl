@@ -20,6 +20,8 @@
 
 // Texels of the shadow map per texel of the quarter-resolution map, each way.
 static const float kRangeBlock = 4.0;
+// In place of a visibility, where bounds of the depths do not tell whether it is 1 or 0.
+static const float kUndecided = -1.0;
 static const int kLargestDilation = 16;
 
 // x: nearest to the light, y: farthest; stored depth. The range that any other replaces when the two are joined:
