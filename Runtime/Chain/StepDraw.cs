@@ -173,7 +173,7 @@ namespace Penumbra
             Vector3Int count = step.threadsOf == ShadowChain.None
                                    ? new Vector3Int(groups.x, groups.y, groups.z)
                                    : PassGeometry.Groups(chain.Slots[step.threadsOf], frame, step.ByCascade, mip,
-                                                         program.threads);
+                                                         groups.divisor, program.threads);
             commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
         }
 

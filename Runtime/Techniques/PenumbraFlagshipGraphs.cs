@@ -21,6 +21,8 @@ namespace Penumbra
             {
                 new GraphBuffer("tileGroups", words: 3, indirect: true),
                 new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
+                new GraphBuffer("restGroups", words: 3, indirect: true),
+                new GraphBuffer("restList", wordsPerTexel: 17, texture: 4, divisor: 16),
             },
             passes = new[]
             {
@@ -49,7 +51,7 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResetTiles",
-                    writes = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.Fixed(1, 1, 1),
                 },
                 new GraphPass
@@ -60,7 +62,7 @@ namespace Penumbra
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
                     writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     updates = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
-                    groups = GraphGroups.TexelsOf(4),
+                    groups = GraphGroups.TexelsOf(4, divisor: 4),
                 },
                 new GraphPass
                 {
@@ -68,8 +70,18 @@ namespace Penumbra
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveTiles",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 1) },
-                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 3) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(0),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveRest",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 3), GraphBinding.Texture("_PenumbraSpreads", 1) },
+                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    groups = GraphGroups.Indirect(2),
                 },
             },
             visibility = 4,

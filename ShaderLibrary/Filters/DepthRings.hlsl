@@ -56,6 +56,13 @@ struct CellBlockers
     float gap;
 };
 
+// As ShareInRing, with what the ring encloses.
+float ShareInDisc(float distance, int level, float radius, float ringCells)
+{
+    const float cell = exp2(float(level));
+    return min(max((min(ringCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
+}
+
 // distance: of the cell's centre. radius: beyond which no cell counts. ringCells: kRingCells or kSearchRingCells.
 float ShareInRing(float distance, int level, float radius, float ringCells)
 {

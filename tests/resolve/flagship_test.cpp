@@ -7,6 +7,7 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
+#include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -15,14 +16,14 @@ constexpr RunOptions kFlagshipOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 class Flagship : public testing::TestWithParam<bool> {
  protected:
-  static GraphRunner& chain(const std::string& name, bool without_last = false) {
+  static GraphRunner& chain(const std::string& name, bool classified = false) {
     static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
-    const std::string key = name + (without_last ? ", classified" : "");
+    const std::string key = name + (classified ? ", classified" : "");
     std::unique_ptr<GraphRunner>& made = (*runners)[{key, GetParam()}];
     if (made == nullptr) {
       const techniques::TechniqueList& list = library_techniques();
       ShadowGraph graph = technique_graph(list, list.find(name), Taps::as_listed, GetParam());
-      if (without_last) graph.graph.passes.pop_back();
+      if (classified) remove_passes_after(graph.graph, "ClassifyTiles");
       made = std::make_unique<GraphRunner>(test_device(), compile(graph));
     }
     return *made;

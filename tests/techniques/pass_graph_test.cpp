@@ -331,6 +331,10 @@ TEST_F(PassGraphTest, KernelsNeedOneNumberOfGroups) {
               HasSubstr("'Collect' needs one number of groups"));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "texels_of": "marks"})"),
               HasSubstr("'Collect' needs one number of groups"));
+  EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "divisor": 4})"),
+              HasSubstr("it divides the size of \"texels_of\", and there is none"));
+  EXPECT_THAT(problem(kTiles, R"({"texels_of": "marks"})", R"({"texels_of": "marks", "divisor": 65})"),
+              HasSubstr("a divisor is 1 to 64"));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [0, 1, 1]})"),
               HasSubstr("'fixed' has whole numbers from 1 to 65535"));
   EXPECT_THAT(problem(kTiles, R"("words": 3, )", R"("words": 2, )"),

@@ -278,9 +278,10 @@ class GraphRunner::Run {
                                      ? runner_.graph().texture(pass.groups.texels_of)
                                      : geometry_.first_written_texture(pass);
       if (like != nullptr && like->extent == techniques::ExtentOf::screen && mip == 0) {
-        counter.divisor = like->divisor;
-        width = resources_.texture(like->name).width();
-        height = resources_.texture(like->name).height();
+        const int threads = pass.kind == PassKind::compute ? pass.groups.divisor : 1;
+        counter.divisor = like->divisor * threads;
+        width = (resources_.texture(like->name).width() + threads - 1) / threads;
+        height = (resources_.texture(like->name).height() + threads - 1) / threads;
       }
     }
     if (counting_) counter.buffer.emplace(*runner_.device_, width, height);

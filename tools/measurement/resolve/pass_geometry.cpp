@@ -99,8 +99,11 @@ std::array<std::uint32_t, 3> PassGeometry::groups(const GraphPass& pass,
     if (texture.extent == techniques::ExtentOf::map)
       texels[0] = texels[1] = std::max(1, extents_.map.tile / (texture.divisor << mip));
   }
-  for (std::size_t k = 0; k < 3; ++k)
-    groups[k] = (static_cast<std::uint32_t>(texels[k]) + workgroup_size[k] - 1) / workgroup_size[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t texels_per_group =
+        workgroup_size[k] * (k < 2 ? static_cast<std::uint32_t>(pass.groups.divisor) : 1U);
+    groups[k] = (static_cast<std::uint32_t>(texels[k]) + texels_per_group - 1) / texels_per_group;
+  }
   return groups;
 }
 

@@ -114,8 +114,12 @@ std::string bindings(const PassGraph& graph, const std::string& member,
 }
 
 std::string groups(const PassGraph& graph, const GroupCount& groups) {
-  if (!groups.texels_of.empty())
-    return "GraphGroups.TexelsOf(" + std::to_string(index_of(graph.textures, groups.texels_of)) + ")";
+  if (!groups.texels_of.empty()) {
+    Arguments arguments;
+    arguments.add(std::to_string(index_of(graph.textures, groups.texels_of)));
+    arguments.number("divisor", groups.divisor, 1);
+    return "GraphGroups.TexelsOf(" + arguments.text() + ")";
+  }
   if (!groups.indirect.empty())
     return "GraphGroups.Indirect(" + std::to_string(index_of(graph.buffers, groups.indirect)) + ")";
   Arguments fixed;

@@ -103,6 +103,10 @@ GroupCount read_groups(JsonObject object) {
     }
   }
   groups.texels_of = object.text("texels_of", "");
+  groups.divisor = object.integer("divisor", 1);
+  if (groups.divisor < 1 || groups.divisor > 64) object.fail("divisor", "a divisor is 1 to 64");
+  if (groups.divisor > 1 && groups.texels_of.empty())
+    object.fail("divisor", "it divides the size of \"texels_of\", and there is none");
   groups.indirect = object.text("indirect", "");
   object.finish();
   return groups;

@@ -33,7 +33,7 @@ class ManifestFiles {
 //  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
 //  name), reads: {name in the shader: name},
 //            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters
-//            depth: name, groups: {fixed | texels_of | indirect}}],
+//            depth: name, groups: {fixed | texels_of, divisor | indirect}}],
 //  keywords, needs: [names], visibility, mask, source}
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known);

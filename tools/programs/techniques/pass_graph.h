@@ -95,7 +95,8 @@ const char* name_of(DrawnCasters casters);
 // How many groups of threads a kernel is started with.
 struct GroupCount {
   std::array<int, 3> fixed{};  // all 0: not fixed
-  std::string texels_of;       // one thread per texel of this texture
+  std::string texels_of;       // one thread per texel of this texture,
+  int divisor = 1;             // or per block of divisor x divisor of them
   std::string indirect;        // as this buffer says
 };
 
