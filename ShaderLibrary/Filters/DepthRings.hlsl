@@ -25,9 +25,16 @@
 #include "TexelQuad.hlsl"
 
 // From the receiver to where the next level begins, in cells of the level: for the filter, and for the search, whose mean
-// changes less with the size of cells.
-static const float kRingCells = 5.0;
-static const float kSearchRingCells = 3.0;
+// changes less with the size of cells. Other numbers can be defined before this file, to measure them
+// (Documentation~/noise.md).
+#if !defined(PENUMBRA_RING_CELLS)
+#define PENUMBRA_RING_CELLS 5.0
+#endif
+#if !defined(PENUMBRA_SEARCH_RING_CELLS)
+#define PENUMBRA_SEARCH_RING_CELLS 3.0
+#endif
+static const float kRingCells = PENUMBRA_RING_CELLS;
+static const float kSearchRingCells = PENUMBRA_SEARCH_RING_CELLS;
 // A mean that lies above the ground by less is on it: four steps of 16 bits; and by less than this share of how far the
 // receiver's plane rises from the receiver to the cell: its slope is that of depths of the camera.
 static const float kLeastAbove = 6e-5;

@@ -40,7 +40,7 @@ namespace penumbra::cli {
 namespace {
 
 struct MeasureOptions : StudyOptions {
-  VariedSubjects varied{{}, {}, false};
+  VariedSubjects varied{{}, {}, {}, false};
   std::optional<int> timing_repeats;  // absent: as many as the kind of device needs
   bool no_split = false;
   int pan_frames = 0;
@@ -305,6 +305,15 @@ void add_measure(CLI::App& app, Context& context) {
   command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")
       ->type_name("N")
       ->check(within(1, 1024))
+      ->group("Study");
+  as_list(command->add_option(
+              "--history", options->varied.histories,
+              "Measure the exponential mean over frames with different noise, as of temporal "
+              "antialiasing at rest, of which the newest has this share; several are tried one by "
+              "one"))
+      ->type_name("SHARE")
+      ->default_str("1")
+      ->check(within(0.01, 1))
       ->group("Study");
   command->add_option("--timing-repeats", options->timing_repeats, "Timed runs per technique")
       ->type_name("N")

@@ -138,6 +138,25 @@ void add_captioned(std::vector<study::Subject>& subjects, const study::Subject& 
   }
 }
 
+// Each subject with each of them, which its name and title say where there are several.
+std::vector<study::Subject> with_histories(const std::vector<study::Subject>& subjects,
+                                           std::vector<double> shares) {
+  drop_repetitions(shares);
+  if (shares.empty()) return subjects;
+  std::vector<study::Subject> all;
+  for (const study::Subject& subject : subjects) {
+    for (const double share : shares) {
+      study::Subject& varied = all.emplace_back(subject);
+      varied.history = share;
+      if (shares.size() == 1) continue;
+      const std::string text = fmt::format("history={:g}", share);
+      varied.name = joined(subject.name, text);
+      varied.title = joined(subject.title, text);
+    }
+  }
+  return all;
+}
+
 std::string name_of(const scene::CascadeBlend& blend) {
   if (blend.border == 0.0) return "none";
   return blend.mixed ? "mix" : "dither";
@@ -353,6 +372,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   of_adapters = with_cascades(of_adapters, cascade_choices(fits, unblended, ages));
   subjects.insert(varied.adapters == "first" ? subjects.begin() : subjects.end(), of_adapters.begin(),
                   of_adapters.end());
+  subjects = with_histories(subjects, varied.histories);
   refuse_repetitions(subjects);
   give_titles(subjects, varied.titles);
   return subjects;

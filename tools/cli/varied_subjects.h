@@ -17,6 +17,7 @@ struct VariedSubjects {
   std::vector<std::string> set;  // [TECHNIQUE:]NAME=V1[,V2...]: parameters of all techniques, or of that one,
                                  // which then does not take those of all; several vary with each other
   std::vector<int> frames;       // averaged; empty: 1
+  std::vector<double> histories;  // shares of the newest frame (study/history.h), tried one by one; empty: 1
   bool captions = true;  // titles are captions of pictures; else a technique's own title and what was set
   std::vector<std::string> titles{};  // NAME=TEXT: titles of subjects, by their name
   std::string adapters = "last";      // or first: their position among the techniques

@@ -9,6 +9,7 @@
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
 #include "bake/texels_16.h"
+#include "parameters/noise_mask.h"
 
 namespace penumbra::study {
 namespace {
@@ -19,6 +20,7 @@ constexpr const char* kHeights = "_PenumbraGroundHeightsTexture";
 constexpr const char* kFirstAngles = "_PenumbraHorizonFirstTexture";
 constexpr const char* kSecondAngles = "_PenumbraHorizonSecondTexture";
 constexpr const char* kFields = "_PenumbraFieldTexture";
+constexpr const char* kNoise = "_PenumbraNoiseMaskTexture";
 
 bool has(const std::vector<Need>& needs, Need need) {
   return std::find(needs.begin(), needs.end(), need) != needs.end();
@@ -38,9 +40,24 @@ std::vector<std::string> names_of(Need need) {
     case Need::horizon_angles:
       return {kFirstAngles, kSecondAngles};
     case Need::distance_fields:
+      return {kFields};
+    case Need::noise_mask:
       break;
   }
-  return {kFields};
+  return {kNoise};
+}
+
+// The slices below each other.
+gpu::Image noise_texture(const gpu::Device& device) {
+  static const parameters::NoiseMask mask =
+      parameters::generate_noise_mask(parameters::kNoiseMaskSide, parameters::kNoiseMaskSlices);
+  std::vector<std::uint8_t> texels;
+  for (int slice = 0; slice < mask.slices; ++slice)
+    for (int y = 0; y < mask.side; ++y)
+      for (int x = 0; x < mask.side; ++x) texels.push_back(mask.byte(x, y, slice));
+  gpu::Image image(device, gpu::Format::r8, mask.side, mask.side * mask.slices);
+  image.upload(std::span<const std::uint8_t>(texels));
+  return image;
 }
 
 void add_fields(resolve::FrameInputs& inputs, const gpu::Device& device, const scene::Scene& scene,
@@ -64,6 +81,7 @@ resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene&
                                   const std::vector<Need>& needs, const BakeSettings& settings,
                                   const bake::BakeOptions& run) {
   resolve::FrameInputs inputs;
+  if (has(needs, Need::noise_mask)) inputs.images.emplace(kNoise, noise_texture(device));
   if (has(needs, Need::distance_fields)) add_fields(inputs, device, scene, settings, run);
   if (!has(needs, Need::ground_heights) && !has(needs, Need::horizon_angles)) return inputs;
   const scene::Scene ground = bake::ground_of(scene);

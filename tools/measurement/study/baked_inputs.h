@@ -25,6 +25,8 @@ struct BakeSettings {
 //   _PenumbraHorizonFirstTexture, _PenumbraHorizonSecondTexture
 // Of its objects (bake::ObjectFields):
 //   _PenumbraFieldAtlas, _PenumbraFieldObjects, _PenumbraFieldTexture
+// Of no scene (parameters/noise_mask.h), 8 bits, the slices below each other:
+//   _PenumbraNoiseMaskTexture
 // Throws as the bakes do.
 resolve::FrameInputs baked_inputs(const gpu::Device& device, const scene::Scene& scene,
                                   const std::vector<techniques::Need>& needs, const BakeSettings& settings,

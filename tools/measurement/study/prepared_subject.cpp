@@ -26,7 +26,7 @@ std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph)
 // Of all that a record says of its subject, and what its programs read besides the frame.
 std::string fingerprint_of(const Subject& subject, const resolve::CompiledGraph& graph) {
   platform::ContentHash hash;
-  hash.update(subject.name).update(subject.title).update(subject.averaged_frames);
+  hash.update(subject.name).update(subject.title).update(subject.averaged_frames).update(subject.history);
   hash.update(subject.light_scale).update(subject.cascades.size());
   for (const techniques::CascadeRule& rule : subject.cascades) {
     hash.update(rule.from).update(rule.technique);

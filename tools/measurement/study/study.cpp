@@ -12,6 +12,7 @@
 #include "resolve/debug_view.h"
 #include "study/case_setup.h"
 #include "study/colour_map.h"
+#include "study/history.h"
 #include "study/kept_records.h"
 #include "study/prepared_subject.h"
 #include "study/recording.h"
@@ -122,7 +123,8 @@ class Study {
       return;
     }
     const std::vector<std::string> unset = measure_subject(setup, view, prepared);
-    if (!view.pan.empty()) outcome_.records.back().shimmer = prepared.shimmer(setup, view.pan);
+    if (!view.pan.empty() && prepared.subject().history == 1.0)
+      outcome_.records.back().shimmer = prepared.shimmer(setup, view.pan);
     if (kept)
       kept_.store(key, {outcome_.frames.back(), outcome_.records.back(), outcome_.pictures.back(), unset});
   }
@@ -163,11 +165,14 @@ class Study {
     const Subject& subject = prepared.subject();
     const bool averaged = subject.averaged_frames > 1;
     resolve::RunOptions options;
-    options.noise_seeds = averaged ? subject.averaged_frames : settings_.noise_seeds;
+    options.noise_seeds =
+        averaged ? subject.averaged_frames : history_frames(subject.history, settings_.noise_seeds);
     options.timing_repeats = settings_.timing_repeats;
     if (!device_.info().is_software) options.warm_up_seconds = kWarmUpSeconds;
     Answer answer = prepared.answer(view.on_device_frame, options);
     if (averaged) answer.visibility = {mean_image(answer.visibility)};
+    if (subject.history < 1.0 && answer.visibility.size() > 1)
+      answer.visibility = histories(answer.visibility, subject.history, settings_.noise_seeds);
     outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
                                          prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));

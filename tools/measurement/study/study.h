@@ -44,6 +44,9 @@ struct Subject {
   // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
   // converges to in a static scene. 1: every noise seed is a separate result.
   int averaged_frames = 1;
+  // The share of the newest of the frames with different noise whose exponential mean is the subject's result
+  // (history.h); not with averaged_frames. 1: each frame alone.
+  double history = 1.0;
   // Of the scenes that it runs in. A technique for both kinds is a subject for each.
   techniques::LightKind light = techniques::LightKind::directional;
 };

@@ -71,13 +71,15 @@ const char* name_of(Need need) {
     case Need::horizon_angles:
       return "horizonAngles";
     case Need::distance_fields:
+      return "distanceFields";
+    case Need::noise_mask:
       break;
   }
-  return "distanceFields";
+  return "noiseMask";
 }
 
 std::vector<Need> all_needs() {
-  return {Need::ground_heights, Need::horizon_angles, Need::distance_fields};
+  return {Need::ground_heights, Need::horizon_angles, Need::distance_fields, Need::noise_mask};
 }
 
 const char* name_of(Frequency frequency) {

@@ -131,11 +131,12 @@ bool writes_to(const GraphPass& pass, const std::string& name);
 bool changes(const GraphPass& pass, const std::string& name);  // is among its updates
 
 // What the programs of a graph read besides the frame, by names that are the same in every graph: textures
-// and numbers that are made from the scene's geometry before the first frame.
+// and numbers that are made before the first frame, most of them from the scene's geometry.
 enum class Need {
   ground_heights,   // of the ground, on a grid: heights alone, or with them
   horizon_angles,   // up to which the ground hides the sky, in eight directions
   distance_fields,  // of the scene's objects, in one 3D texture
+  noise_mask,       // parameters/noise_mask.h: noise that is even over pixels and over frames
 };
 
 const char* name_of(Need need);  // as manifests have it

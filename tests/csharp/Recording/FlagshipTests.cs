@@ -1,0 +1,166 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Tests
+{
+    /// <summary>The flagship's passes in a frame: which part of the map and of the screen each covers.</summary>
+    public sealed class FlagshipTests
+    {
+        // Of the map's texels, a texel of the first level has 4 x 4, one of the coarse levels 8 x 8; a tile has 16 x 16 pixels.
+        private const int FirstBlock = 4;
+        private const int CoarseBlock = 8;
+        private const int TilePixels = 16;
+        private const int WordsOfTile = 17;
+
+        private PenumbraShadows feature;
+        private FakeUrp urp;
+        private FakeScene scene;
+
+        [SetUp]
+        public void SetUp()
+        {
+            FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            urp = new FakeUrp();
+            scene = new FakeScene();
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;
+            feature.Dispose();
+        }
+
+        private FakeDevice.DrawCall[] Calls(string kernel)
+        {
+            urp.Device.Draws.Clear();
+            urp.Render(scene, feature);
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+            Assert.That(feature.Replaced, Is.Null);
+            return urp.Device.Draws.Where(draw => draw.Pass == kernel).ToArray();
+        }
+
+        private static IEnumerable<Rect> Tiles(int cascades, int block)
+        {
+            int side = new AtlasLayout(2048, cascades).TileResolution / block;
+            for (int cascade = 0; cascade < cascades; ++cascade)
+                yield return new Rect(cascade % 2 * side, cascade / 2 * side, side, side);
+        }
+
+        private static Rect Tile(FakeDevice.DrawCall call)
+        {
+            var tile = (Vector4)call.Uniforms["_PenumbraTile"];
+            return new Rect(tile.x, tile.y, tile.z, tile.w);
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(3)]
+        [TestCase(4)]
+        public void TheFirstLevelsAreMadeInTheTileOfEachCascade(int cascades)
+        {
+            scene.Cascades = cascades;
+            FakeDevice.DrawCall[] calls = Calls("FirstLevels");
+            Assert.That(calls.Select(Tile), Is.EqualTo(Tiles(cascades, FirstBlock)));
+            Assert.That(calls.Select(call => call.Uniforms["_PenumbraCascade"]), Is.EqualTo(Enumerable.Range(0, cascades)));
+            ComputeShader.Kernel kernel = FakeShader.Flagship.Kernels.Single(one => one.Name == "FirstLevels");
+            int side = (int)Tiles(cascades, FirstBlock).First().width;
+            Assert.That(calls.Select(call => call.Groups),
+                        Is.All.EqualTo(side / kernel.X + " " + side / kernel.Y + " 1"), "one thread per texel");
+            foreach (FakeDevice.DrawCall call in calls)
+                Assert.That(call.Textures.Where(texture => texture.Key.EndsWith("Target")).Select(texture => texture.Value)
+                                .Distinct().Count(), Is.EqualTo(4));
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(3)]
+        [TestCase(4)]
+        public void CoarserLevelsEndWithATexelPerCascade(int cascades)
+        {
+            scene.Cascades = cascades;
+            FakeDevice.DrawCall[] calls = Calls("NextLevel");
+            int levels = 0;
+            while (Tiles(cascades, CoarseBlock << levels + 1).First().width >= 1.0f) ++levels;
+            var expected = new List<(int, Rect)>();
+            for (int level = 1; level <= levels; ++level)
+                expected.AddRange(Tiles(cascades, CoarseBlock << level).Select(tile => (level, tile)));
+            Assert.That(calls.Select(call => ((int)call.Uniforms["_PenumbraMip"], Tile(call))), Is.EqualTo(expected));
+            foreach (FakeDevice.DrawCall call in calls)
+                foreach (string map in new[] { "_PenumbraCoarseSpread", "_PenumbraCoarseDepthPlane" })
+                {
+                    string target = call.Textures[map + "Target"];
+                    Assert.That(target, Does.EndWith(" mip " + call.Uniforms["_PenumbraMip"]));
+                    Assert.That(call.Textures[map + "s"], Is.Not.EqualTo(target.Split(" mip ")[0]), "a copy of the level before");
+                }
+        }
+
+        private static int Tiles(int pixels) => (pixels + TilePixels - 1) / TilePixels;
+
+        // With a render scale, the camera's target has another size.
+        [TestCase(321, 181, 1.0f)]
+        [TestCase(160, 90, 1.0f)]
+        [TestCase(1920, 1080, 1.0f)]
+        [TestCase(1, 1, 1.0f)]
+        [TestCase(321, 181, 0.7f)]
+        [TestCase(1920, 1080, 0.5f)]
+        public void TilesCoverThePartOfTheScreenThatIsDrawn(int width, int height, float scale)
+        {
+            scene.Width = width;
+            scene.Height = height;
+            scene.DynamicResolution = scale < 1.0f;
+            ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = scale;
+            int drawnWidth = Mathf.CeilToInt(width * scale);
+            int drawnHeight = Mathf.CeilToInt(height * scale);
+            FakeDevice.DrawCall classify = Calls("ClassifyTiles").Single();
+            Assert.That(classify.Groups, Is.EqualTo(Tiles(drawnWidth) + " " + Tiles(drawnHeight) + " 1"));
+            foreach (string size in new[] { "_PenumbraScreenSize", "_PenumbraTargetSize" })
+                Assert.That(classify.Uniforms[size],
+                            Is.EqualTo(new Vector4(drawnWidth, drawnHeight, 1.0f / drawnWidth, 1.0f / drawnHeight)), size);
+            int words = WordsOfTile * Tiles(width) * Tiles(height);
+            Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
+        }
+
+        [Test]
+        public void ListedTilesAloneAreResolvedInTheTextureThatReceiversRead()
+        {
+            FakeDevice.DrawCall resolve = Calls("ResolveTiles").Single();
+            FakeDevice.DrawCall classify = urp.Device.Draws.Single(draw => draw.Pass == "ClassifyTiles");
+            Assert.That(resolve.Groups, Is.EqualTo("as " + classify.Textures["_PenumbraTileGroups"] + " at 0"));
+            Assert.That(resolve.Groups, Does.Contain("IndirectArguments"));
+            Assert.That(resolve.Textures["_PenumbraTileList"], Is.EqualTo(classify.Textures["_PenumbraTileList"]));
+            Assert.That(resolve.Textures["_PenumbraVisibility"], Is.EqualTo(classify.Textures["_PenumbraVisibility"]));
+            Assert.That(resolve.Textures["_PenumbraVisibility"],
+                        Is.EqualTo(urp.Device.Textures[ShadowChain.OutputName] + " mip 0"));
+        }
+
+        /// <summary>A kernel cannot write to several samples; the camera's target of FakeScene has four.</summary>
+        [Test]
+        public void KernelsWriteTexturesOfOneSample()
+        {
+            RenderTextureDescriptor target = scene.Target();
+            Assert.That(target.msaaSamples, Is.GreaterThan(1));
+            ShadowFrame frame = default;
+            frame.layout = new AtlasLayout(2048, 4);
+            UrpFrame.SetSize(ref frame, target);
+            ShadowChain chain = ShadowChain.Of(feature.Settings.Options());
+            foreach (ChainTexture slot in chain.Slots)
+            {
+                RenderTextureDescriptor texture = UrpFrame.Texture(target, slot, frame);
+                Assert.That((texture.msaaSamples, texture.bindMS), Is.EqualTo((1, false)));
+                Assert.That(texture.enableRandomWrite);
+                Assert.That(texture.graphicsFormat, Is.EqualTo(slot.format));
+            }
+            Assert.That(chain.Slots[ShadowChain.Output].format, Is.EqualTo(GraphicsFormat.R32_SFloat),
+                        "undecided pixels are below 0");
+        }
+    }
+}
