@@ -1,32 +1,24 @@
 // Penumbra: the shadow map around a tile's receivers in groupshared memory, and what it says of each of them.
 //
 // Computes:   windows of texels and of larger cells around a cluster of receivers; the visibility of each, from them alone.
-// Source:     Penumbra's own; the filter is that of Filters/PcssAngular.hlsl over every cell of Filters/DepthRings.hlsl in place
-//             of samples.
+// Source:     Penumbra's own; the filter is that of Filters/DepthRingFilter.hlsl, from groupshared memory.
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each texel;
 //             TileClusters.hlsl.
 // Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
-//             cluster. Arithmetic: some 30 cells for each octave of distance in search of blockers, and 60 in the filter;
-//             19 KiB of groupshared memory.
+//             cluster. Arithmetic: that of Filters/DepthRingSums.hlsl; 19 KiB of groupshared memory.
 // Guarantees: [0, 1]; no noise: the same map gives the same picture. Reads no texel outside of the receivers' tile.
 // Use it:     in kernels of 16 x 16 threads, all of which call the functions that load.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
 #define PENUMBRA_TILE_WINDOWS_HLSL
 
 #include "TileClusters.hlsl"
-#include "../ShaderLibrary/Filters/DepthRings.hlsl"
+#include "../ShaderLibrary/Filters/DepthRingSums.hlsl"
 
 // Texels of the first window each way; and cells of all others together: the n-th is at most 2 kWindowReach / 2^n +
 // 2 kRingCells + 5 wide.
 #define WINDOW_TEXELS 40
 #define WINDOW_CELLS 2650
-#define MOST_LEVELS 8
 
-// The kernel of narrow penumbrae is wider than its radius by its texels: so much narrower it is made, and no narrower than
-// that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and that over all pixels rises from 1 on; fitting a
-// straight edge to the texels changes either by a hundredth.
-static const float kKernelNarrowing = 0.25;
-static const float kNarrowestRadius = 1.125;
 // How far from the cluster's first receiver, texels along each axis, a receiver may lie.
 static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
 
@@ -70,7 +62,7 @@ WindowBounds BoundWindow(bool joins, QuadReceiver receiver, float radius)
     bounds.low = int2(clusterLeft, clusterTop);
     bounds.high = int2(clusterRight, clusterBottom);
     bounds.radius = asfloat(clusterRadius);
-    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, MOST_LEVELS);
+    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels);
     bounds.tile = BoundsInTexels(clusterTile);
     return bounds;
 }
@@ -124,165 +116,112 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     GroupMemoryBarrierWithGroupSync();
 }
 
-float DepthInWindow(DepthWindow texels, int2 texel)
+// The texels of a quad that have an area, which lie in the window.
+float4 DepthsInWindow(DepthWindow texels, int2 quad, float4 areas)
 {
-    const int2 at = texel - texels.low;
-    return windowDepths[at.y * texels.size.x + at.x];
+    float4 depths;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 at = CellOfQuad(quad, k) - texels.low;
+        depths[k] = areas[k] > 0.0 ? windowDepths[at.y * texels.size.x + at.x] : 0.0;
+    }
+    return depths;
 }
 
-CellBlockers BlockersInWindow(DepthWindow window, int offset, int level, int2 cell, float2 away, float ground,
-                              QuadReceiver receiver)
+// offset: of the level's window among the others.
+uint4 CellsInWindow(DepthWindow window, int offset, int2 quad, float4 areas)
 {
-    if (level == 0) return BlockersOfTexel(DepthInWindow(window, cell), away, receiver);
-    const int2 at = cell - window.low;
-    const DepthSpread spread = UnpackSpread(windowSpreads[min(offset + at.y * window.size.x + at.x, WINDOW_CELLS - 1)]);
-    return BlockersOfCell(spread, away, exp2(float(level)), ground, receiver);
-}
-
-// Cells of a level around a receiver, up to `radius` texels from it.
-struct CellLoop
-{
-    int2 low;
-    int2 size;
-};
-
-CellLoop CellsAround(QuadReceiver receiver, DepthWindow window, int level, float radius, float ringCells)
-{
-    const float cell = exp2(float(level));
-    const int reach = int(ceil(min(ringCells, radius / cell) + 0.5));
-    const int2 here = int2(floor(receiver.centre / cell));
-    CellLoop cells;
-    cells.low = max(here - reach, window.low);
-    cells.size = max(min(here + reach, window.low + window.size - 1) - cells.low + 1, 0);
+    uint4 cells;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 at = CellOfQuad(quad, k) - window.low;
+        cells[k] = areas[k] > 0.0 ? windowSpreads[min(offset + at.y * window.size.x + at.x, WINDOW_CELLS - 1)] : 0;
+    }
     return cells;
 }
 
-struct WindowSearch
+RingSearch SearchWindow(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
 {
-    RingSums sums;
-    float low;    // how much of the cone low blockers hide, texels
-    float ground; // BlockersOfCell
-};
-
-WindowSearch SumBlockers(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
-{
-    WindowSearch search;
-    search.sums = NoBlockers();
-    search.low = 0.0;
-    search.ground = UsualGround(scales);
-    bool groundFound = false;
+    RingSearch search = BeginSearch(scales);
     int offset = 0;
-    const int levels = min(RingLevels(radius, kSearchRingCells, MOST_LEVELS), bounds.levels);
+    const int levels = min(RingLevels(radius, kSearchRingCells, kMostRingLevels), bounds.levels);
     UNITY_LOOP
     for (int level = 0; level <= levels; ++level)
     {
         const DepthWindow window = WindowOf(bounds, level);
-        const CellLoop cells = CellsAround(receiver, window, level, radius, kSearchRingCells);
-        const float width = exp2(float(level));
+        const QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
         UNITY_LOOP
-        for (int i = 0; i < cells.size.x * cells.size.y; ++i)
+        for (int i = 0; i < CountOf(quads); ++i)
         {
-            const int2 cell = cells.low + int2(i % cells.size.x, i / cells.size.x);
-            const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
-            const float distance = length(away);
-            const float area = ShareInRing(distance, level, radius, kSearchRingCells) * width * width;
-            if (!(area > 0.0)) continue;
-            if (level == 0 && distance < kGroundReach)
-                search.ground = GroundWithTexel(search.ground, groundFound, DepthInWindow(window, cell), away, receiver, scales);
-            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, search.ground, receiver);
-            if (!(blockers.share > 0.0)) continue;
-            const float before = search.sums.inside.x;
-            search.sums = AddBlockers(search.sums, blockers, distance, width, area, scales);
-            const bool isLow = level == 0 && blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
-            if (isLow && search.sums.inside.x > before) search.low += area;
+            const int2 quad = QuadAt(quads, i);
+            const float4 areas = AreasInRing(quad, level, radius, kSearchRingCells, receiver);
+            if (!AnyArea(areas)) continue;
+            if (level == 0)
+                search = SearchTexels(search, DepthsInWindow(window, quad, areas), quad, areas, receiver, scales);
+            else
+                search = SearchCells(search, CellsInWindow(window, offset, quad, areas), quad, level, areas, receiver, scales);
         }
         if (level > 0) offset += window.size.x * window.size.y;
     }
     return search;
 }
 
-// As FilterBlock of PcssAngular.hlsl, over the window.
-float FilterWindowBlock(QuadReceiver receiver, LightCone cone, float radius, float largestGap, DepthWindow window)
+float FilterWindowBlock(RingPenumbra penumbra, QuadReceiver receiver, DepthWindow window)
 {
-    const int2 first = int2(floor(receiver.centre + 0.5)) - 2;
-    const float outermost = max(radius + kBlockReachTexels, kSmallestBlockTexels);
-    float lit = 0.0;
-    float blocked = 0.0;
+    float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
-    for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 4; ++k)
     {
-        const int2 texel = first + int2(i & 3, i >> 2);
-        const int2 at = texel - window.low;
-        if (any(at < 0) || any(at >= window.size)) continue;
-        const float2 away = float2(texel) + 0.5 - receiver.centre;
-        const float distance = length(away);
-        const CellBlockers blockers = BlockersOfTexel(DepthInWindow(window, texel), away, receiver);
-        const float weight = blockers.gap < largestGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
-        const float offset = ConeOffset(distance, cone.slackTexels, cone.largestOffset, cone.scales);
-        const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
-        blocked += hidden;
-        lit += weight - hidden;
+        const int2 first = QuadOfBlock(receiver, k);
+        float4 depths;
+        UNITY_UNROLL
+        for (int i = 0; i < 4; ++i)
+        {
+            const int2 at = first + int2(i & 1, i >> 1) - window.low;
+            const bool inside = all(at >= 0) && all(at < window.size);
+            depths[i] = inside ? windowDepths[at.y * window.size.x + at.x] : 0.0;
+        }
+        sums = FilterBlockQuad(sums, depths, first, penumbra, receiver);
     }
-    return LitShare(lit, blocked);
+    return LitShare(sums.x, sums.y);
 }
 
-// As FilterDisc, over every cell of the disc.
-float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, float ground, WindowBounds bounds)
+float FilterWindowRings(RingPenumbra penumbra, QuadReceiver receiver, WindowBounds bounds)
 {
-    float lit = 0.0;
-    float blocked = 0.0;
+    float2 sums = float2(0.0, 0.0);
     int offset = 0;
-    const int levels = min(RingLevels(radius + 0.5, kRingCells, MOST_LEVELS), bounds.levels);
+    const int levels = min(RingLevels(penumbra.radius + 0.5, kRingCells, kMostRingLevels), bounds.levels);
     UNITY_LOOP
     for (int level = 0; level <= levels; ++level)
     {
         const DepthWindow window = WindowOf(bounds, level);
-        const CellLoop cells = CellsAround(receiver, window, level, radius, kRingCells);
-        const float width = exp2(float(level));
+        const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
         UNITY_LOOP
-        for (int i = 0; i < cells.size.x * cells.size.y; ++i)
+        for (int i = 0; i < CountOf(quads); ++i)
         {
-            const int2 cell = cells.low + int2(i % cells.size.x, i / cells.size.x);
-            const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
-            const float distance = length(away);
-            const float weight = ShareInRing(distance, level, radius, kRingCells) * width * width;
-            if (!(weight > 0.0)) continue;
-            const CellBlockers blockers = BlockersInWindow(window, offset, level, cell, away, ground, receiver);
-            const float cut = ConeOffset(distance, max(cone.slackTexels, width), cone.largestOffset, cone.scales);
-            const float hidden = blockers.gap > cut ? blockers.share * weight : 0.0;
-            blocked += hidden;
-            lit += weight - hidden;
+            const int2 quad = QuadAt(quads, i);
+            const float4 areas = AreasInRing(quad, level, penumbra.radius, kRingCells, receiver);
+            if (!AnyArea(areas)) continue;
+            if (level == 0)
+                sums = FilterTexels(sums, DepthsInWindow(window, quad, areas), quad, areas, penumbra, receiver);
+            else
+                sums = FilterCells(sums, CellsInWindow(window, offset, quad, areas), quad, level, areas, penumbra, receiver);
         }
         if (level > 0) offset += window.size.x * window.size.y;
     }
-    return LitShare(lit, blocked);
+    return LitShare(sums.x, sums.y);
 }
 
 float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, WindowBounds bounds)
 {
-    const WindowSearch search = SumBlockers(receiver, scales, radius, bounds);
-    const RingSums sums = search.sums;
-    if (!(sums.nearby.x > 0.0)) return 1.0;
-    const bool inside = sums.inside.x > 0.0;
-    const float penumbra = min(inside ? sums.inside.y / sums.inside.x : sums.nearby.y / sums.nearby.x, radius);
-    const float gap = penumbra * scales.depthPerTexel;
-    LightCone cone;
-    cone.scales = scales;
-    cone.largestOffset = inside ? kConeHeightShare * gap : kAnyGap;
-    const bool narrow = penumbra <= kWidestBlockTexels;
+    const RingSearch search = SearchWindow(receiver, scales, radius, bounds);
+    const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
+    if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
-    if (narrow || search.low > 0.0)
-    {
-        cone.slackTexels = kWidestBlockTexels + kBlockReachTexels;
-        const float lowGap = min(kLowBlockerTexels * scales.depthPerTexel, kLowBlockerShare * gap);
-        visibility = FilterWindowBlock(receiver, cone, min(max(penumbra - kKernelNarrowing, kNarrowestRadius), kWidestBlockTexels),
-                                       narrow ? kAnyGap : lowGap, WindowOf(bounds, 0));
-    }
-    if (!narrow && visibility > 0.0)
-    {
-        cone.slackTexels = kQuadSlackTexels;
-        visibility = min(visibility, FilterWindowDisc(receiver, cone, penumbra, search.ground, bounds));
-    }
+    if (penumbra.readsBlock) visibility = FilterWindowBlock(penumbra, receiver, WindowOf(bounds, 0));
+    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowRings(penumbra, receiver, bounds));
     return SanitizeVisibility(visibility);
 }
 
