@@ -110,7 +110,7 @@ namespace Penumbra.Editor
                                       "upscaler averages frames; elsewhere penumbrae flicker.");
             ShadowOptions options = state.settings.Options();
             string technique = TechniqueName.Of(options.technique);
-            if (state.openGl && !options.HasMaps && ChainSubstitute.Has(options.technique))
+            if (state.openGl && !options.HasPasses && ChainSubstitute.Has(options.technique))
                 Say(MessageType.Info, "This editor draws with OpenGL, which does not define how " + technique + " reads the " +
                                       "shadow map: here it is replaced by " +
                                       TechniqueName.Of(TechniqueTable.Fallbacks[(int)options.technique]) +
@@ -132,11 +132,15 @@ namespace Penumbra.Editor
 
         private static string Substitute(in FeatureState state)
         {
-            if (state.drawn.technique != state.asked.technique) return TechniqueName.Of(state.drawn.technique);
+            if (state.drawn.technique != state.asked.technique) return TechniqueName.Of(Computed(state));
             if (state.drawn.clouds != state.asked.clouds) return "the same without cloud shadows";
             return state.drawn.mapFormat != state.asked.mapFormat ? "the same with maps of 16 bits"
                                                                   : "the same with the mask of four comparisons";
         }
+
+        // On OpenGL, shaders compute another filter in the place of one that reads the shadow map: see DeviceLimits.IsOpenGl.
+        private static ShadowTechnique Computed(in FeatureState state) =>
+            state.openGl ? TechniqueTable.Fallbacks[(int)state.drawn.technique] : state.drawn.technique;
 
         // Null if nothing was skipped, if skipping is intended, or if another message already explains it.
         private static string Skipped(in FeatureState state)

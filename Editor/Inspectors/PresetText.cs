@@ -51,6 +51,9 @@ namespace Penumbra.Editor
                 case ShadowTechnique.Tent7x7: return "16 fetches of the shadow map, no contact hardening";
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
+                case ShadowTechnique.Flagship:
+                    return "no noise; where the device cannot run it " + TechniqueName.Of(ShadowTechnique.Pcss) + ", " +
+                           options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }
         }

@@ -13,7 +13,8 @@ namespace Penumbra
     {
         private readonly FrameUniforms uniforms = new FrameUniforms();
         private readonly PassMaterials materials;
-        private readonly Dictionary<int, PreparedChain> chains = new Dictionary<int, PreparedChain>();
+        private readonly Dictionary<(int key, bool bothEyes), PreparedChain> chains =
+            new Dictionary<(int key, bool bothEyes), PreparedChain>();
         private PreparedChain current;
 
         /// <summary>Its textures and steps; null before the first Prepare.</summary>
@@ -34,18 +35,19 @@ namespace Penumbra
         /// <param name="views">Number of views drawn at once.</param>
         internal string Prepare(ref ShadowOptions options, int views)
         {
-            int key = ChainGraphs.Key(options);
-            if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options);
+            bool bothEyes = views > 1;
+            (int, bool) key = (ChainGraphs.Key(options), bothEyes);
+            if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options, bothEyes);
             if (current.replaces != null) options = current.Of(options);
-            return current.problem ?? (views > 1 ? current.stereoProblem : null);
+            return current.problem;
         }
 
-        private PreparedChain Prepared(in ShadowOptions asked)
+        private PreparedChain Prepared(in ShadowOptions asked, bool bothEyes)
         {
-            var prepared = new PreparedChain(asked, materials);
+            var prepared = new PreparedChain(asked, bothEyes, materials);
             ShadowOptions options = asked;
             while (prepared.problem != null && ChainSubstitute.TryGet(options, out options))
-                prepared = new PreparedChain(options, materials, prepared.replaces ?? prepared.problem);
+                prepared = new PreparedChain(options, bothEyes, materials, prepared.replaces ?? prepared.problem);
             return prepared;
         }
 

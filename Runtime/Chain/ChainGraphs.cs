@@ -50,7 +50,8 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
+            .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
         /// <summary>In the order in which they run.</summary>
@@ -62,9 +63,10 @@ namespace Penumbra
             int bits = ScreenBits(options);
             TechniqueGraph screen = (bits & Conservative) == 0
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
-            if (!options.HasMaps) return new[] { screen };
+            if (!options.HasPasses) return new[] { screen };
             TechniqueGraph own = TechniqueTable.Graphs[(int)options.technique][options.GraphIndex];
-            return own.visibility == TechniqueGraph.None ? new[] { own, screen } : new[] { own };
+            if (!options.DrawsVisibility) return new[] { own, screen };
+            return new[] { (bits & Half) == 0 ? own : TechniqueTable.HalfGraphs[(int)options.technique] };
         }
 
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
@@ -75,7 +77,7 @@ namespace Penumbra
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
-            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution ? Half : 0) |
+            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution && options.CanHalve ? Half : 0) |
             (options.denoise && options.SamplesPenumbrae ? Denoise : 0) |
             (options.MasksConservatively ? Conservative : 0);
     }

@@ -12,7 +12,7 @@ namespace Penumbra
             {
                 List<string> all = Of(null, ChainGraphs.All);
                 foreach (string name in TechniqueTable.Keywords)
-                    if (name != null) all.Add(name);
+                    if (name != null && !all.Contains(name)) all.Add(name);
                 return all;
             }
         }

@@ -3,7 +3,7 @@ namespace Penumbra
     /// <summary>What is drawn instead where a device cannot run the passes that options need.</summary>
     internal static class ChainSubstitute
     {
-        /// <summary>A filter of the shadow map alone stands in for the technique's maps.</summary>
+        /// <summary>A filter of the shadow map alone stands in for the technique's passes.</summary>
         internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
 
         /// <summary>
@@ -15,7 +15,7 @@ namespace Penumbra
             instead = options;
             if (options.MasksConservatively) instead.conservativeMask = false;
             else if (options.HasMapFormats && options.mapFormat == MapFormat.Bits32) instead.mapFormat = MapFormat.Bits16;
-            else if (options.HasMaps && Has(options.technique))
+            else if (options.HasPasses && Has(options.technique))
                 instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
             else if (options.clouds) instead.clouds = false;
             else return false;

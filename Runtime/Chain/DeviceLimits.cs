@@ -22,7 +22,7 @@ namespace Penumbra
         /// </summary>
         internal static string Problem(in ShadowOptions options)
         {
-            if (!options.MasksConservatively && !(options.HasMaps && ChainSubstitute.Has(options.technique))) return null;
+            if (!options.MasksConservatively && !(options.HasPasses && ChainSubstitute.Has(options.technique))) return null;
             if (IsOpenGl) return "OpenGL does not define how its passes read the shadow map";
             return options.technique.NeedsTarget45() && SystemInfo.graphicsShaderLevel < FrameGate.Level45
                        ? "it needs shader model 4.5" : null;
@@ -64,7 +64,9 @@ namespace Penumbra
             if (step.reads.Any(read => read.levels != null) &&
                 (SystemInfo.copyTextureSupport & CopyTextureSupport.Basic) == 0)
                 return pass + "generates mip levels from copies, and this device cannot copy textures";
-            if (step.pass.kind == PassKind.Compute) return null;
+            if (step.pass.kind == PassKind.Compute)
+                return step.indirect != ShadowChain.None && !SystemInfo.supportsIndirectArgumentsBuffer
+                           ? pass + "reads how often it runs from a buffer, which this device cannot do" : null;
 #if !UNITY_6000_0_OR_NEWER
             if (step.pass.testsShadowMap)
                 return pass + "tests casters against the shadow map, which only URP 17 (Unity 6) gives access to";
@@ -77,6 +79,17 @@ namespace Penumbra
                        ? pass + "reads " + buffers + " buffers, and this device's shaders can read " +
                              SystemInfo.maxComputeBufferInputsFragment
                        : null;
+        }
+
+        /// <summary>The same for the size of a kernel's thread groups.</summary>
+        internal static string Problem(GraphPass kernel, Vector3Int threads)
+        {
+            int all = threads.x * threads.y * threads.z;
+            if (threads.x <= SystemInfo.maxComputeWorkGroupSizeX && threads.y <= SystemInfo.maxComputeWorkGroupSizeY &&
+                threads.z <= SystemInfo.maxComputeWorkGroupSizeZ && all <= SystemInfo.maxComputeWorkGroupSize) return null;
+            return "kernel '" + kernel.program + "' has groups of " + all + " threads, and this device allows " +
+                   SystemInfo.maxComputeWorkGroupSize + ", at most " + SystemInfo.maxComputeWorkGroupSizeX + " x " +
+                   SystemInfo.maxComputeWorkGroupSizeY + " x " + SystemInfo.maxComputeWorkGroupSizeZ;
         }
 
         /// <summary>

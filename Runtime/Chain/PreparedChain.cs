@@ -24,19 +24,17 @@ namespace Penumbra
         /// <summary>What is missing, as a message; null if nothing is.</summary>
         internal readonly string problem;
 
-        /// <summary>The same for drawing both eyes at once.</summary>
-        internal readonly string stereoProblem;
-
         /// <param name="options">Of which those that choose a chain count.</param>
-        internal PreparedChain(in ShadowOptions options, PassMaterials materials, string replaces = null)
+        /// <param name="bothEyes">It draws both eyes at once.</param>
+        internal PreparedChain(in ShadowOptions options, bool bothEyes, PassMaterials materials, string replaces = null)
         {
             this.options = options;
             this.replaces = replaces;
             chain = ShadowChain.Of(options);
             programs = new PassProgram[chain.Steps.Count];
             targets = new RenderTargetIdentifier[chain.Steps.Count][];
-            problem = DeviceLimits.Problem(options) ?? DeviceLimits.Problem(chain);
-            stereoProblem = DeviceLimits.StereoProblem(chain);
+            problem = DeviceLimits.Problem(options) ?? DeviceLimits.Problem(chain) ??
+                      (bothEyes ? DeviceLimits.StereoProblem(chain) : null);
             IReadOnlyList<string> known = ChainKeywords.All;
             var used = new Dictionary<string, ProgramAsset>();
             for (int i = 0; i < programs.Length && problem == null; ++i)
@@ -84,7 +82,7 @@ namespace Penumbra
                 return "this device cannot run kernel '" + pass.program + "' of " + pass.asset;
             asset.kernels.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out uint z);
             program = new PassProgram(asset, kernel, new Vector3Int((int)x, (int)y, (int)z));
-            return null;
+            return DeviceLimits.Problem(pass, program.threads);
         }
     }
 }

@@ -101,10 +101,11 @@ namespace Penumbra
         internal const int Level45 = 45;
 
         /// <summary>
-        /// A device below that level has no program for some filters. Techniques with maps have a substitute
-        /// (ChainSubstitute).
+        /// A device below that level has no program for some filters. Techniques with passes of their own have a
+        /// substitute (ChainSubstitute), which may need the level, too.
         /// </summary>
         internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
-            !options.technique.NeedsTarget45() || options.HasMaps || shaderLevel >= Level45;
+            !options.technique.NeedsTarget45() || shaderLevel >= Level45 ||
+            options.HasPasses && !TechniqueTable.Fallbacks[(int)options.technique].NeedsTarget45();
     }
 }

@@ -213,8 +213,18 @@ namespace Penumbra
             return parameters;
         }
 
-        /// <summary>The technique makes maps from the shadow map before its filter.</summary>
-        internal bool HasMaps => TechniqueTable.Graphs[(int)technique].Length > 0;
+        /// <summary>
+        /// The technique has passes of its own: they make maps from the shadow map before its filter, or draw the
+        /// visibility.
+        /// </summary>
+        internal bool HasPasses => TechniqueTable.Graphs[(int)technique].Length > 0;
+
+        /// <summary>These passes draw the visibility, in place of the feature's own over the screen.</summary>
+        internal bool DrawsVisibility =>
+            HasPasses && TechniqueTable.Graphs[(int)technique][0].visibility != TechniqueGraph.None;
+
+        /// <summary>There are passes that draw half of the pixels along both axes.</summary>
+        internal bool CanHalve => !DrawsVisibility || TechniqueTable.HalfGraphs[(int)technique] != null;
 
         /// <summary>The technique has maps of either format.</summary>
         internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;

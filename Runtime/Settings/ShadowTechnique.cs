@@ -6,8 +6,9 @@ namespace Penumbra
 {
     // Written by `penumbra validate --emit-selections` from the manifests, *.technique.json; do not edit.
     /// <summary>
-    /// The technique of the resolve pass: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the
-    /// feature offers. Inspectors, documentation and reports use these names.
+    /// The technique that computes the visibility: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that
+    /// the feature offers, and for each that passes of its own draw. Inspectors, documentation and reports use these
+    /// names.
     /// </summary>
     public enum ShadowTechnique
     {
@@ -106,6 +107,10 @@ namespace Penumbra
         /// <summary>PCSS with the rules and parameters of Filament: up to 16 samples of either kind.</summary>
         [InspectorName("PCSS (Filament)")]
         PcssFilament = 23,
+
+        /// <summary>Penumbrae of a disc from all texels of the shadow map around a pixel, without noise, by compute shaders. Where a device cannot run them: PCSS.</summary>
+        [InspectorName("Flagship")]
+        Flagship = 24,
     }
 
     /// <summary>Sets the parameters of a technique's passes and filter. Does not allocate.</summary>
@@ -117,7 +122,10 @@ namespace Penumbra
     /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
     internal static class TechniqueTable
     {
-        /// <summary>Shader keywords; null for the technique that is used without one.</summary>
+        /// <summary>
+        /// Shader keywords; null for the technique that is used without one. Passes that draw the visibility have their
+        /// fallback's.
+        /// </summary>
         internal static readonly string[] Keywords =
         {
             "_PENUMBRA_TENT_3X3",
@@ -144,41 +152,42 @@ namespace Penumbra
             "_PENUMBRA_PCSS_GODOT",
             "_PENUMBRA_DPCF_FILAMENT",
             "_PENUMBRA_PCSS_FILAMENT",
+            "_PENUMBRA_PCSS",
         };
 
         private static readonly bool[] Sampled =
         {
             false, false, false, true, true, true, false, false, false, false,
             false, true, true, true, true, false, false, false, false, false,
-            true, true, true, true,
+            true, true, true, true, false,
         };
 
         private static readonly bool[] Widens =
         {
             false, false, false, true, true, true, false, false, false, false,
             false, true, true, true, true, true, true, true, true, true,
-            true, true, true, true,
+            true, true, true, true, true,
         };
 
         private static readonly bool[] Target45 =
         {
             false, false, false, true, true, true, false, false, true, false,
             false, true, true, true, true, false, true, false, true, true,
-            true, true, true, true,
+            true, true, true, true, true,
         };
 
         private static readonly bool[] Limiting =
         {
             false, false, false, true, false, true, false, false, false, false,
             false, false, false, false, false, true, true, true, true, false,
-            false, false, false, false,
+            false, false, false, false, true,
         };
 
         private static readonly bool[] Biased =
         {
             false, false, false, false, false, false, false, false, false, false,
             false, false, false, false, false, false, false, false, false, false,
-            true, true, true, true,
+            true, true, true, true, false,
         };
 
         private static readonly string[][] Options =
@@ -295,6 +304,13 @@ namespace Penumbra
                 nameof(ShadowOptions.blockerSamples),
                 nameof(ShadowOptions.filterSamples),
             },
+            new[]
+            {
+                nameof(ShadowOptions.blockerSamples),
+                nameof(ShadowOptions.filterSamples),
+                nameof(ShadowOptions.minFilterTexels),
+                nameof(ShadowOptions.softnessCapMetres),
+            },
         };
 
         /// <summary>Parameters that the technique's rules change from a cascade on; empty without rules.</summary>
@@ -324,10 +340,12 @@ namespace Penumbra
             new CascadeVector[0],
             new CascadeVector[0],
             new CascadeVector[0],
+            new CascadeVector[0],
         };
 
         /// <summary>
-        /// The passes before the filter, which make the maps that it reads; empty for a filter of the shadow map alone.
+        /// The passes before the filter, which make the maps that it reads, or those that draw the visibility without
+        /// one; empty for a filter of the shadow map alone.
         /// Of two the second makes maps of 16 bits: index with ShadowOptions.GraphIndex.
         /// </summary>
         internal static readonly TechniqueGraph[][] Graphs =
@@ -356,6 +374,40 @@ namespace Penumbra
             new TechniqueGraph[0],
             new TechniqueGraph[0],
             new TechniqueGraph[0],
+            new[] { PenumbraFlagshipGraphs.Flagship },
+        };
+
+        /// <summary>
+        /// Of passes that draw the visibility: the same at half resolution. Null where there is none, and for filters,
+        /// which the feature's own passes draw at half resolution.
+        /// </summary>
+        internal static readonly TechniqueGraph[] HalfGraphs =
+        {
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
         };
 
         /// <summary>
@@ -710,6 +762,7 @@ namespace Penumbra
                     }.SetGlobal(commands);
                 },
             },
+            new SetParameters[0],
         };
 
         private static readonly SetOptions[] Measured =
@@ -826,6 +879,13 @@ namespace Penumbra
                 options.blockerSamples = 16;
                 options.filterSamples = 16;
             },
+            (ref ShadowOptions options) =>
+            {
+                options.blockerSamples = 24;
+                options.filterSamples = 16;
+                options.minFilterTexels = 1.25f;
+                options.softnessCapMetres = 100.0f;
+            },
         };
 
         /// <summary>What is drawn where the technique cannot run; itself if it runs everywhere.</summary>
@@ -855,6 +915,7 @@ namespace Penumbra
             ShadowTechnique.Tent7x7,
             ShadowTechnique.Tent7x7,
             ShadowTechnique.Tent7x7,
+            ShadowTechnique.Pcss,
         };
 
         /// <summary>The technique samples the light's disc, so that its penumbrae are noisy.</summary>

@@ -7,6 +7,7 @@
 #include "input/input_error.h"
 #include "shaders/shader_files.h"
 #include "techniques/option_emit.h"
+#include "techniques/preset_emit.h"
 #include "techniques/selection_emit.h"
 #include "techniques/selection_hlsl.h"
 #include "techniques/technique_list.h"
@@ -145,6 +146,124 @@ TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
                               "            internal const int Max = 32;\n"));
   EXPECT_THAT(text,
               HasSubstr("\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f;\n"));
+}
+
+// Passes that end in a texture, over the screen; half of the pixels along both axes in "disc-half".
+constexpr const char* disc_manifest = R"({
+  "order": 2,
+  "graphs": [
+    {"name": "disc", "textures": [{"name": "visibility", "format": "r8"}],
+     "passes": [{"name": "Disc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
+                 "parameters": ["RingParameters"]}], "visibility": "visibility"},
+    {"name": "disc-half", "textures": [{"name": "visibility", "format": "r8"}],
+     "passes": [{"name": "HalfDisc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
+                 "parameters": ["RingParameters"]}], "visibility": "visibility"}],
+  "defaults": {"family": "disc", "source": "Nobody 1901"},
+  "techniques": [
+    {"name": "disc", "title": "Disc", "graph": "disc"},
+    {"name": "disc-half", "title": "Disc at half", "graph": "disc-half"},
+    {"name": "disc-12", "title": "Disc of 12", "graph": "disc", "values": {"taps": 12}},
+    {"name": "preset-low", "title": "Preset Low", "filter": {"file": "Ring.hlsl", "function": "FilterRing",
+     "arguments": ["shadowMap", "pointSampler"], "parameters": "RingParameters"}, "keywords": ["_PENUMBRA_RING"],
+     "values": {"taps": 12}}],
+  "selections": [
+    {"name": "Disc", "value": 2, "technique": "disc", "technique_half": "disc-half", "fallback": "Ring",
+     "title": "Disc", "doc": "A disc.", "options": {"ringTaps": "taps"}}],
+  "presets": [{"preset": "preset-low", "technique": "disc-12"}]
+})";
+
+// Selections of passes that draw the visibility, after those of the ring.
+class VisibilitySelectionTest : public SelectionTest {
+ protected:
+  VisibilitySelectionTest() {
+    files_.write("ShaderLibrary/Ring.hlsl", "// ring\n");
+    files_.write("ShaderLibrary/ring.technique.json",
+                 with(R"("fallback": "Wide")", R"("fallback": "Plain")"));
+    files_.write("ShaderLibrary/Disc.shader", "// disc\n");
+  }
+
+  TechniqueList read_with(const std::string& disc) const {
+    files_.write("ShaderLibrary/disc.technique.json", disc);
+    return read_technique_list(files_.path(""));
+  }
+  static std::string disc_with(const std::string& from, const std::string& to) {
+    std::string text = disc_manifest;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  std::string disc_problem(const std::string& from, const std::string& to) const {
+    try {
+      const TechniqueList list = read_with(disc_with(from, to));
+      emit_selections_csharp(list);
+      emit_presets_csharp(list);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(VisibilitySelectionTest, HasItsFallbacksKeywordAndIsNotInShaders) {
+  const TechniqueList list = read_with(disc_manifest);
+  const Selection& disc = list.selections.back();
+  EXPECT_TRUE(disc.draws_visibility);
+  EXPECT_EQ(disc.keyword, "_PENUMBRA_RING");
+  EXPECT_EQ(emit_keywords_hlsl(list),
+            emit_keywords_hlsl(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")"))));
+}
+
+TEST_F(VisibilitySelectionTest, IsEmittedWithBothOfItsGraphs) {
+  const std::string text = emit_selections_csharp(read_with(disc_manifest));
+  EXPECT_THAT(
+      text,
+      HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n            \"_PENUMBRA_RING\",\n"));
+  EXPECT_THAT(text, HasSubstr("            new TechniqueGraph[0],\n            new TechniqueGraph[0],\n"
+                              "            new[] { DiscGraphs.Disc },\n        };\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("            null,\n            null,\n            DiscGraphs.DiscHalf,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("ShadowTechnique.Plain,\n            ShadowTechnique.Plain,\n"
+                              "            ShadowTechnique.Ring,\n"));
+}
+
+TEST_F(VisibilitySelectionTest, APresetDrawsItAndKeepsItsOwnOptions) {
+  const std::string text = emit_presets_csharp(read_with(disc_manifest));
+  EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Disc of 12; else Preset Low\n"));
+  EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
+  EXPECT_THAT(text, HasSubstr("halfResolution = false,\n"));
+  EXPECT_THAT(emit_presets_csharp(
+                  read_with(disc_with(R"("name": "disc-12", "title": "Disc of 12", "graph": "disc")",
+                                      R"("name": "disc-12", "title": "Disc of 12", "graph": "disc-half")"))),
+              HasSubstr("halfResolution = true,\n"));
+}
+
+TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
+  const auto at = [](const char* line) {
+    return HasSubstr(std::string("disc.technique.json:") + line + ":");
+  };
+  EXPECT_THAT(disc_problem(R"("value": 2, )", R"("value": 2, "keyword": "_PENUMBRA_DISC", )"),
+              AllOf(at("19"), HasSubstr("'disc' ends in a texture"), HasSubstr("leave the keyword out")));
+  EXPECT_THAT(disc_problem(R"("value": 2, )", ""), AllOf(at("19"), HasSubstr("give it a value")));
+  EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Disc")"),
+              AllOf(at("19"), HasSubstr("unknown selection 'Disc'")));
+  EXPECT_THAT(disc_problem(R"("technique_half": "disc-half")", R"("technique_half": "ring")"),
+              AllOf(at("19"), HasSubstr("'Disc' or 'ring' is a filter")));
+  EXPECT_THAT(disc_problem(R"("technique_half": "disc-half")", R"("technique_16_bits": "disc-half")"),
+              AllOf(at("19"), HasSubstr("'disc-half' is not the filter")));
+  EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "plain")"),
+              AllOf(at("21"), HasSubstr("'plain' is not a preset")));
+  EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "preset-lower")"),
+              AllOf(at("21"), HasSubstr("unknown technique 'preset-lower'")));
+  EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "ring"})"),
+              AllOf(at("21"), HasSubstr("no selection has the passes of 'ring'")));
+  EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "disc"})"),
+              AllOf(at("21"), HasSubstr("'disc' and 'preset-low' differ in 'taps'")));
+  EXPECT_THAT(disc_problem(R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])"),
+              AllOf(at("21"), HasSubstr("'preset-low' has not the keyword of 'Ring'")));
+  EXPECT_THAT(
+      disc_problem(R"("presets": [)", R"("presets": [{"preset": "preset-low", "technique": "disc-12"}, )"),
+      AllOf(at("21"), HasSubstr("there are two choices for 'preset-low'")));
 }
 
 TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {

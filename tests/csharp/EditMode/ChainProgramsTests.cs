@@ -44,23 +44,24 @@ namespace Penumbra.Tests
         }
 
         // The frame's own, and those that make the maps of techniques.
-        private static readonly string[] AllPasses =
-            Passes.Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
-                             .Select(pass => pass.program)).ToArray();
+        private static readonly (string asset, string pass)[] AllPasses =
+            Passes.Select(pass => (Asset(pass), pass))
+                .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
+                           .Select(pass => (pass.asset, pass.program))).ToArray();
 
         // "Resolve _PENUMBRA_PCSS": only Resolve declares keywords.
-        private static IEnumerable<(string pass, string[] keywords)> EveryProgram()
+        private static IEnumerable<(string asset, string pass, string[] keywords)> EveryProgram()
         {
-            foreach (string pass in AllPasses)
+            foreach ((string asset, string pass) in AllPasses)
             {
                 if (pass != "Resolve")
                 {
-                    yield return (pass, new string[0]);
+                    yield return (asset, pass, new string[0]);
                     continue;
                 }
-                foreach (string technique in TechniqueTable.Keywords)
+                foreach (string technique in TechniqueTable.Keywords.Distinct())
                     foreach (string mask in new[] { null, "_PENUMBRA_MASK" })
-                        yield return (pass, new[] { technique, mask }.Where(name => name != null).ToArray());
+                        yield return (asset, pass, new[] { technique, mask }.Where(name => name != null).ToArray());
             }
         }
 
@@ -71,11 +72,12 @@ namespace Penumbra.Tests
             string.Join(" ", keywords.Prepend(pass));
 
         private static IReadOnlyCollection<string> Declared(string pass) =>
-            pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Append("_PENUMBRA_MASK").ToArray()
+            pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().Append("_PENUMBRA_MASK")
+                                    .ToArray()
                               : new string[0];
 
         private static string[] Kept(ChainPrograms programs) =>
-            EveryProgram().Where(program => programs.Has(Asset(program.pass), program.pass,
+            EveryProgram().Where(program => programs.Has(program.asset, program.pass,
                                                          Declared(program.pass), program.keywords.Contains))
                 .Select(program => Text(program.pass, program.keywords)).ToArray();
 

@@ -151,6 +151,14 @@ namespace Penumbra.Tests
                         Does.StartWith("VSM ").And.Contain("R32G32_SFloat").And.Contain("16 bits"));
             state.drawn.technique = ShadowTechnique.Tent7x7;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."));
+            state.asked.technique = ShadowTechnique.Flagship;
+            state.drawn.technique = ShadowTechnique.Pcss;
+            Assert.That(Texts(state, MessageType.Warning).Single(),
+                        Does.StartWith("Flagship ").And.EndsWith("Drawn instead: PCSS."));
+            state.openGl = true;
+            Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."),
+                        "which shaders compute there in the place of PCSS");
+            state.openGl = false;
             state.drawn = state.asked;
             state.drawn.conservativeMask = !state.asked.conservativeMask;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("mask of four"));

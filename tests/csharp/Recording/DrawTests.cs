@@ -124,6 +124,7 @@ namespace Penumbra.Tests
             {
                 ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);
                 options.technique = technique;
+                if (options.DrawsVisibility) continue;
                 Use(options);
                 urp.Device.Draws.Clear();
                 urp.Render(new FakeScene(), feature);

@@ -16,6 +16,7 @@ namespace Penumbra.Tests
         private const string TraceFile = "PenumbraScreenTrace.shader";
         private const string FarFile = "PenumbraFar.shader";
         private const string SumsFile = "SummedAreas.compute";
+        private const string FlagshipFile = "PenumbraFlagship.compute";
 
         /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
         internal static Shader Maps { get; private set; }
@@ -25,6 +26,9 @@ namespace Penumbra.Tests
 
         /// <summary>The kernels of summed-area tables; imported, too.</summary>
         internal static ComputeShader Sums { get; private set; }
+
+        /// <summary>The kernels of the flagship; imported, too.</summary>
+        internal static ComputeShader Flagship { get; private set; }
 
         /// <summary>All shaders of passes; the frame's own comes back.</summary>
         internal static Shader Install()
@@ -37,6 +41,7 @@ namespace Penumbra.Tests
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + FarFile] = Far =
                 Install("Hidden/Penumbra/Far", FarFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + SumsFile] = Sums = Kernels(SumsFile);
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + FlagshipFile] = Flagship = Kernels(FlagshipFile);
             return Install(PenumbraShadows.ShaderName, FrameFile);
         }
 
@@ -44,8 +49,23 @@ namespace Penumbra.Tests
         {
             var shader = new ComputeShader { name = Path.GetFileNameWithoutExtension(file) };
             foreach (Match kernel in Regex.Matches(Text(file), "#pragma kernel (\\w+)"))
-                shader.Kernels.Add(new ComputeShader.Kernel { Name = kernel.Groups[1].Value, X = 64, Y = 1, Z = 1 });
+            {
+                string name = kernel.Groups[1].Value;
+                uint[] threads = Regex.Match(Text(file), "\\[numthreads\\((.*)\\)\\]\\s+void " + name + "\\(").Groups[1].Value
+                    .Split(", ").Select(count => Number(file, count)).ToArray();
+                shader.Kernels.Add(new ComputeShader.Kernel { Name = name, X = threads[0], Y = threads[1], Z = threads[2] });
+            }
             return shader;
+        }
+
+        // Or a macro of the file, or of one that it includes from its folder.
+        private static uint Number(string file, string count)
+        {
+            if (uint.TryParse(count, out uint number)) return number;
+            Match macro = Regex.Match(Text(file), "#define " + count + " (\\d+)");
+            if (macro.Success) return uint.Parse(macro.Groups[1].Value);
+            return Regex.Matches(Text(file), "#include \"(\\w+.hlsl)\"").Select(include => Number(include.Groups[1].Value, count))
+                .FirstOrDefault(found => found > 0);
         }
 
         private static Shader Install(string name, string file)

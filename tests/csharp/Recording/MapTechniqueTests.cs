@@ -16,6 +16,7 @@ namespace Penumbra.Tests
     {
         private PenumbraShadows feature;
         private FakeUrp urp;
+        private FakeScene scene;
 
         [SetUp]
         public void SetUp()
@@ -26,6 +27,7 @@ namespace Penumbra.Tests
             feature.Settings.preset = QualityPreset.Custom;
             feature.Settings.custom.mask = false;
             urp = new FakeUrp();
+            scene = new FakeScene();
         }
 
         [TearDown]
@@ -35,20 +37,28 @@ namespace Penumbra.Tests
             SystemInfo.Unfiltered.Clear();
             SystemInfo.Device = GraphicsDeviceType.Vulkan;
             SystemInfo.graphicsShaderLevel = 50;
+            SystemInfo.supportsComputeShaders = SystemInfo.supportsIndirectArgumentsBuffer = true;
+            SystemInfo.maxComputeWorkGroupSize = 1024;
             feature.Dispose();
         }
 
         private static IEnumerable<ShadowTechnique> Every() =>
             Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>();
 
+        private static bool DrawsVisibility(ShadowTechnique technique) =>
+            TechniqueTable.Graphs[(int)technique].Any(graph => graph.visibility != TechniqueGraph.None);
+
         private static IEnumerable<ShadowTechnique> WithMaps() =>
-            Every().Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0);
+            Every().Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0 && !DrawsVisibility(technique));
+
+        private static IEnumerable<ShadowTechnique> WithResolve() =>
+            Every().Where(technique => !DrawsVisibility(technique));
 
         private FakeDevice.DrawCall Resolve(ShadowTechnique technique, MapFormat format = MapFormat.Bits32)
         {
             feature.Settings.custom.technique = technique;
             feature.Settings.custom.mapFormat = format;
-            urp.Render(new FakeScene(), feature);
+            urp.Render(scene, feature);
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
             return urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
         }
@@ -154,7 +164,7 @@ namespace Penumbra.Tests
         public void TheShaderAsksForTarget45WhereTheTechniqueDoes() =>
             Assert.That(FakeShader.KeywordsOfTarget45(),
                         Is.EquivalentTo(Every().Where(technique => technique.NeedsTarget45())
-                                            .Select(technique => TechniqueTable.Keywords[(int)technique])));
+                                            .Select(technique => TechniqueTable.Keywords[(int)technique]).Distinct()));
 
         // Of no technique's measured values.
         private static ShadowOptions Odd() => new ShadowOptions
@@ -231,7 +241,83 @@ namespace Penumbra.Tests
                             "_PenumbraSingleLoopParameters0",
                         }));
 
-        [TestCaseSource(nameof(Every))]
+        [Test]
+        public void ThePassesThatDrawTheVisibilityHaveNoResolve()
+        {
+            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            urp.Render(scene, feature);
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+            Assert.That(feature.Replaced, Is.Null);
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass != "clear").Distinct(),
+                        Is.EqualTo(PenumbraFlagshipGraphs.Flagship.passes.Select(pass => pass.program)));
+        }
+
+        private void ExpectPcss(string reason)
+        {
+            FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.Flagship);
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_PCSS" }));
+            Assert.That(feature.Replaced, Does.Contain(reason));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Pcss));
+        }
+
+        [Test]
+        public void OnOpenGlTheFlagshipIsPcss()
+        {
+            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+            ExpectPcss("OpenGL does not define");
+        }
+
+        [Test]
+        public void WithoutAFormatTheFlagshipIsPcss()
+        {
+            SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_UInt;
+            ExpectPcss("cannot write textures of R32G32B32A32_UInt");
+        }
+
+        [Test]
+        public void WithoutKernelsTheFlagshipIsPcss()
+        {
+            SystemInfo.supportsComputeShaders = false;
+            ExpectPcss("is a compute shader, which this device does not support");
+        }
+
+        [Test]
+        public void WithoutIndirectDispatchTheFlagshipIsPcss()
+        {
+            SystemInfo.supportsIndirectArgumentsBuffer = false;
+            ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
+        }
+
+        /// <summary>Vulkan guarantees 128.</summary>
+        [Test]
+        public void WithSmallThreadGroupsTheFlagshipIsPcss()
+        {
+            SystemInfo.maxComputeWorkGroupSize = 128;
+            ExpectPcss("kernel 'ClassifyTiles' has groups of 256 threads, and this device allows 128");
+        }
+
+        [Test]
+        public void ForBothEyesAtOnceTheFlagshipIsPcss()
+        {
+            scene.Views = 2;
+            ExpectPcss("use XR's multi-pass mode");
+            scene.Views = 0;
+            urp.Device.Draws.Clear();
+            urp.Render(scene, feature);
+            Assert.That(feature.Replaced, Is.Null, "another camera");
+            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveTiles"));
+        }
+
+        [Test]
+        public void BelowTarget45NeitherTheFlagshipNorPcssIsDrawn()
+        {
+            SystemInfo.graphicsShaderLevel = 35;
+            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            urp.Render(scene, feature);
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.UnsupportedDevice));
+        }
+
+        [TestCaseSource(nameof(WithResolve))]
         public void OfTheTechniquesStructsItsOwnValuesWin(ShadowTechnique technique)
         {
             feature.Settings.custom.blockerSamples = 5;

@@ -35,6 +35,7 @@ void require_known(JsonObject& object, const std::string& key, const std::string
                    const std::string& name, const std::vector<std::string>& known);
 void add_looks(JsonObject& root, TechniqueList& list);
 void add_selections(JsonObject& root, TechniqueList& list);  // after the techniques
+void add_presets(JsonObject& root, TechniqueList& list);     // after the selections
 
 // A parameter's value: one number for each component. require_value throws where value_problem() has one.
 std::vector<double> components(JsonObject& object, const std::string& key, const ParameterField& field);

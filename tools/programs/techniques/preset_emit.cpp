@@ -29,13 +29,23 @@ constexpr const char* preset_table_end = R"(        };
 
 std::string technique_of(const TechniqueList& list, const Technique& preset) {
   const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
-  const auto found = std::find_if(
-      list.selections.begin(), list.selections.end(),
-      [&](const Selection& selection) { return selection.value && selection.keyword == keyword; });
+  const auto found =
+      std::find_if(list.selections.begin(), list.selections.end(), [&](const Selection& selection) {
+        return selection.value && !selection.draws_visibility && selection.keyword == keyword;
+      });
   if (found == list.selections.end() || preset.keywords.size() > 1)
     throw InputError(preset.where,
                      "the renderer feature has no technique for the keywords of '" + preset.name + "'");
-  return found->name;
+  const auto choice = std::find_if(list.presets.begin(), list.presets.end(),
+                                   [&](const PresetChoice& one) { return one.preset == preset.name; });
+  return choice == list.presets.end() ? found->name : choice->selection;
+}
+
+// "Flagship; else Preset High: PCSS 12+24".
+std::string title_of(const TechniqueList& list, const Technique& preset) {
+  for (const PresetChoice& choice : list.presets)
+    if (choice.preset == preset.name) return list.find(choice.technique).title + "; else " + preset.title;
+  return preset.title;
 }
 
 std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
@@ -63,9 +73,19 @@ std::vector<std::pair<std::string, std::string>> of_other_techniques(const Techn
   return values;
 }
 
+bool draws_at_half_resolution(const TechniqueList& list, const Technique& preset) {
+  for (const PresetChoice& choice : list.presets) {
+    if (choice.preset != preset.name) continue;
+    for (const Selection& selection : list.selections)
+      if (selection.name == choice.selection && !selection.technique_half.empty())
+        return list.find(selection.technique_half).graph_name == list.find(choice.technique).graph_name;
+  }
+  return false;
+}
+
 std::string row(const TechniqueList& list, const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
-  std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
+  std::string text = "            new ShadowOptions  // " + title_of(list, preset) + "\n            {\n";
   const auto set = [&](const std::string& field, const std::string& value) {
     text.append("                ").append(field).append(" = ").append(value).append(",\n");
   };
@@ -85,7 +105,7 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   const bool conservative = has_pass("ConservativeMask");
   set("mask", flag(conservative || has_pass("PenumbraMask")));
   set("conservativeMask", flag(conservative));
-  set("halfResolution", flag(has_pass("Upsample")));
+  set("halfResolution", flag(has_pass("Upsample") || draws_at_half_resolution(list, preset)));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
   return text + "            },\n";
 }

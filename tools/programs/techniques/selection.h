@@ -21,16 +21,19 @@ struct FeatureOption {
   std::optional<ParameterRange> range;  // of numbers
 };
 
-// A filter that a keyword selects in shaders, and, with a value, the renderer feature offers.
+// A filter that a keyword selects in shaders, and, with a value, the renderer feature offers; or passes that
+// the renderer feature alone draws, in place of its own over the screen.
 struct Selection {
-  std::string name;                      // in C#
-  std::string keyword;                   // empty: what is selected without any
-  std::string technique;                 // whose filter it is: a filter alone, or the end of a graph
-  std::string technique_16_bits;         // the same filter over maps of 16 bits a channel; may be empty
-  FilterCall filter;                     // of that technique
-  std::vector<GraphTexture> textures;    // of its graph, that the filter reads
-  bool is_sampled = false;               // as Technique
-  bool widens_with_disc = false;         // penumbrae are as wide as the light's disc makes them
+  std::string name;                    // in C#
+  std::string keyword;                 // empty: what is selected without any; of passes their fallback's
+  std::string technique;               // whose filter it is: a filter alone, or the end of a graph
+  bool draws_visibility = false;       // the technique's graph ends in a texture, and shaders have no filter
+  std::string technique_16_bits;       // the same filter over maps of 16 bits a channel; may be empty
+  std::string technique_half;          // the same passes at half resolution; may be empty
+  FilterCall filter;                   // of that technique
+  std::vector<GraphTexture> textures;  // of its graph, that the filter reads
+  bool is_sampled = false;             // as Technique
+  bool widens_with_disc = false;       // penumbrae are as wide as the light's disc makes them
   bool has_computed_parameters = false;  // the feature's C# sets them; else its values and options do
   bool needs_target_45 = false;          // of Unity's shader targets: it gathers, or searches for bits
   std::string fallback;      // selection in its place where its passes and filter cannot run; may be empty
@@ -41,6 +44,14 @@ struct Selection {
   std::string where;                           // file:line:column
 
   bool reads_raw_depth() const;  // the filter reads the shadow map through the point sampler
+};
+
+// What a quality preset draws where the device can run it: `technique`, whose passes a selection offers. It
+// falls back to the technique that the preset is named after, and has that one's options.
+struct PresetChoice {
+  std::string preset;     // a technique, preset-high for example
+  std::string technique;  // that measurements of what is drawn have
+  std::string selection;  // whose passes these are
 };
 
 }  // namespace penumbra::techniques

@@ -20,8 +20,9 @@ namespace Penumbra
 {
     // Written by `penumbra validate --emit-selections` from the manifests, *.technique.json; do not edit.
     /// <summary>
-    /// The technique of the resolve pass: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the
-    /// feature offers. Inspectors, documentation and reports use these names.
+    /// The technique that computes the visibility: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that
+    /// the feature offers, and for each that passes of its own draw. Inspectors, documentation and reports use these
+    /// names.
     /// </summary>
     public enum ShadowTechnique
     {
@@ -38,7 +39,10 @@ constexpr const char* table_begin = R"(    }
     /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
     internal static class TechniqueTable
     {
-        /// <summary>Shader keywords; null for the technique that is used without one.</summary>
+        /// <summary>
+        /// Shader keywords; null for the technique that is used without one. Passes that draw the visibility have their
+        /// fallback's.
+        /// </summary>
         internal static readonly string[] Keywords =
         {
 )";
@@ -53,10 +57,21 @@ constexpr const char* cascades_begin = R"(        };
 constexpr const char* graphs_begin = R"(        };
 
         /// <summary>
-        /// The passes before the filter, which make the maps that it reads; empty for a filter of the shadow map alone.
+        /// The passes before the filter, which make the maps that it reads, or those that draw the visibility without
+        /// one; empty for a filter of the shadow map alone.
         /// Of two the second makes maps of 16 bits: index with ShadowOptions.GraphIndex.
         /// </summary>
         internal static readonly TechniqueGraph[][] Graphs =
+        {
+)";
+
+constexpr const char* half_begin = R"(        };
+
+        /// <summary>
+        /// Of passes that draw the visibility: the same at half resolution. Null where there is none, and for filters,
+        /// which the feature's own passes draw at half resolution.
+        /// </summary>
+        internal static readonly TechniqueGraph[] HalfGraphs =
         {
 )";
 
@@ -196,10 +211,15 @@ std::string measured_of(const TechniqueList& list, const Selection& selection) {
   return "(ref ShadowOptions options) =>\n" + indent + "{\n" + settings + indent + "}";
 }
 
+// By the parameters of the filter, or of the passes that draw the visibility.
 bool limits_width(const TechniqueList& list, const Selection& selection) {
   const ParameterStruct* parameters = list.find_struct(selection.filter.parameters);
-  return parameters != nullptr &&
-         std::any_of(parameters->fields.begin(), parameters->fields.end(),
+  std::vector<ParameterField> fields;
+  if (selection.draws_visibility)
+    fields = list.fields_of(list.find(selection.technique));
+  else if (parameters != nullptr)
+    fields = parameters->fields;
+  return std::any_of(fields.begin(), fields.end(),
                      [](const ParameterField& field) { return field.name == "maxPenumbraMetres"; });
 }
 
@@ -246,7 +266,7 @@ std::string flags(const char* name, const std::vector<bool>& values) {
 
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
-  std::string entries, keywords, options, cascades, graphs, parameters, measured, fallbacks;
+  std::string entries, keywords, options, cascades, graphs, halves, parameters, measured, fallbacks;
   std::vector<bool> sampled, widens, target_45, limiting, biased;
   const std::vector<const Selection*> selections = offered(list);
   for (const Selection* selection : selections) {
@@ -258,6 +278,10 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     options += indent + options_of(*selection) + ",\n";
     cascades += emit_cascade_row(list, list.find(selection->technique));
     graphs += indent + graphs_of(list, *selection) + ",\n";
+    halves +=
+        indent +
+        (selection->technique_half.empty() ? "null" : csharp_graph_of(list.find(selection->technique_half))) +
+        ",\n";
     parameters += indent + parameters_of(list, *selection) + ",\n";
     measured += indent + measured_of(list, *selection) + ",\n";
     fallbacks += indent + fallback_of(selections, *selection) + ",\n";
@@ -271,8 +295,8 @@ std::string emit_selections_csharp(const TechniqueList& list) {
          table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
          table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
          table("        private static readonly string[][] Options =\n        {\n" + options) +
-         cascades_begin + cascades + graphs_begin + graphs + parameters_begin + parameters + measured_begin +
-         measured + fallbacks_begin + fallbacks + table_end;
+         cascades_begin + cascades + graphs_begin + graphs + half_begin + halves + parameters_begin +
+         parameters + measured_begin + measured + fallbacks_begin + fallbacks + table_end;
 }
 
 }  // namespace penumbra::techniques

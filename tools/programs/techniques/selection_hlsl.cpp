@@ -65,11 +65,14 @@ std::string macro_of(const Selection& selection) {
 class KeywordWriter {
  public:
   explicit KeywordWriter(const TechniqueList& list) : list_(list) {
-    for (const Selection& selection : list.selections)
+    for (const Selection& selection : list.selections) {
+      if (selection.draws_visibility) continue;
+      in_shaders_.push_back(&selection);
       if (selection.keyword.empty())
         otherwise_ = &selection;
       else
         by_keyword_.push_back(&selection);
+    }
     if (otherwise_ == nullptr)
       throw InputError(list.package.string(), "no selection is without a keyword",
                        "give the one that shaders use without any: \"keyword\": \"\"");
@@ -103,9 +106,9 @@ class KeywordWriter {
   void describe() {
     std::size_t keyword = 0;
     std::size_t function = 0;
-    for (const Selection& selection : list_.selections) {
-      keyword = std::max(keyword, selection.keyword.size());
-      function = std::max(function, selection.filter.function.size());
+    for (const Selection* selection : in_shaders_) {
+      keyword = std::max(keyword, selection->keyword.size());
+      function = std::max(function, selection->filter.function.size());
     }
     const auto line = [&](const std::string& name, const Selection& selection) {
       text_ += fmt::format("//               {:<{}}  {:<{}}  {}\n", name, keyword, selection.filter.function,
@@ -118,11 +121,11 @@ class KeywordWriter {
   // One macro for the filter that is used, none for that without a keyword.
   void choose() {
     const char* directive = "#if";
-    for (const Selection& fallback : list_.selections) {
+    for (const Selection* fallback : in_shaders_) {
       std::string keywords;
       std::size_t width = 0;
       for (const Selection* selection : by_keyword_) {
-        if (selection->fallback != fallback.name) continue;
+        if (selection->fallback != fallback->name) continue;
         const std::string one = "defined(" + selection->keyword + ")";
         const bool fits = keywords.empty() || width + one.size() < kWidest;
         keywords += keywords.empty() ? "" : fits ? " || " : " || \\\n     ";
@@ -131,7 +134,7 @@ class KeywordWriter {
       }
       if (keywords.empty()) continue;
       text_ += fmt::format("{} defined(PENUMBRA_WITHOUT_GATHER) && \\\n    ({})\n", directive, keywords);
-      if (!fallback.keyword.empty()) text_ += "#define " + macro_of(fallback) + "\n";
+      if (!fallback->keyword.empty()) text_ += "#define " + macro_of(*fallback) + "\n";
       directive = "#elif";
     }
     for (const Selection* selection : by_keyword_) {
@@ -200,9 +203,9 @@ class KeywordWriter {
       if (parameters != nullptr && std::find(used.begin(), used.end(), parameters) == used.end())
         used.push_back(parameters);
     };
-    for (const Selection& selection : list_.selections) {
-      use(selection.filter);
-      for (const CascadeRule& rule : rules_of(selection)) use(rule.filter);
+    for (const Selection* selection : in_shaders_) {
+      use(selection->filter);
+      for (const CascadeRule& rule : rules_of(*selection)) use(rule.filter);
     }
     return used;
   }
@@ -230,15 +233,15 @@ class KeywordWriter {
 
   // Uniforms of rules, for shaders that have them alone.
   void declare_rules() {
-    for (const Selection& selection : list_.selections) {
+    for (const Selection* selection : in_shaders_) {
       std::string lines;
-      for (const CascadeRule& rule : rules_of(selection))
+      for (const CascadeRule& rule : rules_of(*selection))
         if (const ParameterStruct* parameters = list_.find_struct(rule.filter.parameters))
           for (std::size_t i = 0; i < vector_count(*parameters); ++i)
             lines += "float4 " + uniform_name(*parameters, i, rule) + ";\n";
       if (lines.empty()) continue;
       const std::string condition =
-          selection.keyword.empty() ? none_of_them() : "defined(" + macro_of(selection) + ")";
+          selection->keyword.empty() ? none_of_them() : "defined(" + macro_of(*selection) + ")";
       text_ += fmt::format("\n#if {}\n{}#endif\n", condition, lines);
     }
   }
@@ -306,6 +309,7 @@ class KeywordWriter {
   }
 
   const TechniqueList& list_;
+  std::vector<const Selection*> in_shaders_;
   std::vector<const Selection*> by_keyword_;
   const Selection* otherwise_ = nullptr;
   std::string text_ = header;

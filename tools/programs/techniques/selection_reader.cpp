@@ -3,6 +3,7 @@
 
 #include "input/input_error.h"
 #include "techniques/manifest_reader.h"
+#include "techniques/preset_emit.h"
 #include "techniques/selection.h"
 
 namespace penumbra::techniques {
@@ -75,48 +76,79 @@ void read_fallback(JsonObject& object, const TechniqueList& list, Selection& sel
   selection.fallback = required_text(object, "fallback");
   std::vector<std::string> known;
   for (const Selection& other : list.selections)
-    if (other.fallback.empty()) known.push_back(other.name);
+    if (selection.draws_visibility ? !other.draws_visibility : other.fallback.empty())
+      known.push_back(other.name);
   require_known(object, "fallback", "selection", selection.fallback, known);
+  if (!selection.draws_visibility) return;
+  for (const Selection& other : list.selections)
+    if (other.name == selection.fallback) selection.keyword = other.keyword;
 }
 
-// Whose filter a keyword can select: under the sun, after passes or without any.
+// Whose filter a keyword can select: under the sun, after passes or without any. Or whose passes draw the
+// visibility from the shadow map alone.
 const Technique& read_technique(JsonObject& object, const std::string& key, const TechniqueList& list) {
   const std::string name = required_text(object, key);
   std::vector<std::string> known;
   for (const Technique& technique : list.techniques) known.push_back(technique.name);
   require_known(object, key, "technique", name, known);
   const Technique& technique = list.find(name);
-  if (technique.graph.filter_pass() == nullptr || !technique.is_for(LightKind::directional))
-    object.fail(key, "'" + name + "' does not end in a filter for directional lights");
+  const PassGraph& graph = technique.graph;
+  const bool ends =
+      graph.filter_pass() != nullptr || (graph.over_screen() && graph.source.empty() && graph.needs.empty());
+  if (!ends || !technique.is_for(LightKind::directional))
+    object.fail(key, "'" + name +
+                         "' does not end in a filter for directional lights, nor in a visibility "
+                         "that needs the shadow map alone");
   return technique;
 }
 
 void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& selection) {
   if (!object.has("technique_16_bits")) return;
   const Technique& technique = read_technique(object, "technique_16_bits", list);
-  if (technique.graph.filter()->function != selection.filter.function || technique.graph_name.empty())
+  if (selection.draws_visibility || technique.graph.filter_pass() == nullptr ||
+      technique.graph.filter()->function != selection.filter.function || technique.graph_name.empty())
     object.fail("technique_16_bits", "'" + technique.name + "' is not the filter '" +
                                          selection.filter.function + "' over maps, as '" +
                                          selection.technique + "' is");
   selection.technique_16_bits = technique.name;
 }
 
+void read_half(JsonObject& object, const TechniqueList& list, Selection& selection) {
+  if (!object.has("technique_half")) return;
+  const Technique& technique = read_technique(object, "technique_half", list);
+  if (!selection.draws_visibility || technique.graph.filter_pass() != nullptr)
+    object.fail("technique_half",
+                "'" + selection.name + "' or '" + technique.name +
+                    "' is a filter, which the renderer feature's own passes draw at half resolution",
+                "leave it out");
+  selection.technique_half = technique.name;
+}
+
 Selection read_selection(JsonObject& object, const TechniqueList& list) {
   Selection selection;
   selection.name = required_identifier(object, "name");
   selection.where = object.where("name");
+  const Technique& technique = read_technique(object, "technique", list);
+  selection.technique = technique.name;
+  selection.draws_visibility = technique.graph.filter_pass() == nullptr;
+  if (selection.draws_visibility && object.has("keyword"))
+    object.fail("keyword",
+                "'" + selection.technique + "' ends in a texture, not in a filter that shaders could call",
+                "leave the keyword out: its fallback's is on");
+  if (selection.draws_visibility && !object.has("value"))
+    object.fail("name",
+                "'" + selection.technique + "' ends in a texture, which the renderer feature alone draws",
+                "give it a value, a title, a doc and options");
   selection.keyword = object.text("keyword", "");
   for (const Selection& other : list.selections) {
     if (other.name == selection.name) object.fail("name", "there are two selections '" + other.name + "'");
-    if (other.keyword == selection.keyword)
+    if (!selection.draws_visibility && !other.draws_visibility && other.keyword == selection.keyword)
       object.fail("keyword", "'" + other.name + "' has the keyword '" + other.keyword + "'");
   }
   if (!selection.keyword.empty() && !selection.keyword.starts_with("_PENUMBRA_"))
     object.fail("keyword", "a keyword of the library begins with '_PENUMBRA_'");
   if (!selection.keyword.empty()) required_identifier(object, "keyword");
-  const Technique& technique = read_technique(object, "technique", list);
-  selection.technique = technique.name;
-  selection.filter = *technique.graph.filter();
+  if (!selection.draws_visibility) selection.filter = *technique.graph.filter();
   for (const GraphTexture& texture : technique.graph.textures)
     if (selection.filter.takes(texture.name)) selection.textures.push_back(texture);
   selection.is_sampled = technique.is_sampled();
@@ -124,10 +156,38 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
   selection.has_computed_parameters = object.boolean("computed_parameters", false);
   read_16_bits(object, list, selection);
+  read_half(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);
   object.finish();
   return selection;
+}
+
+// Of those that draw the visibility; null if none does so by this technique's graph.
+const Selection* selection_with_passes(const TechniqueList& list, const Technique& technique) {
+  const auto has_them = [&](const std::string& name) {
+    if (name.empty()) return false;
+    const Technique& other = list.find(name);
+    return other.graph_name == technique.graph_name && other.manifest == technique.manifest;
+  };
+  for (const Selection& selection : list.selections)
+    if (selection.draws_visibility && (has_them(selection.technique) || has_them(selection.technique_half)))
+      return &selection;
+  return nullptr;
+}
+
+// A preset's options set both what it draws and what it falls back to: what is measured must have them, too.
+void require_same_options(JsonObject& object, const TechniqueList& list, const PresetChoice& choice,
+                          const Selection& selection) {
+  const Technique& preset = list.find(choice.preset);
+  const Technique& technique = list.find(choice.technique);
+  for (const auto& [option, field] : selection.options) {
+    const auto own = preset.values.find(field);
+    if (own != preset.values.end() && own->second != technique.values.at(field))
+      object.fail(
+          "technique", "'" + technique.name + "' and '" + preset.name + "' differ in '" + field + "'",
+          "the preset has one value of the option '" + option + "' for both: add a technique that has it");
+  }
 }
 
 }  // namespace
@@ -143,6 +203,33 @@ void add_options(const Manifest& manifest, TechniqueList& list) {
     for (const FeatureOption& other : list.options)
       if (other.name == option.name) object.fail("name", "there are two options '" + option.name + "'");
     list.options.push_back(std::move(option));
+  }
+}
+
+void add_presets(JsonObject& root, TechniqueList& list) {
+  std::vector<std::string> names;
+  for (const Technique& technique : list.techniques) names.push_back(technique.name);
+  for (JsonObject& object : root.objects("presets")) {
+    PresetChoice choice{required_text(object, "preset"), required_text(object, "technique"), {}};
+    require_known(object, "preset", "technique", choice.preset, names);
+    require_known(object, "technique", "technique", choice.technique, names);
+    if (!choice.preset.starts_with(preset_prefix))
+      object.fail("preset", "'" + choice.preset + "' is not a preset",
+                  std::string("their names begin with ") + preset_prefix);
+    for (const PresetChoice& other : list.presets)
+      if (other.preset == choice.preset)
+        object.fail("preset", "there are two choices for '" + choice.preset + "'");
+    const Selection* selection = selection_with_passes(list, list.find(choice.technique));
+    if (selection == nullptr)
+      object.fail("technique", "no selection has the passes of '" + choice.technique + "'",
+                  "add one to \"selections\" of its manifest");
+    if (list.find(choice.preset).keywords != std::vector<std::string>{selection->keyword})
+      object.fail("preset", "'" + choice.preset + "' has not the keyword of '" + selection->fallback +
+                                "', which '" + selection->name + "' falls back to");
+    require_same_options(object, list, choice, *selection);
+    choice.selection = selection->name;
+    object.finish();
+    list.presets.push_back(std::move(choice));
   }
 }
 

@@ -99,6 +99,7 @@ struct TechniqueList {
   std::vector<Look> looks;
   std::vector<FeatureOption> options;  // in the order in which inspectors show them
   std::vector<Selection> selections;
+  std::vector<PresetChoice> presets;  // of those that draw passes of a selection
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
   const ParameterStruct* find_struct(const std::string& name) const;

@@ -415,6 +415,7 @@ void add_techniques(const Manifest& manifest, TechniqueList& list) {
   }
   reader.finish();
   add_selections(root, list);
+  add_presets(root, list);
   add_looks(root, list);
   root.finish();
 }

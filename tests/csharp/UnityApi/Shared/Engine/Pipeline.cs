@@ -88,6 +88,11 @@ namespace UnityEngine
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static Rendering.GraphicsDeviceType graphicsDeviceType => Device;
         public static bool supportsComputeShaders { get; [OwnBehaviour] set; } = true;
+        public static bool supportsIndirectArgumentsBuffer { get; [OwnBehaviour] set; } = true;
+        public static int maxComputeWorkGroupSize { get; [OwnBehaviour] set; } = 1024;
+        public static int maxComputeWorkGroupSizeX { get; [OwnBehaviour] set; } = 1024;
+        public static int maxComputeWorkGroupSizeY { get; [OwnBehaviour] set; } = 1024;
+        public static int maxComputeWorkGroupSizeZ { get; [OwnBehaviour] set; } = 64;
         public static bool supports3DRenderTextures { get; [OwnBehaviour] set; } = true;
         public static bool supports2DArrayTextures { get; [OwnBehaviour] set; } = true;
         public static int supportsMultisampledTextures { get; [OwnBehaviour] set; } = 1;
