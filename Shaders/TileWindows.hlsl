@@ -16,7 +16,7 @@
 #define PENUMBRA_TILE_WINDOWS_HLSL
 
 #include "TileClusters.hlsl"
-#include "../ShaderLibrary/Filters/DepthRings.hlsl"
+#include "../ShaderLibrary/Filters/DepthRingSums.hlsl"
 
 #define WINDOW_THREADS 256
 // What is left after these is filtered by each pixel alone.
@@ -25,17 +25,13 @@
 // ceil((2 kWindowReach + 1) / 2^n) + 2 kRingCells + 3 each way.
 #define WINDOW_TEXELS 38
 #define WINDOW_CELLS 2251
-#define MOST_LEVELS 8
 // Cells each way that hold a ring of the search.
 #define SEARCH_CELLS 9
+// Of texels, and kMostRingLevels beyond them.
+#define WINDOW_LEVELS 9
 // Texels each way that kGroundReach can reach.
 #define GROUND_TEXELS 7
 
-// The kernel of narrow penumbrae is wider than its radius by its texels: so much narrower it is made, and no narrower than
-// that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and that over all pixels rises from 1 on; fitting a
-// straight edge to the texels changes either by a hundredth.
-static const float kKernelNarrowing = 0.25;
-static const float kNarrowestRadius = 1.125;
 // How far from the cluster's first receiver, texels along each axis, a receiver may lie.
 static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
 // A receiver so near to the plane of its part's, texels along the light, and so near to it takes its sums.
@@ -56,7 +52,7 @@ struct DepthWindow
 };
 
 groupshared uint windowSpreads[WINDOW_CELLS];
-groupshared DepthWindow levelWindows[MOST_LEVELS + 1];
+groupshared DepthWindow levelWindows[WINDOW_LEVELS];
 // Of each cluster.
 groupshared uint windowFirst[WINDOW_CLUSTERS];
 groupshared float2 windowCentre[WINDOW_CLUSTERS];
@@ -173,7 +169,7 @@ WindowBounds BoundWindow(uint cluster)
     bounds.low = int2(windowLeft[cluster], windowTop[cluster]);
     bounds.high = int2(windowRight[cluster], windowBottom[cluster]);
     bounds.radius = asfloat(windowRadius[cluster]);
-    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, MOST_LEVELS);
+    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels);
     bounds.tile = windowTile[cluster];
     return bounds;
 }
@@ -261,21 +257,10 @@ int2 CellsOfRow(float2 centre, float distance, int row, DepthWindow window)
     return RowsAround(centre.x, sqrt(max(distance * distance - across * across, 0.0)), window.low.x, window.size.x);
 }
 
-struct WindowSearch
-{
-    RingSums sums;
-    float low;    // how much of the cone low blockers hide, texels
-    float ground; // BlockersOfCell
-};
-
 // The texels of the first ring.
-WindowSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
+RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
 {
-    WindowSearch search;
-    search.sums = NoBlockers();
-    search.low = 0.0;
-    search.ground = UsualGround(scales);
-    bool groundFound = false;
+    RingSearch search = BeginSearch(scales);
     const DepthWindow texels = levelWindows[0];
     const float farthest = min(kSearchRingCells, radius) + 0.5;
     const int2 rows = RowsAround(receiver.centre.y, farthest, texels.low.y, texels.size.y);
@@ -291,7 +276,7 @@ WindowSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
             const float area = ShareInRing(distance, 0, radius, kSearchRingCells);
             const float depth = DepthInWindow(texels, int2(x, y));
             if (distance < kGroundReach)
-                search.ground = GroundWithTexel(search.ground, groundFound, depth, away, receiver, scales);
+                search.ground = GroundWithTexel(search.ground, search.groundFound, depth, away, receiver, scales);
             const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
             if (!(blockers.share > 0.0) || !(area > 0.0)) continue;
             const float before = search.sums.inside.x;
@@ -326,7 +311,7 @@ RingSums AddRingCell(RingSums sums, int level, int n, bool filled, QuadReceiver 
 RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales scales, float radius)
 {
     RingSums all = sums;
-    const int levels = RingLevels(radius, kSearchRingCells, MOST_LEVELS);
+    const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
     UNITY_LOOP
     for (int level = 1; level <= levels; ++level)
     {
@@ -423,7 +408,7 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
     if (any)
     {
         const float radius = partDepth[part].y;
-        const int levels = RingLevels(radius, kSearchRingCells, MOST_LEVELS);
+        const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
         UNITY_LOOP
         for (int level = 1; level <= levels; ++level)
         {
@@ -453,44 +438,42 @@ RingSums AddPart(RingSums sums, uint part)
     return all;
 }
 
-// As FilterBlock of PcssAngular.hlsl, over the window.
-float FilterWindowBlock(QuadReceiver receiver, LightCone cone, float radius, float largestGap)
+// The first of the block's quads, of level 0.
+float4 DepthsInWindow(DepthWindow texels, int2 first)
 {
-    const DepthWindow texels = levelWindows[0];
-    const int2 first = int2(floor(receiver.centre + 0.5)) - 2;
-    const float outermost = max(radius + kBlockReachTexels, kSmallestBlockTexels);
-    float lit = 0.0;
-    float blocked = 0.0;
-    UNITY_LOOP
-    for (int i = 0; i < 16; ++i)
+    float4 depths;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
     {
-        const int2 texel = first + int2(i & 3, i >> 2);
-        if (!IsInWindow(texels, texel)) continue;
-        const float2 away = float2(texel) + 0.5 - receiver.centre;
-        const float distance = length(away);
-        const CellBlockers blockers = BlockersOfTexel(DepthInWindow(texels, texel), away, receiver);
-        const float weight = blockers.gap < largestGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
-        const float offset = ConeOffset(distance, cone.slackTexels, cone.largestOffset, cone.scales);
-        const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
-        blocked += hidden;
-        lit += weight - hidden;
+        const int2 texel = min(max(first + int2(k & 1, k >> 1), texels.low), texels.low + texels.size - 1);
+        depths[k] = DepthInWindow(texels, texel);
     }
-    return LitShare(lit, blocked);
+    return depths;
 }
 
-// As FilterDisc, over every cell of the disc, of the level that has kRingCells or fewer to its edge. Smaller cells near the
-// receiver, as the search has them, change the error by less than a hundredth; with 4 cells to the edge there are 1.2 to 1.6
-// times as many false shadows, with 3 twice to 5 times as many.
-float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, float ground)
+float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
 {
-    const int level = RingLevels(radius + 0.5, kRingCells, MOST_LEVELS);
+    const DepthWindow texels = levelWindows[0];
+    float2 sums = float2(0.0, 0.0);
+    UNITY_LOOP
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 first = QuadOfBlock(receiver, k);
+        sums = FilterBlockQuad(sums, DepthsInWindow(texels, first), first, penumbra, receiver);
+    }
+    return LitShare(sums.x, sums.y);
+}
+
+// As FilterDisc of PcssAngular.hlsl, over every cell of the disc, of DiscLevel.
+float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra)
+{
+    const int level = DiscLevel(penumbra.radius);
     const DepthWindow window = levelWindows[level];
     const float width = exp2(float(level));
     const float2 centre = receiver.centre / width;
-    const float farthest = min(kRingCells, radius / width) + 0.5;
+    const float farthest = min(kRingCells, penumbra.radius / width) + 0.5;
     const int2 rows = RowsAround(centre.y, farthest, window.low.y, window.size.y);
-    float lit = 0.0;
-    float blocked = 0.0;
+    float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
     for (int y = rows.x; y <= rows.y; ++y)
     {
@@ -498,54 +481,32 @@ float FilterWindowDisc(QuadReceiver receiver, LightCone cone, float radius, floa
         UNITY_LOOP
         for (int x = row.x; x <= row.y; ++x)
         {
-            const float2 away = (float2(x, y) + 0.5 - centre) * width;
+            const float2 away = AwayFrom(receiver, int2(x, y), width);
             const float distance = length(away);
-            const float weight = min(max(farthest - distance / width, 0.0), 1.0);
             CellBlockers blockers;
             if (level == 0) blockers = BlockersOfTexel(DepthInWindow(window, int2(x, y)), away, receiver);
-            else blockers = BlockersOfCell(SpreadInWindow(window, int2(x, y)), away, width, ground, receiver);
-            const float cut = ConeOffset(distance, max(cone.slackTexels, width), cone.largestOffset, cone.scales);
-            const float hidden = blockers.gap > cut ? blockers.share * weight : 0.0;
-            blocked += hidden;
-            lit += weight - hidden;
+            else blockers = BlockersOfCell(SpreadInWindow(window, int2(x, y)), away, width, penumbra.ground, receiver);
+            const float share = ShareInDisc(distance, level, penumbra.radius, kRingCells);
+            sums = FilterCell(sums, blockers, distance, width, share, penumbra.cone);
         }
     }
-    return LitShare(lit, blocked);
+    return LitShare(sums.x, sums.y);
 }
 
 // radius: of the search, texels.
 float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, uint part)
 {
     const bool nearPart = IsNearPart(receiver, scales, part);
-    WindowSearch search;
-    search.sums = NoBlockers();
-    search.low = 0.0;
+    RingSearch search = BeginSearch(scales);
     search.ground = GroundOfPart(part, scales);
     if (!nearPart || partNear[part] != 0) search = SumTexels(receiver, scales, radius);
-    RingSums sums = search.sums;
-    if (nearPart) sums = AddPart(sums, part);
-    else sums = SumRings(sums, receiver, search.ground, scales, radius);
-    if (!(sums.nearby.x > 0.0)) return 1.0;
-    const bool inside = sums.inside.x > 0.0;
-    const float penumbra = min(inside ? sums.inside.y / sums.inside.x : sums.nearby.y / sums.nearby.x, radius);
-    const float gap = penumbra * scales.depthPerTexel;
-    LightCone cone;
-    cone.scales = scales;
-    cone.largestOffset = inside ? kConeHeightShare * gap : kAnyGap;
-    const bool narrow = penumbra <= kWidestBlockTexels;
+    if (nearPart) search.sums = AddPart(search.sums, part);
+    else search.sums = SumRings(search.sums, receiver, search.ground, scales, radius);
+    const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
+    if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
-    if (narrow || search.low > 0.0)
-    {
-        cone.slackTexels = kWidestBlockTexels + kBlockReachTexels;
-        const float lowGap = min(kLowBlockerTexels * scales.depthPerTexel, kLowBlockerShare * gap);
-        visibility = FilterWindowBlock(receiver, cone, min(max(penumbra - kKernelNarrowing, kNarrowestRadius), kWidestBlockTexels),
-                                       narrow ? kAnyGap : lowGap);
-    }
-    if (!narrow && visibility > 0.0)
-    {
-        cone.slackTexels = kQuadSlackTexels;
-        visibility = min(visibility, FilterWindowDisc(receiver, cone, penumbra, search.ground));
-    }
+    if (penumbra.readsBlock) visibility = FilterWindowBlock(receiver, penumbra);
+    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowDisc(receiver, penumbra));
     return SanitizeVisibility(visibility);
 }
 

@@ -17,7 +17,7 @@
 // Cost:       no fetches.
 // Guarantees: finite; a cell without anything above the plane blocks nothing. The rings' shares of a cell's levels are in
 //             [0, 1].
-// Use it:     over cells in groupshared memory. Not: under spot lights.
+// Use it:     over the cells around a receiver, DepthRingSums.hlsl. Not: under spot lights.
 #ifndef PENUMBRA_DEPTH_RINGS_HLSL
 #define PENUMBRA_DEPTH_RINGS_HLSL
 

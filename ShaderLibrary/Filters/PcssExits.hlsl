@@ -1,7 +1,7 @@
 // Penumbra: what percentage-closer soft shadows read, for exits before them.
 //
-// Computes:   ExitReach of PCSS by angular diameter, of the classic recipe, of HDRP's rules and of the single loop.
-// Source:     PcssAngular.hlsl, PcssClassic.hlsl, PcssHdrp.hlsl, SingleLoop.hlsl.
+// Computes:   ExitReach of PCSS by the classic recipe, by HDRP's rules and of the single loop; with PcssAngularExits.hlsl.
+// Source:     PcssClassic.hlsl, PcssHdrp.hlsl, SingleLoop.hlsl.
 // Inputs:     those of the filters.
 // Cost:       no fetches.
 // Guarantees: those of FilterExits.hlsl.
@@ -9,34 +9,10 @@
 #ifndef PENUMBRA_PCSS_EXITS_HLSL
 #define PENUMBRA_PCSS_EXITS_HLSL
 
-#include "FilterExits.hlsl"
-#include "PcssAngular.hlsl"
+#include "PcssAngularExits.hlsl"
 #include "PcssClassic.hlsl"
 #include "PcssHdrp.hlsl"
 #include "SingleLoop.hlsl"
-
-// Of the mean gap, with what floats round of it.
-static const float kRoundedShare = 1.001;
-
-// Its cone as in PcssAngularDecision.hlsl.
-ExitReach ReachOfPcssAngular(ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
-{
-    const ConeScales scales = ConeScalesOf(tile);
-    const float smallest = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
-    const float narrowest = max(smallest, kWidestBlockTexels);
-    const QuadReceiver prepared = PrepareQuads(receiver, tile);
-    const float search = max(SearchRadius(prepared.depth, parameters.maxPenumbraMetres, smallest, scales), narrowest);
-    ExitReach reach = ReachOfDisc(prepared, search + kSampleReachTexels);
-    reach.slackTexels = smallest + 1.75;
-    reach.depthPerTexel = scales.depthPerTexel;
-    reach.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
-    reach.radiusPerGap = scales.texelsPerDepth;
-    reach.smallestRadius = narrowest;
-    reach.largestRadius = search;
-    reach.darkShare = kRoundedShare * kConeHeightShare;
-    reach.foundAtReceiver = true;
-    return reach;
-}
 
 ExitReach ReachOfPcssClassic(ShadowReceiver receiver, ShadowTile tile, PcssClassicParameters parameters)
 {

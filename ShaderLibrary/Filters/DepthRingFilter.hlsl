@@ -1,0 +1,149 @@
+// Penumbra: soft shadows from all texels of the shadow map around one receiver, by rings of cells.
+//
+// Computes:   whether the planes of the blocks around the receiver show that PCSS by angular diameter is 1 or 0 there; else the
+//             visibility of a disc light, from every texel near the receiver and larger cells farther away.
+// Source:     Penumbra's own: what Shaders/PenumbraFlagship.compute does for tiles of pixels, for a receiver alone.
+//             DepthRingSums.hlsl; FilterExits.hlsl.
+// Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes and depthSpreads, of the passes
+//             QuarterDepthBlocks and DepthBlocksMip.
+// Cost:       up to 9 fetches of the planes for each of up to kMostRingRadii radii; where those do not decide, some 20 gathers
+//             in search of blockers and about as many in the filter, and 12 and 20 for each octave of distance beyond.
+// Guarantees: [0, 1] for any input; no noise: the same receiver gives the same answer. Where the planes decide, it is what
+//             FilterPcssAngular returns, to the last bit. Reads no texel outside of the receiver's tile that counts.
+// Use it:     in forward shaders and for what blends, where the renderer feature makes both maps. Not: for a whole screen on
+//             devices with compute shaders, where tiles share what they read.
+#ifndef PENUMBRA_DEPTH_RING_FILTER_HLSL
+#define PENUMBRA_DEPTH_RING_FILTER_HLSL
+
+#include "DepthRingSums.hlsl"
+#include "PcssAngularExits.hlsl"
+
+// Each radius is that of the blockers which the blocks within the one before allow. Fetches per pixel of two scenes under a
+// light of 2 degrees, without the passes over the map, with 1, 2, 3 and 4: 57, 47, 47 and 47; under 5 degrees 103, 100, 95 and 95.
+static const int kMostRingRadii = 3;
+// A radius that shrinks by less is not tried again.
+static const float kRingRadiusShrinks = 0.75;
+static const float kSmallestRingRadius = 2.0;
+
+struct RingDecision
+{
+    float visibility; // or kUndecided
+    float radius;     // texels: no blocker's penumbra is wider
+};
+
+RingDecision DecideRings(TEXTURE2D(depthPlanes), ExitReach reach, ConeScales scales)
+{
+    RingDecision decision;
+    decision.visibility = kUndecided;
+    const float narrowest = max(reach.smallestRadius, kSmallestRingRadius);
+    decision.radius = max(reach.largestRadius, narrowest);
+    UNITY_LOOP
+    for (int i = 0; i < kMostRingRadii; ++i)
+    {
+        const ExitBounds bounds = BoundExits(depthPlanes, reach, decision.radius + kSampleReachTexels, true);
+        if (!bounds.whole) break;
+        if (bounds.noneBlocks) decision.visibility = 1.0;
+        else if (bounds.allBlock && bounds.smallestGap > reach.darkShare * bounds.largestGap) decision.visibility = 0.0;
+        if (decision.visibility >= 0.0) break;
+        const float before = decision.radius;
+        decision.radius = max(min(PenumbraRadius(bounds.largestGap, scales), before), narrowest);
+        if (decision.radius > kRingRadiusShrinks * before) break;
+    }
+    return decision;
+}
+
+// Four texels from the first on, row by row.
+float4 DepthsOfQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), int2 first, QuadReceiver receiver)
+{
+    const float2 corner = float2(first + 1) * receiver.texelSize;
+    return SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner)).wzxy;
+}
+
+RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), float radius,
+                       QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch search = BeginSearch(scales);
+    const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
+    UNITY_LOOP
+    for (int level = 0; level <= levels; ++level)
+    {
+        const QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
+        UNITY_LOOP
+        for (int i = 0; i < CountOf(quads); ++i)
+        {
+            const int2 quad = QuadAt(quads, i);
+            const float4 areas = AreasInRing(quad, level, radius, kSearchRingCells, receiver);
+            if (!AnyArea(areas)) continue;
+            if (level == 0)
+                search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad,
+                                      areas, receiver, scales);
+            else
+                search = SearchCells(search, LOAD_TEXTURE2D_LOD(depthSpreads, quad, level - 1), quad, level, areas, receiver,
+                                     scales);
+        }
+    }
+    return search;
+}
+
+float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), RingPenumbra penumbra,
+                  QuadReceiver receiver)
+{
+    float2 sums = float2(0.0, 0.0);
+    const int level = DiscLevel(penumbra.radius);
+    const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
+    UNITY_LOOP
+    for (int i = 0; i < CountOf(quads); ++i)
+    {
+        const int2 quad = QuadAt(quads, i);
+        const float4 areas = AreasInDisc(quad, level, penumbra.radius, receiver);
+        if (!AnyArea(areas)) continue;
+        if (level == 0)
+            sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
+                                penumbra, receiver);
+        else
+            sums = FilterCells(sums, LOAD_TEXTURE2D_LOD(depthSpreads, quad, level - 1), quad, level, areas, penumbra, receiver);
+    }
+    return LitShare(sums.x, sums.y);
+}
+
+float FilterBlockOfRings(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penumbra, QuadReceiver receiver)
+{
+    float2 sums = float2(0.0, 0.0);
+    UNITY_LOOP
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 first = QuadOfBlock(receiver, k);
+        sums = FilterBlockQuad(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), first, receiver), first, penumbra,
+                               receiver);
+    }
+    return LitShare(sums.x, sums.y);
+}
+
+// radius: no blocker's penumbra is wider, texels.
+float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), float radius,
+                     QuadReceiver receiver, ConeScales scales)
+{
+    const RingSearch search = SearchRings(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, radius, receiver, scales);
+    const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
+    if (!penumbra.blocked) return 1.0;
+    float visibility = 1.0;
+    if (penumbra.readsBlock)
+        visibility = FilterBlockOfRings(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, receiver);
+    if (penumbra.readsDisc && visibility > 0.0)
+        visibility = min(visibility, FilterRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, penumbra, receiver));
+    return SanitizeVisibility(visibility);
+}
+
+float FilterDepthRings(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point), TEXTURE2D(depthPlanes),
+                       TYPED_TEXTURE2D(uint4, depthSpreads), ShadowReceiver receiver, ShadowTile tile,
+                       PcssAngularParameters parameters)
+{
+    const ExitReach reach = ReachOfPcssAngular(receiver, tile, parameters);
+    const ConeScales scales = ConeScalesOf(tile);
+    const RingDecision decision = DecideRings(depthPlanes, reach, scales);
+    if (decision.visibility >= 0.0) return decision.visibility;
+    return RingVisibility(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, min(decision.radius, scales.largestRadius),
+                          reach.receiver, scales);
+}
+
+#endif

@@ -1,0 +1,279 @@
+// Penumbra: visibility of a disc light from every cell of the shadow map around a receiver, four cells at a time.
+//
+// Computes:   which quads of cells lie in the rings of a level; sums over a quad's cells in search of blockers, and in the
+//             filter; the penumbra that the search finds, and what of the filter is needed for it.
+// Source:     Penumbra's own; the filter is that of PcssAngular.hlsl over every cell of DepthRings.hlsl in place of samples.
+// Inputs:     QuadReceiver; ConeScales; of each quad its four depths or packed spreads, row by row, from wherever they are
+//             kept: textures (DepthRingFilter.hlsl) or groupshared memory (Shaders/TileWindows.hlsl).
+// Cost:       no fetches. Some 30 cells for each octave of distance in search of blockers, and 20 to 80 in the filter.
+// Guarantees: finite sums. A cell that is not wholly in the receiver's tile does not count.
+// Use it:     in a loop over the levels and, of each, over QuadsAround. Not: under spot lights.
+#ifndef PENUMBRA_DEPTH_RING_SUMS_HLSL
+#define PENUMBRA_DEPTH_RING_SUMS_HLSL
+
+#include "DepthRings.hlsl"
+#include "PcssAngular.hlsl"
+
+// Levels of cells beyond the texels: the widest cells are of 256 texels.
+static const int kMostRingLevels = 8;
+// The kernel of narrow penumbrae is wider than its radius by its texels: so much narrower it is made, and no narrower than
+// that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and that over all pixels rises from 1 on; fitting a
+// straight edge to the texels changes either by a hundredth.
+static const float kKernelNarrowing = 0.25;
+static const float kNarrowestRadius = 1.125;
+
+// Quads of cells of one level: low, size in quads.
+struct QuadRange
+{
+    int2 low;
+    int2 size;
+};
+
+// The k-th cell of a quad, row by row.
+int2 CellOfQuad(int2 quad, int k)
+{
+    return 2 * quad + int2(k & 1, k >> 1);
+}
+
+// From the receiver to a cell's centre, texels. width: of the cell.
+float2 AwayFrom(QuadReceiver receiver, int2 cell, float width)
+{
+    return (float2(cell) + 0.5) * width - receiver.centre;
+}
+
+// All quads with cells in the level's ring, and some without. A cell's share of the ring ends half a cell beyond the ring.
+QuadRange QuadsAround(QuadReceiver receiver, int level, float radius, float ringCells)
+{
+    const float width = exp2(float(level));
+    const float reach = min(ringCells, radius / width);
+    const float2 here = receiver.centre / width;
+    const int2 low = int2(max(floor(here - reach), ceil(receiver.bounds.minimum / width)));
+    const int2 high = int2(min(floor(here + reach), floor(receiver.bounds.maximum / width) - 1.0));
+    QuadRange quads;
+    quads.low = low >> 1;
+    quads.size = max((high >> 1) - quads.low + 1, 0);
+    return quads;
+}
+
+int CountOf(QuadRange quads)
+{
+    return quads.size.x * quads.size.y;
+}
+
+int2 QuadAt(QuadRange quads, int index)
+{
+    return quads.low + int2(index % quads.size.x, index / quads.size.x);
+}
+
+// What of each cell's area belongs to the level's ring, texels.
+float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadReceiver receiver)
+{
+    const float width = exp2(float(level));
+    const float2 low = ceil(receiver.bounds.minimum / width);
+    const float2 high = floor(receiver.bounds.maximum / width);
+    float4 areas;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const float2 cell = float2(CellOfQuad(quad, k));
+        const float distance = length(AwayFrom(receiver, CellOfQuad(quad, k), width));
+        const bool inTile = all(cell >= low) && all(cell < high);
+        areas[k] = inTile ? ShareInRing(distance, level, radius, ringCells) * width * width : 0.0;
+    }
+    return areas;
+}
+
+// The level of the filter's cells, kRingCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
+// has them, change the error by less than a hundredth; with 4 cells to the edge there are up to 1.6 times as many false shadows,
+// with 3 up to 5 times as many (street, contact-boxes at 960 x 540).
+int DiscLevel(float radius)
+{
+    return RingLevels(radius + 0.5, kRingCells, kMostRingLevels);
+}
+
+// What of each cell of DiscLevel belongs to the disc, in cells.
+float4 AreasInDisc(int2 quad, int level, float radius, QuadReceiver receiver)
+{
+    const float width = exp2(float(level));
+    const float2 low = ceil(receiver.bounds.minimum / width);
+    const float2 high = floor(receiver.bounds.maximum / width);
+    float4 areas;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const float2 cell = float2(CellOfQuad(quad, k));
+        const float distance = length(AwayFrom(receiver, CellOfQuad(quad, k), width));
+        const bool inTile = all(cell >= low) && all(cell < high);
+        areas[k] = inTile ? ShareInDisc(distance, level, radius, kRingCells) : 0.0;
+    }
+    return areas;
+}
+
+bool AnyArea(float4 areas)
+{
+    return max(max(areas.x, areas.y), max(areas.z, areas.w)) > 0.0;
+}
+
+struct RingSearch
+{
+    RingSums sums;
+    float low;    // how much of the cone low blockers hide, texels
+    float ground; // BlockersOfCell; known after the texels
+    bool groundFound;
+};
+
+RingSearch BeginSearch(ConeScales scales)
+{
+    RingSearch search;
+    search.sums = NoBlockers();
+    search.low = 0.0;
+    search.ground = UsualGround(scales);
+    search.groundFound = false;
+    return search;
+}
+
+// depths: of a quad of texels. areas: AreasInRing of level 0.
+RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 areas, QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch next = search;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+        const float distance = length(away);
+        if (!(areas[k] > 0.0)) continue;
+        if (distance < kGroundReach)
+            next.ground = GroundWithTexel(next.ground, next.groundFound, depths[k], away, receiver, scales);
+        const CellBlockers blockers = BlockersOfTexel(depths[k], away, receiver);
+        if (!(blockers.share > 0.0)) continue;
+        const float before = next.sums.inside.x;
+        next.sums = AddBlockers(next.sums, blockers, distance, 1.0, areas[k], scales);
+        const bool isLow = blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
+        if (isLow && next.sums.inside.x > before) next.low += areas[k];
+    }
+    return next;
+}
+
+// cells: packed spreads of a quad of cells of that level, from 1.
+RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, float4 areas, QuadReceiver receiver,
+                       ConeScales scales)
+{
+    RingSearch next = search;
+    const float width = exp2(float(level));
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, search.ground, receiver);
+        if (blockers.share > 0.0)
+            next.sums = AddBlockers(next.sums, blockers, length(away), width, areas[k], scales);
+    }
+    return next;
+}
+
+// What the search has found, and the filter that follows: over the 4 x 4 texels around the receiver, over a disc, or both.
+struct RingPenumbra
+{
+    bool blocked;         // else the receiver is lit
+    bool readsBlock;
+    bool readsDisc;
+    float radius;         // texels
+    float blockRadius;    // texels
+    float blockGap;       // stored depth: texels from that gap up have no weight in the block
+    float ground;
+    LightCone cone;       // its slack is that of the disc
+};
+
+// radius: of the search.
+RingPenumbra PenumbraOf(RingSearch search, float radius, ConeScales scales)
+{
+    const RingSums sums = search.sums;
+    const bool inside = sums.inside.x > 0.0;
+    const float2 found = inside ? sums.inside : sums.nearby;
+    RingPenumbra penumbra;
+    penumbra.blocked = sums.nearby.x > 0.0;
+    penumbra.radius = penumbra.blocked ? min(found.y / found.x, radius) : 0.0;
+    const float gap = penumbra.radius * scales.depthPerTexel;
+    const bool narrow = penumbra.radius <= kWidestBlockTexels;
+    penumbra.readsBlock = narrow || search.low > 0.0;
+    penumbra.readsDisc = !narrow;
+    penumbra.blockRadius = min(max(penumbra.radius - kKernelNarrowing, kNarrowestRadius), kWidestBlockTexels);
+    penumbra.blockGap = narrow ? kAnyGap : min(kLowBlockerTexels * scales.depthPerTexel, kLowBlockerShare * gap);
+    penumbra.ground = search.ground;
+    penumbra.cone.scales = scales;
+    penumbra.cone.slackTexels = kQuadSlackTexels;
+    penumbra.cone.largestOffset = inside ? kConeHeightShare * gap : kAnyGap;
+    return penumbra;
+}
+
+// The k-th quad of texels of the 4 x 4 around the receiver; its first texel.
+int2 QuadOfBlock(QuadReceiver receiver, int k)
+{
+    return int2(floor(receiver.centre + 0.5)) - 2 + 2 * int2(k & 1, k >> 1);
+}
+
+// As FilterBlock of PcssAngular.hlsl: lit and blocked weights, with those of a quad of the block. first: QuadOfBlock.
+float2 FilterBlockQuad(float2 sums, float4 depths, int2 first, RingPenumbra penumbra, QuadReceiver receiver)
+{
+    const float outermost = max(penumbra.blockRadius + kBlockReachTexels, kSmallestBlockTexels);
+    const float slack = kWidestBlockTexels + kBlockReachTexels;
+    const float2 low = receiver.bounds.minimum;
+    const float2 high = receiver.bounds.maximum;
+    float2 next = sums;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 texel = first + int2(k & 1, k >> 1);
+        const float2 away = AwayFrom(receiver, texel, 1.0);
+        const float distance = length(away);
+        const bool inTile = all(float2(texel) >= low) && all(float2(texel) < high);
+        const CellBlockers blockers = BlockersOfTexel(depths[k], away, receiver);
+        const float weight = inTile && blockers.gap < penumbra.blockGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
+        const float offset = ConeOffset(distance, slack, penumbra.cone.largestOffset, penumbra.cone.scales);
+        const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
+        next += float2(weight - hidden, hidden);
+    }
+    return next;
+}
+
+// Lit and blocked areas, with those of one cell.
+float2 FilterCell(float2 sums, CellBlockers blockers, float distance, float width, float area, LightCone cone)
+{
+    const float cut = ConeOffset(distance, max(cone.slackTexels, width), cone.largestOffset, cone.scales);
+    const float hidden = blockers.gap > cut ? blockers.share * area : 0.0;
+    return sums + float2(area - hidden, hidden);
+}
+
+// As FilterDisc of PcssAngular.hlsl, over texels. areas: AreasInDisc of level 0.
+float2 FilterTexels(float2 sums, float4 depths, int2 quad, float4 areas, RingPenumbra penumbra, QuadReceiver receiver)
+{
+    float2 next = sums;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+        next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k], penumbra.cone);
+    }
+    return next;
+}
+
+// The same over larger cells.
+float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas, RingPenumbra penumbra,
+                   QuadReceiver receiver)
+{
+    float2 next = sums;
+    const float width = exp2(float(level));
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground, receiver);
+        next = FilterCell(next, blockers, length(away), width, areas[k], penumbra.cone);
+    }
+    return next;
+}
+
+#endif

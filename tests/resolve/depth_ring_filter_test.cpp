@@ -1,0 +1,131 @@
+// The flagship's filter of one receiver, from textures, on the built-in scenes: where its planes decide, it
+// is PCSS, bit for bit; where neither they nor the tiles of the flagship decide, it is near to the tiles,
+// whose receivers share the sums over large cells.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "resolve/drawn_scenes.h"
+#include "resolve/graph_runner.h"
+#include "resolve/shortened_graph.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr RunOptions kRingsOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+
+class DepthRingFilter : public testing::TestWithParam<bool> {
+ protected:
+  static ShadowGraph graph_of(const std::string& name) {
+    const techniques::TechniqueList& list = library_techniques();
+    return technique_graph(list, list.find(name), Taps::as_listed, GetParam());
+  }
+
+  // The draws that make the planes, and a kernel of the test.
+  static ShadowGraph decisions() {
+    ShadowGraph graph = graph_of("flagship");
+    const techniques::PassGraph drawn = library_techniques().find("flagship-pixel").graph;
+    techniques::GraphPass last = graph.graph.passes.back();
+    last.name = last.program = "DecisionOfPixels";
+    last.file = (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/RingsByTextures.compute")
+                    .generic_string();
+    last.reads = {{"_PenumbraBlockPlanes", "depthPlanes"}};
+    last.writes = {{"_PenumbraVisibility", "visibility"}};
+    last.updates.clear();
+    last.groups = {};
+    last.groups.texels_of = "visibility";
+    graph.graph.textures = drawn.textures;
+    graph.graph.textures.push_back(*library_techniques().find("flagship").graph.texture("visibility"));
+    graph.graph.buffers.clear();
+    graph.graph.passes = {drawn.passes[0], drawn.passes[1], last};
+    return graph;
+  }
+
+  enum class Chain { flagship, classified, filtered, pixel, decided };
+
+  static std::vector<float> run(Chain chain, const FrameOnDevice& frame, const CameraImage& camera) {
+    static KeptOnDevice<std::map<std::pair<Chain, bool>, std::unique_ptr<GraphRunner>>> runners;
+    std::unique_ptr<GraphRunner>& made = (*runners)[{chain, GetParam()}];
+    if (made == nullptr) {
+      ShadowGraph graph = chain == Chain::decided    ? decisions()
+                          : chain == Chain::filtered ? graph_of("screen-pcss-angular-24-16")
+                          : chain == Chain::pixel    ? graph_of("flagship-pixel")
+                                                     : graph_of("flagship");
+      if (chain == Chain::classified) remove_passes_after(graph.graph, "ClassifyTiles");
+      made = std::make_unique<GraphRunner>(test_device(), compile(graph));
+    }
+    return made->run(frame, &camera, kRingsOnce).visibility[0];
+  }
+
+  struct Pixels {
+    long decided = 0;
+    long left = 0;         // by the planes and by the tiles
+    double squares = 0.0;  // of the differences from the tiles, of those
+
+    double apart() const { return std::sqrt(squares / static_cast<double>(std::max(left, 1L))); }
+  };
+
+  static void compare(const scene::Frame& frame, const std::string& what, Pixels& pixels) {
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    const std::vector<float> tiles = run(Chain::flagship, on_device, camera);
+    const std::vector<float> classified = run(Chain::classified, on_device, camera);
+    const std::vector<float> filtered = run(Chain::filtered, on_device, camera);
+    const std::vector<float> pixel = run(Chain::pixel, on_device, camera);
+    const std::vector<float> decision = run(Chain::decided, on_device, camera);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      const std::string where = what + ", pixel " + std::to_string(i);
+      ASSERT_TRUE(pixel[i] >= 0.0F && pixel[i] <= 1.0F) << where << ": " << pixel[i];
+      if (decision[i] >= 0.0F) {
+        ASSERT_EQ(pixel[i], decision[i]) << where;
+        ASSERT_EQ(pixel[i], filtered[i]) << where;
+        if (classified[i] >= 0.0F) {
+          ASSERT_EQ(pixel[i], classified[i]) << where;
+        }
+        ++pixels.decided;
+        continue;
+      }
+      if (classified[i] >= 0.0F) continue;
+      ++pixels.left;
+      const double difference = static_cast<double>(pixel[i]) - static_cast<double>(tiles[i]);
+      pixels.squares += difference * difference;
+    }
+  }
+};
+
+TEST_P(DepthRingFilter, IsPcssWhereThePlanesDecideAndNearTheTilesElsewhere) {
+  Pixels all;
+  for (const std::string& scene : scenes_for_small_pictures())
+    for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {1, 5.0}}) {
+      Pixels here;
+      const std::string what = scene + ", " + std::to_string(degrees) + " degrees";
+      compare(under_disc(drawn(scene, cascades, GetParam()), degrees), what, here);
+      std::printf("%s: %ld decided, %ld left, %.4f apart\n", what.c_str(), here.decided, here.left,
+                  here.apart());
+      all.decided += here.decided;
+      all.left += here.left;
+      all.squares += here.squares;
+    }
+  EXPECT_GT(all.decided, 20000);
+  EXPECT_GT(all.left, 20000);
+  // Half of what one sample of 16 weighs in PCSS.
+  EXPECT_LT(all.apart(), 0.5 / 16);
+}
+
+// In a border between cascades the filter reads the cascade that the noise chooses, as the tiles do.
+TEST_P(DepthRingFilter, FollowsTheBorderBetweenCascades) {
+  scene::Frame frame = drawn("trees", 4, GetParam());
+  frame.settings.cascade_choices.blend = {0.3, false};
+  Pixels pixels;
+  compare(frame, "trees", pixels);
+  EXPECT_GT(pixels.left, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothDirections, DepthRingFilter, testing::Bool(),
+                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+
+}  // namespace
+}  // namespace penumbra::resolve
