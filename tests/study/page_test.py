@@ -127,7 +127,7 @@ class RingCells(unittest.TestCase):
                                   {"pass": "ResolveTiles", "fetches_per_pixel": fetches}])
 
         text = page.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0)) for sun in page.RING_SUNS})
-        self.assertIn("| 42° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
+        self.assertIn("| 8° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
 
 
 class FarSteps(unittest.TestCase):
