@@ -83,6 +83,11 @@ TEST_F(Usage, BoundsThatAreOutsideThemselvesAreInHelpAndInForce) {
   EXPECT_EQ(run({"constants", "--fov", "179.5"}).exit_code, 0);
 }
 
+TEST_F(Usage, ANoiseMaskIsNoDisk) {
+  expect_refused({"tables", "--noise-mask", "--format", "hlsl"}, {"table or json", "--format json"});
+  expect_refused({"tables", "--noise-mask", "--generate"}, {"--noise-mask", "--generate"});
+}
+
 TEST_F(Usage, OfThreeShellsAllAreNamed) {
   expect_refused({"completion", "tcsh"}, {"bash, zsh, fish"});
 }
@@ -97,6 +102,7 @@ TEST_F(Usage, WhatIsTooMuchIsNamed) {
   expect_refused({"validate", "--jobs"}, {"--jobs is given without its N"});
   expect_refused({"validate", "--quiet=maybe"}, {"--quiet does not take the value 'maybe'"});
   expect_refused({"measure", "trees"}, {"penumbra measure does not expect 'trees'"});
+  expect_refused({"measure", "--history", "0"}, {"--history: 0 is outside 0.01 .. 1"});
 }
 
 // An option without the one that it is for would have the whole program measure all night, for nothing.

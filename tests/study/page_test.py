@@ -79,6 +79,57 @@ class Intervals(unittest.TestCase):
         self.assertEqual(page.mean_and_interval([0.3], 3), "0.300")
 
 
+class Noise(unittest.TestCase):
+    @staticmethod
+    def results():
+        def of(name, scene, history, error, variance):
+            return record(f"pcss-{name} history={history}", scene, title=f"PCSS, {name} noise history={history}",
+                          rmse_penumbra=error, rmse_all=0.5 * error, variance=variance)
+
+        return results(of("gradient", "a", 1, 0.2, 0.04), of("gradient", "a", 0.1, 0.1, 0.0004),
+                       of("mask", "a", 1, 0.21, 0.04), of("mask", "a", 0.1, 0.1, 0.0001),
+                       of("gradient", "b", 1, 0.2, 0.04), of("gradient", "b", 0.1, 0.1, 0.0004),
+                       of("mask", "b", 1, 0.23, 0.04), of("mask", "b", 0.1, 0.1, 0.0001))
+
+    def test_a_row_has_single_frames_and_their_history(self):
+        self.assertIn("| 2° | PCSS, gradient noise | 0.200 ± 0.000 | 0.100 ± 0.000 | 0.100 ± 0.000 | 0.050 ± 0.000 |"
+                      " 0.0200 ± 0.0000 | 4.0 |", page.noise_rows(self.results()))
+
+    def test_differences_are_the_mask_less_gradient_noise_by_scene(self):
+        text = page.noise_differences(self.results())
+        # 0.01 and 0.03: mean 0.02, standard error 0.01, t of one degree of freedom 12.706.
+        self.assertIn("| PCSS noise | RMSE in penumbra, one frame | +0.0200 ± 0.1271 |".replace(" noise", ""), text)
+        self.assertIn("flicker, history | -0.0100 ± 0.0000 |", text)
+
+    def test_one_history_is_wanted(self):
+        with self.assertRaisesRegex(page.Problem, "not one history"):
+            page.noise_rows(results(record("pcss-gradient history=1")))
+
+
+    def test_a_row_of_the_denoiser_has_its_radius_and_the_error_of_each_light(self):
+        def of(radius, light, error):
+            return record(f"t denoiseRadius={radius}", light=light, rmse_penumbra=error, parameters={"denoiseRadius": [float(radius)]})
+
+        text = page.denoise_radii(results(of(0, 2.0, 0.3), of(4, 2.0, 0.2), of(0, 5.0, 0.5), of(4, 5.0, 0.1)))
+        self.assertIn("| 0 | 0.300 | 0.500 | 4.0 |\n| 4 | 0.200 | 0.100 | 4.0 |", text)
+
+    def test_a_row_of_a_pan_has_both_kinds_of_noise(self):
+        text = page.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)), record("t", "b", title="T", shimmer=(0.04, 0.05))))
+        self.assertIn("| 2° | T | 0.0300 | 0.0400 |", text)
+
+
+class RingCells(unittest.TestCase):
+    def test_a_row_has_the_errors_of_one_scene_and_the_fetches_of_the_windows_alone(self):
+        def of(scene, error, fetches):
+            interval = {"low": error - 0.01, "high": error + 0.02}
+            return record("rings-6-3", scene, rmse_penumbra=error, rmse_all=error, intervals={"rmse_penumbra": interval, "rmse_all": interval},
+                          passes=[{"pass": "FirstLevels", "fetches_per_pixel": 9.0},
+                                  {"pass": "ResolveTiles", "fetches_per_pixel": fetches}])
+
+        text = page.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0)) for sun in page.RING_SUNS})
+        self.assertIn("| 8° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
+
+
 class FarSteps(unittest.TestCase):
     def test_a_row_has_the_error_beyond_the_shadow_distance_alone(self):
         def of(scene, steps, error, leaks):

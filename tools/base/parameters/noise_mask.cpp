@@ -18,7 +18,7 @@ constexpr double kDeviation = 1.9;  // of both Gaussians: texels, slices
 constexpr double kUnit = 1 << 20;   // energy of a point at its own place
 // So far away a Gaussian is less than half a unit.
 constexpr int kReach = 10;
-constexpr std::int32_t kTaken = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
 constexpr int kPointsBetween = 64;
 constexpr int kRings = 8;
 
@@ -36,22 +36,27 @@ std::int32_t gaussian(int squared_distance) {
       std::lround(kUnit * std::exp(-squared_distance / (2.0 * kDeviation * kDeviation))));
 }
 
-int wrapped(int value, int size) {
-  return ((value % size) + size) % size;
+// Along one axis, around its end.
+std::size_t moved(std::size_t from, int steps, std::size_t size) {
+  const auto whole = static_cast<int>(size);
+  return static_cast<std::size_t>(((static_cast<int>(from) + steps) % whole + whole) % whole);
 }
 
-// Points in the volume, and at every voxel the energy of all of them.
+// Points in the volume, and at every voxel the energy of all of them. The extremes of every row are kept, and
+// found anew in those that a point changed.
 class Volume {
  public:
-  Volume(int side, int slices) : side_(side), slices_(slices), energy_(voxels(), 0), empty_(voxels(), 1) {
+  Volume(int side, int slices)
+      : side_(static_cast<std::size_t>(side)),
+        slices_(static_cast<std::size_t>(slices)),
+        energy_(voxels(), 0),
+        empty_(voxels(), 1),
+        rows_(side_ * slices_) {
     for (int y = -kReach; y <= kReach; ++y)
       for (int x = -kReach; x <= kReach; ++x) kernel_.push_back(gaussian(x * x + y * y));
   }
 
-  std::size_t voxels() const {
-    return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) *
-           static_cast<std::size_t>(slices_);
-  }
+  std::size_t voxels() const { return side_ * side_ * slices_; }
   bool is_empty(std::size_t voxel) const { return empty_[voxel] != 0; }
 
   void put(std::size_t voxel) {
@@ -64,50 +69,73 @@ class Volume {
   }
 
   // The empty voxel with the least energy; the first of several.
-  std::size_t largest_void() const {
-    std::int32_t least = kTaken;
-    for (std::size_t i = 0; i < voxels(); ++i) least = std::min(least, empty_[i] != 0 ? energy_[i] : kTaken);
-    std::size_t i = 0;
-    while (empty_[i] == 0 || energy_[i] != least) ++i;
+  std::size_t largest_void() {
+    refresh();
+    const auto row = std::min_element(rows_.begin(), rows_.end(),
+                                      [](const Row& a, const Row& b) { return a.least < b.least; });
+    std::size_t i = first_of(row);
+    while (empty_[i] == 0 || energy_[i] != row->least) ++i;
     return i;
   }
   // The point with the most energy; the first of several.
-  std::size_t tightest_cluster() const {
-    std::int32_t most = -1;
-    for (std::size_t i = 0; i < voxels(); ++i) most = std::max(most, empty_[i] != 0 ? -1 : energy_[i]);
-    std::size_t i = 0;
-    while (empty_[i] != 0 || energy_[i] != most) ++i;
+  std::size_t tightest_cluster() {
+    refresh();
+    const auto row = std::max_element(rows_.begin(), rows_.end(),
+                                      [](const Row& a, const Row& b) { return a.most < b.most; });
+    std::size_t i = first_of(row);
+    while (empty_[i] != 0 || energy_[i] != row->most) ++i;
     return i;
   }
 
  private:
-  std::size_t at(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(side_) +
-           static_cast<std::size_t>(x);
+  struct Row {
+    std::int32_t least = 0;  // energy of its empty voxels; kNone without
+    std::int32_t most = 0;   // energy of its points; -1 without
+    bool is_known = false;
+  };
+
+  std::size_t at(std::size_t x, std::size_t y, std::size_t z) const { return (z * side_ + y) * side_ + x; }
+  std::size_t first_of(std::vector<Row>::const_iterator row) const {
+    return static_cast<std::size_t>(row - rows_.begin()) * side_;
+  }
+
+  void refresh() {
+    for (auto row = rows_.begin(); row != rows_.end(); ++row) {
+      if (row->is_known) continue;
+      *row = {kNone, -1, true};
+      const std::size_t first = first_of(row);
+      for (std::size_t i = first; i < first + side_; ++i) {
+        if (empty_[i] != 0) row->least = std::min(row->least, energy_[i]);
+        if (empty_[i] == 0) row->most = std::max(row->most, energy_[i]);
+      }
+    }
   }
 
   // What wraps around more than once adds up.
   void spread(std::size_t voxel, std::int32_t sign) {
-    const auto side = static_cast<std::size_t>(side_);
-    const int x = static_cast<int>(voxel % side);
-    const int y = static_cast<int>(voxel / side % side);
-    const int z = static_cast<int>(voxel / side / side);
+    const std::size_t x = voxel % side_;
+    const std::size_t y = voxel / side_ % side_;
+    const std::size_t z = voxel / side_ / side_;
     auto weight = kernel_.begin();
     for (int dy = -kReach; dy <= kReach; ++dy) {
-      const int row = wrapped(y + dy, side_);
-      for (int dx = -kReach; dx <= kReach; ++dx)
-        energy_[at(wrapped(x + dx, side_), row, z)] += sign * *weight++;
+      const std::size_t row = moved(y, dy, side_);
+      rows_[z * side_ + row].is_known = false;
+      for (int dx = -kReach; dx <= kReach; ++dx) energy_[at(moved(x, dx, side_), row, z)] += sign * *weight++;
     }
-    for (int dz = -kReach; dz <= kReach; ++dz)
-      if (dz != 0) energy_[at(x, y, wrapped(z + dz, slices_))] += sign * gaussian(dz * dz);
+    for (int dz = -kReach; dz <= kReach; ++dz) {
+      if (dz == 0) continue;
+      const std::size_t slice = moved(z, dz, slices_);
+      rows_[slice * side_ + y].is_known = false;
+      energy_[at(x, y, slice)] += sign * gaussian(dz * dz);
+    }
   }
 
-  int side_;
-  int slices_;
+  std::size_t side_;
+  std::size_t slices_;
   std::vector<std::int32_t> kernel_;
   std::vector<std::int32_t> energy_;
   std::vector<std::uint8_t> empty_;
+  std::vector<Row> rows_;
 };
 
 // Ulichney's initial pattern: a tenth of the voxels at random, then the tightest cluster moved into the
