@@ -9,7 +9,7 @@
 // Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
 //             cluster. Arithmetic: in search of blockers some 36 texels for each receiver and 2 cells for each level, in the
 //             filter 16 texels or 28 to 95 cells. 16 KiB of groupshared memory.
-// Guarantees: [0, 1]; no noise: the same map gives the same picture. Reads no texel outside of the receivers' tile.
+// Guarantees: [0, 1]; no noise in what the windows give: the same map gives the same picture. Reads no texel outside of the receivers' tile.
 // Use it:     in kernels of WINDOW_THREADS threads, all of which call the functions that load, join and sum; neighbouring
 //             threads for the pixels of one part.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
@@ -24,7 +24,9 @@
 // Texels of the first window each way; and cells of all others together: of the n-th level at most
 // ceil((2 kWindowReach + 1) / 2^n) + 2 kRingCells + 3 each way.
 #define WINDOW_TEXELS 38
+#if !defined(WINDOW_CELLS)
 #define WINDOW_CELLS 2251
+#endif
 // Cells each way that hold a ring of the search.
 #define SEARCH_CELLS 9
 // Of texels, and kMostRingLevels beyond them.
