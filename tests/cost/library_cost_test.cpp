@@ -57,6 +57,8 @@ void expect_order(const CostReport& report) {
     EXPECT_EQ(row.measured.figures.spilled_vgprs, 0U) << row_name(row);
     EXPECT_EQ(row.measured.figures.spilled_sgprs, 0U) << row_name(row);
     EXPECT_EQ(row.measured.figures.scratch_bytes, 0U) << row_name(row);
+    // What Vulkan promises every group (maxComputeSharedMemorySize), and OpenGL ES 3.1.
+    EXPECT_LE(row.measured.figures.lds_bytes.value_or(0), 16384U) << row_name(row);
   }
 }
 
