@@ -11,7 +11,7 @@ namespace Penumbra.Editor
         {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
             if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
-            if (options.halfResolution) text += ", at half resolution";
+            if (options.halfResolution && !options.DrawsVisibility) text += ", at half resolution";
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
             return text + ".";
         }
@@ -52,7 +52,8 @@ namespace Penumbra.Editor
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
                 case ShadowTechnique.Flagship:
-                    return "no noise; where the device cannot run it " + TechniqueName.Of(ShadowTechnique.Pcss) + ", " +
+                    return "all texels around a pixel in place of samples; where the device cannot run it " +
+                           TechniqueName.Of(ShadowTechnique.Pcss) + ", " +
                            options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }

@@ -50,8 +50,7 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
-            .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
         /// <summary>In the order in which they run.</summary>
@@ -65,8 +64,7 @@ namespace Penumbra
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
             if (!options.HasPasses) return new[] { screen };
             TechniqueGraph own = TechniqueTable.Graphs[(int)options.technique][options.GraphIndex];
-            if (!options.DrawsVisibility) return new[] { own, screen };
-            return new[] { (bits & Half) == 0 ? own : TechniqueTable.HalfGraphs[(int)options.technique] };
+            return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
         }
 
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
@@ -77,7 +75,7 @@ namespace Penumbra
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
-            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution && options.CanHalve ? Half : 0) |
+            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution && !options.DrawsVisibility ? Half : 0) |
             (options.denoise && options.SamplesPenumbrae ? Denoise : 0) |
             (options.MasksConservatively ? Conservative : 0);
     }

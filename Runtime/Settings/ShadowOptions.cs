@@ -223,9 +223,6 @@ namespace Penumbra
         internal bool DrawsVisibility =>
             HasPasses && TechniqueTable.Graphs[(int)technique][0].visibility != TechniqueGraph.None;
 
-        /// <summary>There are passes that draw half of the pixels along both axes.</summary>
-        internal bool CanHalve => !DrawsVisibility || TechniqueTable.HalfGraphs[(int)technique] != null;
-
         /// <summary>The technique has maps of either format.</summary>
         internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;
 

@@ -378,39 +378,6 @@ namespace Penumbra
         };
 
         /// <summary>
-        /// Of passes that draw the visibility: the same at half resolution. Null where there is none, and for filters,
-        /// which the feature's own passes draw at half resolution.
-        /// </summary>
-        internal static readonly TechniqueGraph[] HalfGraphs =
-        {
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-            null,
-        };
-
-        /// <summary>
         /// As Graphs, but one for a filter of the shadow map alone; empty where there are no parameters, or
         /// ShadowUniforms computes them.
         /// </summary>

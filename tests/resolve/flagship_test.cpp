@@ -89,6 +89,25 @@ TEST_P(Flagship, DecidesForClustersWhatTheFilterGives) {
   EXPECT_GT(all.undecided, 20000);
 }
 
+// The maps of the pipeline: any number of cascades in the atlas, and depths of 16 bits as well.
+TEST_P(Flagship, DecidesOverEveryMapWhatTheFilterGives) {
+  for (const scene::DepthFormat format : {scene::DepthFormat::d16, scene::DepthFormat::d32}) {
+    Classes all;
+    for (int cascades = 1; cascades <= 4; ++cascades) {
+      const std::string what = (format == scene::DepthFormat::d16 ? "16" : "32") +
+                               (" bits, " + std::to_string(cascades)) + " cascades";
+      const Classes here = expect_decided_as_filtered(
+          pictures_of(under_disc(drawn("trees", cascades, GetParam(), format), 2.0)), what);
+      EXPECT_GT(here.lit, 0) << what;
+      EXPECT_GT(here.undecided, 0) << what;
+      all.lit += here.lit;
+      all.dark += here.dark;
+    }
+    EXPECT_GT(all.lit, 4000);
+    EXPECT_GT(all.dark, 0);
+  }
+}
+
 // Pixels of a border between cascades may read the next one: none of them is decided, all are resolved.
 TEST_P(Flagship, ResolvesTheBorderBetweenCascades) {
   scene::Frame frame = drawn("trees", 4, GetParam());

@@ -148,26 +148,22 @@ TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
               HasSubstr("\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f;\n"));
 }
 
-// Passes that end in a texture, over the screen; half of the pixels along both axes in "disc-half".
+// Passes that end in a texture, over the screen.
 constexpr const char* disc_manifest = R"({
   "order": 2,
   "graphs": [
     {"name": "disc", "textures": [{"name": "visibility", "format": "r8"}],
      "passes": [{"name": "Disc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
-                 "parameters": ["RingParameters"]}], "visibility": "visibility"},
-    {"name": "disc-half", "textures": [{"name": "visibility", "format": "r8"}],
-     "passes": [{"name": "HalfDisc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
                  "parameters": ["RingParameters"]}], "visibility": "visibility"}],
   "defaults": {"family": "disc", "source": "Nobody 1901"},
   "techniques": [
     {"name": "disc", "title": "Disc", "graph": "disc"},
-    {"name": "disc-half", "title": "Disc at half", "graph": "disc-half"},
     {"name": "disc-12", "title": "Disc of 12", "graph": "disc", "values": {"taps": 12}},
     {"name": "preset-low", "title": "Preset Low", "filter": {"file": "Ring.hlsl", "function": "FilterRing",
      "arguments": ["shadowMap", "pointSampler"], "parameters": "RingParameters"}, "keywords": ["_PENUMBRA_RING"],
      "values": {"taps": 12}}],
   "selections": [
-    {"name": "Disc", "value": 2, "technique": "disc", "technique_half": "disc-half", "fallback": "Ring",
+    {"name": "Disc", "value": 2, "technique": "disc", "fallback": "Ring",
      "title": "Disc", "doc": "A disc.", "options": {"ringTaps": "taps"}}],
   "presets": [{"preset": "preset-low", "technique": "disc-12"}]
 })";
@@ -213,16 +209,13 @@ TEST_F(VisibilitySelectionTest, HasItsFallbacksKeywordAndIsNotInShaders) {
             emit_keywords_hlsl(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")"))));
 }
 
-TEST_F(VisibilitySelectionTest, IsEmittedWithBothOfItsGraphs) {
+TEST_F(VisibilitySelectionTest, IsEmittedWithItsGraphAndItsFallback) {
   const std::string text = emit_selections_csharp(read_with(disc_manifest));
   EXPECT_THAT(
       text,
       HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n            \"_PENUMBRA_RING\",\n"));
   EXPECT_THAT(text, HasSubstr("            new TechniqueGraph[0],\n            new TechniqueGraph[0],\n"
                               "            new[] { DiscGraphs.Disc },\n        };\n"));
-  EXPECT_THAT(
-      text,
-      HasSubstr("            null,\n            null,\n            DiscGraphs.DiscHalf,\n        };\n"));
   EXPECT_THAT(text, HasSubstr("ShadowTechnique.Plain,\n            ShadowTechnique.Plain,\n"
                               "            ShadowTechnique.Ring,\n"));
 }
@@ -231,11 +224,6 @@ TEST_F(VisibilitySelectionTest, APresetDrawsItAndKeepsItsOwnOptions) {
   const std::string text = emit_presets_csharp(read_with(disc_manifest));
   EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Disc of 12; else Preset Low\n"));
   EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
-  EXPECT_THAT(text, HasSubstr("halfResolution = false,\n"));
-  EXPECT_THAT(emit_presets_csharp(
-                  read_with(disc_with(R"("name": "disc-12", "title": "Disc of 12", "graph": "disc")",
-                                      R"("name": "disc-12", "title": "Disc of 12", "graph": "disc-half")"))),
-              HasSubstr("halfResolution = true,\n"));
 }
 
 TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
@@ -243,27 +231,25 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
     return HasSubstr(std::string("disc.technique.json:") + line + ":");
   };
   EXPECT_THAT(disc_problem(R"("value": 2, )", R"("value": 2, "keyword": "_PENUMBRA_DISC", )"),
-              AllOf(at("19"), HasSubstr("'disc' ends in a texture"), HasSubstr("leave the keyword out")));
-  EXPECT_THAT(disc_problem(R"("value": 2, )", ""), AllOf(at("19"), HasSubstr("give it a value")));
+              AllOf(at("15"), HasSubstr("'disc' ends in a texture"), HasSubstr("leave the keyword out")));
+  EXPECT_THAT(disc_problem(R"("value": 2, )", ""), AllOf(at("15"), HasSubstr("give it a value")));
   EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Disc")"),
-              AllOf(at("19"), HasSubstr("unknown selection 'Disc'")));
-  EXPECT_THAT(disc_problem(R"("technique_half": "disc-half")", R"("technique_half": "ring")"),
-              AllOf(at("19"), HasSubstr("'Disc' or 'ring' is a filter")));
-  EXPECT_THAT(disc_problem(R"("technique_half": "disc-half")", R"("technique_16_bits": "disc-half")"),
-              AllOf(at("19"), HasSubstr("'disc-half' is not the filter")));
+              AllOf(at("15"), HasSubstr("unknown selection 'Disc'")));
+  EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "disc-12")"),
+              AllOf(at("15"), HasSubstr("'disc-12' is not the filter")));
   EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "plain")"),
-              AllOf(at("21"), HasSubstr("'plain' is not a preset")));
+              AllOf(at("17"), HasSubstr("'plain' is not a preset")));
   EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "preset-lower")"),
-              AllOf(at("21"), HasSubstr("unknown technique 'preset-lower'")));
+              AllOf(at("17"), HasSubstr("unknown technique 'preset-lower'")));
   EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "ring"})"),
-              AllOf(at("21"), HasSubstr("no selection has the passes of 'ring'")));
+              AllOf(at("17"), HasSubstr("no selection has the passes of 'ring'")));
   EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "disc"})"),
-              AllOf(at("21"), HasSubstr("'disc' and 'preset-low' differ in 'taps'")));
+              AllOf(at("17"), HasSubstr("'disc' and 'preset-low' differ in 'taps'")));
   EXPECT_THAT(disc_problem(R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])"),
-              AllOf(at("21"), HasSubstr("'preset-low' has not the keyword of 'Ring'")));
+              AllOf(at("17"), HasSubstr("'preset-low' has not the keyword of 'Ring'")));
   EXPECT_THAT(
       disc_problem(R"("presets": [)", R"("presets": [{"preset": "preset-low", "technique": "disc-12"}, )"),
-      AllOf(at("21"), HasSubstr("there are two choices for 'preset-low'")));
+      AllOf(at("17"), HasSubstr("there are two choices for 'preset-low'")));
 }
 
 TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {

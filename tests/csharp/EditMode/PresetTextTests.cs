@@ -44,6 +44,12 @@ namespace Penumbra.Tests
             options.technique = ShadowTechnique.Tent5x5;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Tent 5x5, 9 fetches of the shadow map, no contact hardening."));
+            options = ShadowPresets.Options(QualityPreset.Ultra);
+            options.technique = ShadowTechnique.Flagship;
+            options.halfResolution = true;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("Flagship, all texels around a pixel in place of samples; where the device cannot run " +
+                                   "it PCSS, 16 blocker and 32 filter samples."));
         }
     }
 }

@@ -14,6 +14,8 @@ namespace Penumbra.Tests
         private const int FirstBlock = 4;
         private const int CoarseBlock = 8;
         private const int TilePixels = 16;
+        // Of a group of ClassifyTiles, along each axis.
+        private const int GroupPixels = 32;
         private const int WordsOfTile = 17;
 
         private PenumbraShadows feature;
@@ -104,6 +106,7 @@ namespace Penumbra.Tests
         }
 
         private static int Tiles(int pixels) => (pixels + TilePixels - 1) / TilePixels;
+        private static int GroupsOf(int pixels) => (pixels + GroupPixels - 1) / GroupPixels;
 
         // With a render scale, the camera's target has another size.
         [TestCase(321, 181, 1.0f)]
@@ -121,7 +124,7 @@ namespace Penumbra.Tests
             int drawnWidth = Mathf.CeilToInt(width * scale);
             int drawnHeight = Mathf.CeilToInt(height * scale);
             FakeDevice.DrawCall classify = Calls("ClassifyTiles").Single();
-            Assert.That(classify.Groups, Is.EqualTo(Tiles(drawnWidth) + " " + Tiles(drawnHeight) + " 1"));
+            Assert.That(classify.Groups, Is.EqualTo(GroupsOf(drawnWidth) + " " + GroupsOf(drawnHeight) + " 1"));
             foreach (string size in new[] { "_PenumbraScreenSize", "_PenumbraTargetSize" })
                 Assert.That(classify.Uniforms[size],
                             Is.EqualTo(new Vector4(drawnWidth, drawnHeight, 1.0f / drawnWidth, 1.0f / drawnHeight)), size);
@@ -129,14 +132,15 @@ namespace Penumbra.Tests
             Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
         }
 
-        [Test]
-        public void ListedTilesAloneAreResolvedInTheTextureThatReceiversRead()
+        [TestCase("ResolveTiles", "ClassifyTiles", "_PenumbraTile")]
+        [TestCase("ResolveRest", "ResolveTiles", "_PenumbraRest")]
+        public void ListedTilesAloneAreResolvedInTheTextureThatReceiversRead(string kernel, string lister, string list)
         {
-            FakeDevice.DrawCall resolve = Calls("ResolveTiles").Single();
-            FakeDevice.DrawCall classify = urp.Device.Draws.Single(draw => draw.Pass == "ClassifyTiles");
-            Assert.That(resolve.Groups, Is.EqualTo("as " + classify.Textures["_PenumbraTileGroups"] + " at 0"));
+            FakeDevice.DrawCall resolve = Calls(kernel).Single();
+            FakeDevice.DrawCall classify = urp.Device.Draws.Single(draw => draw.Pass == lister);
+            Assert.That(resolve.Groups, Is.EqualTo("as " + classify.Textures[list + "Groups"] + " at 0"));
             Assert.That(resolve.Groups, Does.Contain("IndirectArguments"));
-            Assert.That(resolve.Textures["_PenumbraTileList"], Is.EqualTo(classify.Textures["_PenumbraTileList"]));
+            Assert.That(resolve.Textures[list + "List"], Is.EqualTo(classify.Textures[list + "List"]));
             Assert.That(resolve.Textures["_PenumbraVisibility"], Is.EqualTo(classify.Textures["_PenumbraVisibility"]));
             Assert.That(resolve.Textures["_PenumbraVisibility"],
                         Is.EqualTo(urp.Device.Textures[ShadowChain.OutputName] + " mip 0"));

@@ -73,16 +73,6 @@ std::vector<std::pair<std::string, std::string>> of_other_techniques(const Techn
   return values;
 }
 
-bool draws_at_half_resolution(const TechniqueList& list, const Technique& preset) {
-  for (const PresetChoice& choice : list.presets) {
-    if (choice.preset != preset.name) continue;
-    for (const Selection& selection : list.selections)
-      if (selection.name == choice.selection && !selection.technique_half.empty())
-        return list.find(selection.technique_half).graph_name == list.find(choice.technique).graph_name;
-  }
-  return false;
-}
-
 std::string row(const TechniqueList& list, const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   std::string text = "            new ShadowOptions  // " + title_of(list, preset) + "\n            {\n";
@@ -105,7 +95,7 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   const bool conservative = has_pass("ConservativeMask");
   set("mask", flag(conservative || has_pass("PenumbraMask")));
   set("conservativeMask", flag(conservative));
-  set("halfResolution", flag(has_pass("Upsample") || draws_at_half_resolution(list, preset)));
+  set("halfResolution", flag(has_pass("Upsample")));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
   return text + "            },\n";
 }

@@ -29,7 +29,6 @@ struct Selection {
   std::string technique;               // whose filter it is: a filter alone, or the end of a graph
   bool draws_visibility = false;       // the technique's graph ends in a texture, and shaders have no filter
   std::string technique_16_bits;       // the same filter over maps of 16 bits a channel; may be empty
-  std::string technique_half;          // the same passes at half resolution; may be empty
   FilterCall filter;                   // of that technique
   std::vector<GraphTexture> textures;  // of its graph, that the filter reads
   bool is_sampled = false;             // as Technique

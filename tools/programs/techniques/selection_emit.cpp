@@ -65,16 +65,6 @@ constexpr const char* graphs_begin = R"(        };
         {
 )";
 
-constexpr const char* half_begin = R"(        };
-
-        /// <summary>
-        /// Of passes that draw the visibility: the same at half resolution. Null where there is none, and for filters,
-        /// which the feature's own passes draw at half resolution.
-        /// </summary>
-        internal static readonly TechniqueGraph[] HalfGraphs =
-        {
-)";
-
 constexpr const char* parameters_begin = R"(        };
 
         /// <summary>
@@ -266,7 +256,7 @@ std::string flags(const char* name, const std::vector<bool>& values) {
 
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
-  std::string entries, keywords, options, cascades, graphs, halves, parameters, measured, fallbacks;
+  std::string entries, keywords, options, cascades, graphs, parameters, measured, fallbacks;
   std::vector<bool> sampled, widens, target_45, limiting, biased;
   const std::vector<const Selection*> selections = offered(list);
   for (const Selection* selection : selections) {
@@ -278,10 +268,6 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     options += indent + options_of(*selection) + ",\n";
     cascades += emit_cascade_row(list, list.find(selection->technique));
     graphs += indent + graphs_of(list, *selection) + ",\n";
-    halves +=
-        indent +
-        (selection->technique_half.empty() ? "null" : csharp_graph_of(list.find(selection->technique_half))) +
-        ",\n";
     parameters += indent + parameters_of(list, *selection) + ",\n";
     measured += indent + measured_of(list, *selection) + ",\n";
     fallbacks += indent + fallback_of(selections, *selection) + ",\n";
@@ -295,8 +281,8 @@ std::string emit_selections_csharp(const TechniqueList& list) {
          table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
          table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
          table("        private static readonly string[][] Options =\n        {\n" + options) +
-         cascades_begin + cascades + graphs_begin + graphs + half_begin + halves + parameters_begin +
-         parameters + measured_begin + measured + fallbacks_begin + fallbacks + table_end;
+         cascades_begin + cascades + graphs_begin + graphs + parameters_begin + parameters + measured_begin +
+         measured + fallbacks_begin + fallbacks + table_end;
 }
 
 }  // namespace penumbra::techniques

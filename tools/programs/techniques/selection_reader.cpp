@@ -113,17 +113,6 @@ void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& sele
   selection.technique_16_bits = technique.name;
 }
 
-void read_half(JsonObject& object, const TechniqueList& list, Selection& selection) {
-  if (!object.has("technique_half")) return;
-  const Technique& technique = read_technique(object, "technique_half", list);
-  if (!selection.draws_visibility || technique.graph.filter_pass() != nullptr)
-    object.fail("technique_half",
-                "'" + selection.name + "' or '" + technique.name +
-                    "' is a filter, which the renderer feature's own passes draw at half resolution",
-                "leave it out");
-  selection.technique_half = technique.name;
-}
-
 Selection read_selection(JsonObject& object, const TechniqueList& list) {
   Selection selection;
   selection.name = required_identifier(object, "name");
@@ -156,7 +145,6 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
   selection.has_computed_parameters = object.boolean("computed_parameters", false);
   read_16_bits(object, list, selection);
-  read_half(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);
   object.finish();
@@ -165,14 +153,11 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
 
 // Of those that draw the visibility; null if none does so by this technique's graph.
 const Selection* selection_with_passes(const TechniqueList& list, const Technique& technique) {
-  const auto has_them = [&](const std::string& name) {
-    if (name.empty()) return false;
-    const Technique& other = list.find(name);
-    return other.graph_name == technique.graph_name && other.manifest == technique.manifest;
-  };
-  for (const Selection& selection : list.selections)
-    if (selection.draws_visibility && (has_them(selection.technique) || has_them(selection.technique_half)))
-      return &selection;
+  for (const Selection& selection : list.selections) {
+    if (!selection.draws_visibility) continue;
+    const Technique& other = list.find(selection.technique);
+    if (other.graph_name == technique.graph_name && other.manifest == technique.manifest) return &selection;
+  }
   return nullptr;
 }
 
