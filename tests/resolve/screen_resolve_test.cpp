@@ -234,7 +234,8 @@ TEST_P(ScreenResolveOfBlendedCascades, DithersAsTheFilterAloneDoes) {
   EXPECT_GT(difference(dithered, plain, frame, 0.01).above, 100) << "pixels that read the next cascade";
 }
 
-// Every technique that the renderer feature offers, with the passes that make its maps.
+// Every technique that the renderer feature offers, with the passes that make its maps; but for those whose
+// passes draw the visibility themselves.
 class ScreenResolveOfEveryChoice : public ScreenResolve {};
 
 TEST_P(ScreenResolveOfEveryChoice, DrawsWhatTheFilterAloneSays) {
@@ -257,7 +258,7 @@ TEST_P(ScreenResolveOfEveryChoice, DrawsWhatTheFilterAloneSays) {
 std::vector<Case> every_choice() {
   std::vector<Case> cases;
   for (const techniques::Selection& selection : library_techniques().selections) {
-    if (!selection.value) continue;
+    if (!selection.value || selection.draws_visibility) continue;
     const std::string keyword = selection.keyword.empty() ? "_" : selection.keyword;
     for (const bool reversed_z : {true, false}) {
       cases.push_back({selection.technique, keyword, reversed_z});
