@@ -97,7 +97,7 @@ TEST_P(Flagship, DecidesOverEveryMapWhatTheFilterGives) {
       const std::string what = (format == scene::DepthFormat::d16 ? "16" : "32") +
                                (" bits, " + std::to_string(cascades)) + " cascades";
       const Classes here = expect_decided_as_filtered(
-          pictures_of(under_disc(drawn("trees", cascades, GetParam(), format), 2.0)), what);
+          pictures_of(under_disc(drawn("slabs", cascades, GetParam(), format), 2.0)), what);
       EXPECT_GT(here.lit, 0) << what;
       EXPECT_GT(here.undecided, 0) << what;
       all.lit += here.lit;

@@ -91,6 +91,9 @@ TEST(TechniqueEnum, HasAnEntryForEveryTechniqueOfTheRendererFeatureThatShadowUni
   for (std::size_t i = 0; i < names.size(); ++i)
     if (parameters[i] == "            new SetParameters[0],")
       served.push_back(names[i] == "            null," ? keywords[0] : first_match(names[i], "\"(\\w+)\""));
+  // One whose passes draw the visibility has the keyword of what is drawn in its place.
+  std::sort(served.begin(), served.end());
+  served.erase(std::unique(served.begin(), served.end()), served.end());
   EXPECT_THAT(keywords, testing::UnorderedElementsAreArray(served));
 }
 

@@ -305,7 +305,7 @@ namespace Penumbra.Tests
             urp.Device.Draws.Clear();
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Is.Null, "another camera");
-            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveTiles"));
+            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveRest"));
         }
 
         [Test]
