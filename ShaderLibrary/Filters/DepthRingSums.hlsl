@@ -65,8 +65,8 @@ int2 QuadAt(QuadRange quads, int index)
     return quads.low + int2(index % quads.size.x, index / quads.size.x);
 }
 
-// What of each cell's area belongs to the level's ring, texels.
-float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadReceiver receiver)
+// What of each cell's area belongs to the level's ring, texels. filled: and to what the ring encloses.
+float4 AreasOfQuad(int2 quad, int level, float radius, float ringCells, bool filled, QuadReceiver receiver)
 {
     const float width = exp2(float(level));
     const float2 low = ceil(receiver.bounds.minimum / width);
@@ -78,9 +78,16 @@ float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadRece
         const float2 cell = float2(CellOfQuad(quad, k));
         const float distance = length(AwayFrom(receiver, CellOfQuad(quad, k), width));
         const bool inTile = all(cell >= low) && all(cell < high);
-        areas[k] = inTile ? ShareInRing(distance, level, radius, ringCells) * width * width : 0.0;
+        const float share = filled ? ShareInDisc(distance, level, radius, ringCells)
+                                   : ShareInRing(distance, level, radius, ringCells);
+        areas[k] = inTile ? share * width * width : 0.0;
     }
     return areas;
+}
+
+float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadReceiver receiver)
+{
+    return AreasOfQuad(quad, level, radius, ringCells, false, receiver);
 }
 
 // The level of the filter's cells, kRingCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
@@ -91,22 +98,10 @@ int DiscLevel(float radius)
     return RingLevels(radius + 0.5, kRingCells, kMostRingLevels);
 }
 
-// What of each cell of DiscLevel belongs to the disc, in cells.
+// Of the filter's disc. level: DiscLevel.
 float4 AreasInDisc(int2 quad, int level, float radius, QuadReceiver receiver)
 {
-    const float width = exp2(float(level));
-    const float2 low = ceil(receiver.bounds.minimum / width);
-    const float2 high = floor(receiver.bounds.maximum / width);
-    float4 areas;
-    UNITY_UNROLL
-    for (int k = 0; k < 4; ++k)
-    {
-        const float2 cell = float2(CellOfQuad(quad, k));
-        const float distance = length(AwayFrom(receiver, CellOfQuad(quad, k), width));
-        const bool inTile = all(cell >= low) && all(cell < high);
-        areas[k] = inTile ? ShareInDisc(distance, level, radius, kRingCells) : 0.0;
-    }
-    return areas;
+    return AreasOfQuad(quad, level, radius, kRingCells, true, receiver);
 }
 
 bool AnyArea(float4 areas)

@@ -74,6 +74,31 @@ TEST(DepthRings, SharesOfRingsAreThoseOfTheRamps) {
   EXPECT_GT(whole, kRandomCases / 20);
 }
 
+TEST(DepthRings, ADiscIsItsRingAndWhatThatEncloses) {
+  Random random(206);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const int level = random.integer(0, 8);
+    const float end = 5.0f * std::exp2(static_cast<float>(level));
+    const float radius = i % 3 == 0 ? random.between(0.0f, 1.5f * end) : 3.0f * end;
+    inputs.insert(inputs.end(), {random.between(0.0f, 1.2f * end), static_cast<float>(level), radius, 5.0f});
+  }
+  const std::vector<float> out =
+      run(depth_rings("Out(0, ShareInDisc(In(0), int(In(1)), In(2), In(3)));", 4, 1),
+          DepthDirection::conventional, inputs);
+  int partial = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Exact width = std::exp2(static_cast<Exact>(inputs[4 * i + 1]));
+    const Exact end =
+        std::min(static_cast<Exact>(inputs[4 * i + 3]) * width, static_cast<Exact>(inputs[4 * i + 2]));
+    const Exact exact = std::clamp((end - static_cast<Exact>(inputs[4 * i])) / width + 0.5L, 0.0L, 1.0L);
+    // Roundings of a difference of up to 6 cells and a half.
+    ASSERT_NEAR(out[i], static_cast<double>(exact), 6.0 * 0x1p-23) << i;
+    partial += exact > 0.0L && exact < 1.0L ? 1 : 0;
+  }
+  EXPECT_GT(partial, kRandomCases / 20);
+}
+
 TEST(DepthRings, SharesStayInRangeWhateverTheyAreGiven) {
   Random random(202);
   std::vector<float> inputs;

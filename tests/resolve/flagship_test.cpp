@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
@@ -121,6 +124,43 @@ TEST_P(Flagship, ResolvesTheBorderBetweenCascades) {
 TEST_P(Flagship, DrawsTheSamePictureAgain) {
   const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
+}
+
+// A macro of Shaders/TileWindows.hlsl.
+int window_constant(const std::string& name) {
+  std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Shaders/TileWindows.hlsl");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex("#define " + name + " (\\d+)")))
+    throw std::logic_error("there is no " + name);
+  return std::stoi(found[1]);
+}
+
+// Wherever the receivers of a cluster lie, up to 2 kWindowReach apart, the windows of all levels have room:
+// kRingCells = 5 cells and one more on each side, of cells that hold any part of that.
+TEST(FlagshipWindows, HaveRoomForTheCellsAroundEveryCluster) {
+  constexpr int kAround = 6;
+  const int texels = window_constant("WINDOW_TEXELS");
+  const double reach = 0.5 * (texels - 3.0) - kAround;
+  int widest = 0, most = 0;
+  for (int low = 0; low < 256; ++low) {
+    const int high = low + static_cast<int>(std::floor(2.0 * reach));
+    int cells = 0;
+    for (int level = 0; level < window_constant("WINDOW_LEVELS"); ++level) {
+      const double cell = std::exp2(level);
+      const int size = static_cast<int>(std::floor((high + 1 + kAround * cell) / cell) -
+                                        std::floor((low - kAround * cell) / cell)) +
+                       1;
+      if (level == 0)
+        widest = std::max(widest, size);
+      else
+        cells += size * size;
+    }
+    most = std::max(most, cells);
+  }
+  EXPECT_LE(widest, texels);
+  EXPECT_LE(most, window_constant("WINDOW_CELLS"));
+  EXPECT_GT(most, 0.9 * window_constant("WINDOW_CELLS"));
 }
 
 INSTANTIATE_TEST_SUITE_P(BothDirections, Flagship, testing::Bool(),
