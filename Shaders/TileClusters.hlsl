@@ -258,7 +258,7 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
             }
             const float next = max(min(PenumbraRadius(gap, scales), decision.radius), narrowest);
             if (!(gap > 0.0)) decision.visibility = 1.0;
-            else if (allAbove && smallestGap > 1.001 * kConeHeightShare * gap) decision.visibility = 0.0;
+            else if (allAbove && smallestGap > kRoundedShare * kConeHeightShare * gap) decision.visibility = 0.0;
             else InterlockedMax(clusterRadius[own * (MOST_RADII + 1) + i + 1], asuint(next));
             decision.radius = next;
         }

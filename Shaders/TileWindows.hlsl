@@ -247,8 +247,8 @@ bool IsInWindow(DepthWindow window, int2 cell)
     return all(cell >= window.low) && all(cell < window.low + window.size);
 }
 
-// Cells whose centres lie within a distance of a receiver, in cells: rows, and the row's.
-int2 RowsAround(float centre, float distance, int low, int size)
+// The first and the last cell along an axis whose centres lie within a distance of a receiver; lengths in cells.
+int2 CellsAlong(float centre, float distance, int low, int size)
 {
     return int2(max(int(ceil(centre - distance - 0.5)), low), min(int(floor(centre + distance - 0.5)), low + size - 1));
 }
@@ -256,7 +256,7 @@ int2 RowsAround(float centre, float distance, int low, int size)
 int2 CellsOfRow(float2 centre, float distance, int row, DepthWindow window)
 {
     const float across = float(row) + 0.5 - centre.y;
-    return RowsAround(centre.x, sqrt(max(distance * distance - across * across, 0.0)), window.low.x, window.size.x);
+    return CellsAlong(centre.x, sqrt(max(distance * distance - across * across, 0.0)), window.low.x, window.size.x);
 }
 
 // The texels of the first ring.
@@ -265,7 +265,7 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
     RingSearch search = BeginSearch(scales);
     const DepthWindow texels = levelWindows[0];
     const float farthest = min(kSearchRingCells, radius) + 0.5;
-    const int2 rows = RowsAround(receiver.centre.y, farthest, texels.low.y, texels.size.y);
+    const int2 rows = CellsAlong(receiver.centre.y, farthest, texels.low.y, texels.size.y);
     UNITY_LOOP
     for (int y = rows.x; y <= rows.y; ++y)
     {
@@ -273,18 +273,10 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
         UNITY_LOOP
         for (int x = row.x; x <= row.y; ++x)
         {
-            const float2 away = float2(x, y) + 0.5 - receiver.centre;
-            const float distance = length(away);
-            const float area = ShareInRing(distance, 0, radius, kSearchRingCells);
-            const float depth = DepthInWindow(texels, int2(x, y));
-            if (distance < kGroundReach)
-                search.ground = GroundWithTexel(search.ground, search.groundFound, depth, away, receiver, scales);
-            const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
-            if (!(blockers.share > 0.0) || !(area > 0.0)) continue;
-            const float before = search.sums.inside.x;
-            search.sums = AddBlockers(search.sums, blockers, distance, 1.0, area, scales);
-            const bool isLow = blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
-            if (isLow && search.sums.inside.x > before) search.low += area;
+            const float2 away = AwayFrom(receiver, int2(x, y), 1.0);
+            const float area = ShareInRing(length(away), 0, radius, kSearchRingCells);
+            if (area > 0.0)
+                search = SearchTexel(search, DepthInWindow(texels, int2(x, y)), away, area, receiver, scales);
         }
     }
     return search;
@@ -298,7 +290,7 @@ RingSums AddRingCell(RingSums sums, int level, int n, bool filled, QuadReceiver 
     const int2 here = int2(floor(receiver.centre / width));
     const int2 cell = here + int2(n % SEARCH_CELLS, n / SEARCH_CELLS) - SEARCH_CELLS / 2;
     const DepthWindow window = levelWindows[level];
-    const float2 away = (float2(cell) + 0.5) * width - receiver.centre;
+    const float2 away = AwayFrom(receiver, cell, width);
     const float distance = length(away);
     const float share = filled ? ShareInDisc(distance, level, radius, kSearchRingCells)
                                : ShareInRing(distance, level, radius, kSearchRingCells);
@@ -357,7 +349,7 @@ void FindGroundOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint 
     for (uint n = lane; n < GROUND_TEXELS * GROUND_TEXELS; n += PART_LANES)
     {
         const int2 texel = here + int2(n % GROUND_TEXELS, n / GROUND_TEXELS) - GROUND_TEXELS / 2;
-        const float2 away = float2(texel) + 0.5 - receiver.centre;
+        const float2 away = AwayFrom(receiver, texel, 1.0);
         if (!IsInWindow(texels, texel) || !(length(away) < kGroundReach)) continue;
         bool found = false;
         const float ground = GroundWithTexel(0.0, found, DepthInWindow(texels, texel), away, receiver, scales);
@@ -385,7 +377,7 @@ void FindNearOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint la
         for (texel.x = low.x + int(lane % PART_PIXELS); texel.x <= high.x; texel.x += PART_PIXELS)
         {
             const CellBlockers blockers =
-                BlockersOfTexel(DepthInWindow(texels, texel), float2(texel) + 0.5 - receiver.centre, receiver);
+                BlockersOfTexel(DepthInWindow(texels, texel), AwayFrom(receiver, texel, 1.0), receiver);
             if (blockers.share > 0.0 && blockers.gap * scales.texelsPerDepth < kNearBlockerTexels) partNear[part] = 1;
         }
     }
@@ -474,7 +466,7 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra)
     const float width = exp2(float(level));
     const float2 centre = receiver.centre / width;
     const float farthest = min(kRingCells, penumbra.radius / width) + 0.5;
-    const int2 rows = RowsAround(centre.y, farthest, window.low.y, window.size.y);
+    const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
     float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
     for (int y = rows.x; y <= rows.y; ++y)

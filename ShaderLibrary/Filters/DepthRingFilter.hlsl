@@ -85,8 +85,8 @@ RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2
     return search;
 }
 
-float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), RingPenumbra penumbra,
-                  QuadReceiver receiver)
+float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                     RingPenumbra penumbra, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
     const int level = DiscLevel(penumbra.radius);

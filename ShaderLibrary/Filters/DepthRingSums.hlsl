@@ -127,6 +127,21 @@ RingSearch BeginSearch(ConeScales scales)
     return search;
 }
 
+// depth: of a texel. area: what of it belongs to the first ring, above 0.
+RingSearch SearchTexel(RingSearch search, float depth, float2 away, float area, QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch next = search;
+    const float distance = length(away);
+    if (distance < kGroundReach)
+        next.ground = GroundWithTexel(next.ground, next.groundFound, depth, away, receiver, scales);
+    const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
+    if (!(blockers.share > 0.0)) return next;
+    next.sums = AddBlockers(next.sums, blockers, distance, 1.0, area, scales);
+    const bool isLow = blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
+    if (isLow && next.sums.inside.x > search.sums.inside.x) next.low += area;
+    return next;
+}
+
 // depths: of a quad of texels. areas: AreasInRing of level 0.
 RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 areas, QuadReceiver receiver, ConeScales scales)
 {
@@ -135,16 +150,7 @@ RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 area
     for (int k = 0; k < 4; ++k)
     {
         const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
-        const float distance = length(away);
-        if (!(areas[k] > 0.0)) continue;
-        if (distance < kGroundReach)
-            next.ground = GroundWithTexel(next.ground, next.groundFound, depths[k], away, receiver, scales);
-        const CellBlockers blockers = BlockersOfTexel(depths[k], away, receiver);
-        if (!(blockers.share > 0.0)) continue;
-        const float before = next.sums.inside.x;
-        next.sums = AddBlockers(next.sums, blockers, distance, 1.0, areas[k], scales);
-        const bool isLow = blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
-        if (isLow && next.sums.inside.x > before) next.low += areas[k];
+        if (areas[k] > 0.0) next = SearchTexel(next, depths[k], away, areas[k], receiver, scales);
     }
     return next;
 }

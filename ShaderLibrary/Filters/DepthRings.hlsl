@@ -56,21 +56,19 @@ struct CellBlockers
     float gap;
 };
 
-// As ShareInRing, with what the ring encloses.
+// Of the level's ring and what it encloses. distance: of the cell's centre. radius: beyond which no cell counts. ringCells:
+// kRingCells or kSearchRingCells.
 float ShareInDisc(float distance, int level, float radius, float ringCells)
 {
     const float cell = exp2(float(level));
     return min(max((min(ringCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
 }
 
-// distance: of the cell's centre. radius: beyond which no cell counts. ringCells: kRingCells or kSearchRingCells.
 float ShareInRing(float distance, int level, float radius, float ringCells)
 {
-    const float cell = exp2(float(level));
-    const float share = min(max((min(ringCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
+    const float share = ShareInDisc(distance, level, radius, ringCells);
     if (level == 0) return share;
-    const float inner = 0.5 * cell;
-    return share * (1.0 - min(max((min(ringCells * inner, radius) - distance) / inner + 0.5, 0.0), 1.0));
+    return share * (1.0 - ShareInDisc(distance, level - 1, radius, ringCells));
 }
 
 // The smallest number of levels beyond the first whose rings reach `radius`, at most `most`.

@@ -58,6 +58,10 @@ static const float kSmallestBlockTexels = 0.75;
 static const float kAnyGap = 2.0;
 // No texel of a sample's quad with a weight is farther from the sample than a texel's diagonal.
 static const float kQuadSlackTexels = 1.5;
+// By how much at most a cone of FilterFound is wider than the light's, beyond the smallest filter radius.
+static const float kWidestSlackTexels = 1.75;
+// Of the mean gap, with what floats round of it.
+static const float kRoundedShare = 1.001;
 
 // Where the search's sample lies, in texels from the receiver. clump below 1: geometric.
 float SearchSampleRadius(int index, int count, float clump, float radius)

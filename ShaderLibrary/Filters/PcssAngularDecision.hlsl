@@ -28,8 +28,6 @@ static const int kGroupBlocksAcross = 4;
 // With 64, 128, 256 and 1000 the mask decides 16.6, 22.1, 25.4 and 27.6 % of the pixels under a disc of 5 degrees, 54.6, 55.7,
 // 55.9 and 55.9 % under the sun's, for 6.2, 6.9, 7.6 and 10.5 and always 5.1 fetches per pixel (mean of three scenes).
 static const int kMostBlocks = 256;
-// By how much at most a cone of FilterFound is wider than the light's, beyond the smallest filter radius.
-static const float kWidestSlackTexels = 1.75;
 
 // A search over the blocks around a group, from few large ones down to the parts of those that are not decided as a whole.
 struct BlockWalk
@@ -154,7 +152,7 @@ float DecideAngular(TEXTURE2D(depthPlanes), ReceiverGroup group, ConeScales scal
     if (!perhapsDark) return kUndecided;
     // The search's mean is no larger than this gap, and the filter's disc no wider than what it makes.
     const float radius = min(max(PenumbraRadius(gap, scales), narrowest), search);
-    const bool dark = AllBlock(depthPlanes, group, radius, 1.001 * kConeHeightShare * gap);
+    const bool dark = AllBlock(depthPlanes, group, radius, kRoundedShare * kConeHeightShare * gap);
     return dark ? 0.0 : kUndecided;
 }
 

@@ -12,9 +12,6 @@
 #include "FilterExits.hlsl"
 #include "PcssAngular.hlsl"
 
-// Of the mean gap, with what floats round of it.
-static const float kRoundedShare = 1.001;
-
 ExitReach ReachOfPcssAngular(ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
 {
     const ConeScales scales = ConeScalesOf(tile);
@@ -23,7 +20,7 @@ ExitReach ReachOfPcssAngular(ShadowReceiver receiver, ShadowTile tile, PcssAngul
     const QuadReceiver prepared = PrepareQuads(receiver, tile);
     const float search = max(SearchRadius(prepared.depth, parameters.maxPenumbraMetres, smallest, scales), narrowest);
     ExitReach reach = ReachOfDisc(prepared, search + kSampleReachTexels);
-    reach.slackTexels = smallest + 1.75;
+    reach.slackTexels = smallest + kWidestSlackTexels;
     reach.depthPerTexel = scales.depthPerTexel;
     reach.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
     reach.radiusPerGap = scales.texelsPerDepth;
