@@ -103,8 +103,8 @@ int2 PixelOfPart(uint lane)
     return int2(lane % PART_PIXELS, lane / PART_PIXELS);
 }
 
-// A bit for each pixel of the part from this one on that the screen has.
-uint PixelsInScreen(int2 firstPixel, int2 size)
+// A bit for each pixel of the part from this one on that the target has.
+uint PixelsInTarget(int2 firstPixel, int2 size)
 {
     uint pixels = 0;
     UNITY_LOOP

@@ -1,9 +1,12 @@
-// Penumbra: the surfaces that the camera sees in a square of pixels, by a group of threads.
+// Penumbra: the surfaces that the camera sees in a square of pixels of the target, by a group of threads.
 //
-// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel of the square, from depths that the group reads once.
+// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel of the square, from depths that the group reads once;
+//             with _PENUMBRA_HALF_RESOLUTION of the pixels of the screen that those of a half as wide target stand for, each
+//             from depths of its own.
 // Source:     Screen/CameraSurface.hlsl.
 // Inputs:     _CameraDepthTexture; ScreenView; the square's first pixel, of an even place, and its even width.
-// Cost:       100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are needed alone.
+// Cost:       100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are needed alone. At
+//             half resolution 2 gathers for each pixel of the target, and up to 4 loads more at edges.
 // Guarantees: those of CameraSurface.hlsl, and the same values.
 // Use it:     in kernels, all threads of which call LoadScreenDepths.
 #ifndef PENUMBRA_TILE_SURFACES_HLSL
@@ -36,6 +39,47 @@ int2 GatheredTexel(int component)
     return int2(component == 1 || component == 2 ? 1 : 0, component < 2 ? 1 : 0);
 }
 
+// Of the target, in pixels.
+int2 TargetSize(ScreenView view)
+{
+    const int2 screen = int2(view.size.xy);
+#if defined(_PENUMBRA_HALF_RESOLUTION)
+    return (screen + 1) / 2;
+#else
+    return screen;
+#endif
+}
+
+#if defined(_PENUMBRA_HALF_RESOLUTION)
+void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
+{
+    GroupMemoryBarrierWithGroupSync();
+}
+
+CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
+{
+    const int2 pixel = FullPixel(square.first + pixelOfSquare, 2, int2(view.size.xy));
+    const float4 low = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel) * view.size.zw);
+    const float4 high = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel + 1) * view.size.zw);
+    // At the screen's border a gather repeats pixels where none are.
+    const bool2 isFirst = bool2(pixel.x == 0, pixel.y == 0);
+    const bool2 isLast = bool2(pixel.x == int(view.size.x) - 1, pixel.y == int(view.size.y) - 1);
+    DepthLine across, down;
+    across.here = low.y;
+    across.before = isFirst.x ? 0.0 : low.x;
+    across.after = isLast.x ? 0.0 : high.z;
+    down.here = low.y;
+    down.before = isFirst.y ? 0.0 : low.z;
+    down.after = isLast.y ? 0.0 : high.x;
+    float2 slope = float2(kNoDepthSlope, kNoDepthSlope);
+    if (IsSurfaceDepth(low.y))
+    {
+        slope.x = DepthSlopeAlong(_CameraDepthTexture, view, pixel, int2(1, 0), across);
+        slope.y = DepthSlopeAlong(_CameraDepthTexture, view, pixel, int2(0, 1), down);
+    }
+    return SurfaceWithSlope(view, pixel, low.y, slope);
+}
+#else
 void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
 {
     const int2 last = int2(view.size.xy) - 1;
@@ -70,7 +114,7 @@ float DepthSlopeInSquare(ScreenSquare square, int2 pixelOfSquare, int2 direction
                            DepthInSquare(square, pixelOfSquare + 2 * direction));
 }
 
-CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view)
+CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
 {
     const float depth = DepthInSquare(square, pixelOfSquare);
     float2 slope = float2(kNoDepthSlope, kNoDepthSlope);
@@ -81,5 +125,6 @@ CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenVie
     }
     return SurfaceWithSlope(view, square.first + pixelOfSquare, depth, slope);
 }
+#endif
 
 #endif

@@ -79,7 +79,7 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField HalfResolution = new OptionField(
             nameof(ShadowOptions.halfResolution), OptionTable.HalfResolution.Label, OptionTable.HalfResolution.Tooltip,
-            options => !options.DrawsVisibility, volume => volume.halfResolution);
+            options => options.CanHalveResolution, volume => volume.halfResolution);
 
         internal static readonly OptionField Denoise = new OptionField(
             nameof(ShadowOptions.denoise), OptionTable.Denoise.Label, OptionTable.Denoise.Tooltip,

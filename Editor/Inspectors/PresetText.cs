@@ -11,7 +11,7 @@ namespace Penumbra.Editor
         {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
             if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
-            if (options.halfResolution && !options.DrawsVisibility) text += ", at half resolution";
+            if (options.HalvesResolution) text += ", at half resolution";
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
             return text + ".";
         }

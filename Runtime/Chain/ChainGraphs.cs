@@ -50,7 +50,8 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
+            .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
         /// <summary>In the order in which they run.</summary>
@@ -63,7 +64,7 @@ namespace Penumbra
             TechniqueGraph screen = (bits & Conservative) == 0
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
             if (!options.HasPasses) return new[] { screen };
-            TechniqueGraph own = TechniqueTable.Graphs[(int)options.technique][options.GraphIndex];
+            TechniqueGraph own = options.OwnGraph;
             return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
         }
 
@@ -75,7 +76,7 @@ namespace Penumbra
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
-            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution && !options.DrawsVisibility ? Half : 0) |
+            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.HalvesResolution ? Half : 0) |
             (options.denoise && options.SamplesPenumbrae ? Denoise : 0) |
             (options.MasksConservatively ? Conservative : 0);
     }

@@ -231,6 +231,16 @@ namespace Penumbra
         internal bool DrawsVisibility =>
             HasPasses && TechniqueTable.Graphs[(int)technique][0].visibility != TechniqueGraph.None;
 
+        /// <summary>The technique's passes, or the feature's with its filter, can draw at half resolution.</summary>
+        internal bool CanHalveResolution => !DrawsVisibility || TechniqueTable.HalfGraphs[(int)technique] != null;
+
+        internal bool HalvesResolution => halfResolution && CanHalveResolution;
+
+        /// <summary>Of a technique with passes of its own.</summary>
+        internal TechniqueGraph OwnGraph => DrawsVisibility && HalvesResolution
+                                                ? TechniqueTable.HalfGraphs[(int)technique]
+                                                : TechniqueTable.Graphs[(int)technique][GraphIndex];
+
         /// <summary>The technique has maps of either format.</summary>
         internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;
 

@@ -378,6 +378,36 @@ namespace Penumbra
             new[] { PenumbraFlagshipGraphs.Flagship },
         };
 
+        /// <summary>Passes that draw the visibility at half resolution, in place of those of Graphs; null: none.</summary>
+        internal static readonly TechniqueGraph[] HalfGraphs =
+        {
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            null,
+            PenumbraFlagshipGraphs.FlagshipHalf,
+        };
+
         /// <summary>
         /// As Graphs, but one for a filter of the shadow map alone; empty where there are no parameters, or
         /// ShadowUniforms computes them.

@@ -20,8 +20,8 @@ namespace Penumbra
             buffers = new[]
             {
                 new GraphBuffer("tileGroups", words: 3, indirect: true),
-                new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
                 new GraphBuffer("restGroups", words: 3, indirect: true),
+                new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
                 new GraphBuffer("restList", wordsPerTexel: 17, texture: 4, divisor: 16),
             },
             passes = new[]
@@ -51,7 +51,7 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResetTiles",
-                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.Fixed(1, 1, 1),
                 },
                 new GraphPass
@@ -60,7 +60,7 @@ namespace Penumbra
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ClassifyTiles",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 1), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     updates = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.TexelsOf(4, divisor: 4),
                 },
@@ -69,9 +69,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveTiles",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 1) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 2) },
                     writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 3) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(0),
                 },
                 new GraphPass
@@ -81,10 +81,101 @@ namespace Penumbra
                     program = "ResolveRest",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 3), GraphBinding.Texture("_PenumbraSpreads", 1) },
                     updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
-                    groups = GraphGroups.Indirect(2),
+                    groups = GraphGroups.Indirect(1),
                 },
             },
             visibility = 4,
+        };
+
+        internal static readonly TechniqueGraph FlagshipHalf = new TechniqueGraph
+        {
+            name = "flagship-half",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4),
+                new GraphTexture("depthSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 4),
+                new GraphTexture("coarsePlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 8, mips: 0),
+                new GraphTexture("coarseSpreads", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt, divisor: 8, mips: 0),
+                new GraphTexture("half", GraphExtent.Screen, GraphicsFormat.R32_SFloat, divisor: 2),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            buffers = new[]
+            {
+                new GraphBuffer("tileGroups", words: 3, indirect: true),
+                new GraphBuffer("restGroups", words: 3, indirect: true),
+                new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
+                new GraphBuffer("restList", wordsPerTexel: 17, texture: 4, divisor: 16),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "FirstLevels",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlaneTarget", 2), GraphBinding.Texture("_PenumbraCoarseSpreadTarget", 3), GraphBinding.Texture("_PenumbraDepthPlaneTarget", 0), GraphBinding.Texture("_PenumbraSpreadTarget", 1) },
+                    groups = GraphGroups.TexelsOf(0),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "NextLevel",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraCoarseSpreads", 3) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlaneTarget", 2), GraphBinding.Texture("_PenumbraCoarseSpreadTarget", 3) },
+                    eachMip = true,
+                    groups = GraphGroups.TexelsOf(2),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResetTiles",
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    groups = GraphGroups.Fixed(1, 1, 1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ClassifyTiles",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    groups = GraphGroups.TexelsOf(4, divisor: 4),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveTiles",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 2) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 3) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    groups = GraphGroups.Indirect(0),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveRest",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 3), GraphBinding.Texture("_PenumbraSpreads", 1) },
+                    updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    groups = GraphGroups.Indirect(1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Upsample",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 4) },
+                    writes = new[] { GraphBinding.Texture(5) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_HALF_RESOLUTION" },
+            visibility = 5,
         };
     }
 }

@@ -54,17 +54,23 @@ CameraSurface ReadCameraPosition(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view
     return SurfaceWithSlope(view, pixel, depth, float2(kNoDepthSlope, kNoDepthSlope));
 }
 
-// The second neighbours are read only where the first two disagree: at an edge, or on a sharp bend.
+// along: the pixel and its neighbours. The second neighbours are read only where the first two disagree: at an edge, or on a
+// sharp bend.
+float DepthSlopeAlong(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 direction, DepthLine along)
+{
+    if (!ContradictsItself(along)) return NearerSlope(along);
+    const float before2 = ReadCameraDepth(cameraDepth, view, pixel - 2 * direction);
+    const float after2 = ReadCameraDepth(cameraDepth, view, pixel + 2 * direction);
+    return StraighterSlope(before2, along, after2);
+}
+
 float ReadDepthSlope(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 direction, float depth)
 {
     DepthLine along;
     along.before = ReadCameraDepth(cameraDepth, view, pixel - direction);
     along.here = depth;
     along.after = ReadCameraDepth(cameraDepth, view, pixel + direction);
-    if (!ContradictsItself(along)) return NearerSlope(along);
-    const float before2 = ReadCameraDepth(cameraDepth, view, pixel - 2 * direction);
-    const float after2 = ReadCameraDepth(cameraDepth, view, pixel + 2 * direction);
-    return StraighterSlope(before2, along, after2);
+    return DepthSlopeAlong(cameraDepth, view, pixel, direction, along);
 }
 
 CameraSurface ReadCameraSurface(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel)

@@ -126,6 +126,34 @@ TEST_P(Flagship, DrawsTheSamePictureAgain) {
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
 }
 
+// At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its tile:
+// the upsampling copies it. What whole clusters decide may then be computed, and the other way round.
+TEST_P(Flagship, ComputesTheSamePixelsAtHalfResolution) {
+  for (const auto& [scene, degrees] : {std::pair("street", 0.53), {"trees", 2.0}, {"slabs", 5.0}}) {
+    const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    const std::vector<float> full = chain("flagship").run(on_device, &camera, kFlagshipOnce).visibility[0];
+    const std::vector<float> half = chain("flagship-half").run(on_device, &camera, kFlagshipOnce).visibility[0];
+    const auto is_computed = [](int at, int size) { return at % 2 == 1 || at == size - 1; };
+    int computed = 0, same = 0;
+    double apart = 0.0;
+    for (int y = 0; y < camera.height; ++y)
+      for (int x = 0; x < camera.width; ++x) {
+        if (!is_computed(x, camera.width) || !is_computed(y, camera.height)) continue;
+        const auto pixel = static_cast<std::size_t>(y * camera.width + x);
+        const double difference = std::abs(static_cast<double>(half[pixel] - full[pixel]));
+        ++computed;
+        same += difference <= 0.5 / 255.0 + 1e-6 ? 1 : 0;
+        apart += difference;
+      }
+    EXPECT_EQ(computed, 65 * 37) << scene;
+    // Pixels that share a window with others differ a little; a pixel that stands for another one is off by tenths.
+    EXPECT_GT(same, 0.8 * computed) << scene;
+    EXPECT_LT(apart / computed, 0.01) << scene;
+  }
+}
+
 // A macro of Shaders/TileWindows.hlsl.
 int window_constant(const std::string& name) {
   std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Shaders/TileWindows.hlsl");

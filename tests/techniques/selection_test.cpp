@@ -223,11 +223,31 @@ TEST_F(VisibilitySelectionTest, IsEmittedWithItsGraphAndItsFallback) {
                               "            ShadowTechnique.Ring,\n"));
 }
 
+TEST_F(VisibilitySelectionTest, ItsGraphAtHalfResolutionIsBesideIt) {
+  std::string manifest =
+      disc_with(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "disc-half")");
+  const std::string graph = R"({"name": "disc", "textures")";
+  const auto put = [&](const std::string& before, const std::string& more) {
+    const std::size_t at = manifest.find(before);
+    ASSERT_NE(at, std::string::npos);
+    manifest.insert(at, more);
+  };
+  put(graph, R"({"name": "disc-half", "textures": [{"name": "visibility", "format": "r8"}],
+     "passes": [{"name": "Disc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
+                 "parameters": ["RingParameters"]}], "visibility": "visibility"},
+    )");
+  put(R"({"name": "disc-12")", R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, )");
+  EXPECT_THAT(emit_selections_csharp(read_with(manifest)),
+              HasSubstr("HalfGraphs =\n        {\n            null,\n            null,\n"
+                        "            DiscGraphs.DiscHalf,\n        };\n"));
+}
+
 TEST_F(VisibilitySelectionTest, APresetDrawsItAndKeepsItsOwnOptions) {
   const std::string text = emit_presets_csharp(read_with(disc_manifest));
   EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Disc of 12; else Preset Low\n"));
   EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
-  EXPECT_THAT(text, HasSubstr("ringTaps = 12,\n")) << "as what it draws is measured, not as the first with it";
+  EXPECT_THAT(text, HasSubstr("ringTaps = 12,\n"))
+      << "as what it draws is measured, not as the first with it";
 }
 
 TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
@@ -241,6 +261,9 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
               AllOf(at("15"), HasSubstr("unknown selection 'Disc'")));
   EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "disc-12")"),
               AllOf(at("15"), HasSubstr("'disc-12' is not the filter")));
+  EXPECT_THAT(
+      disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "ring")"),
+      AllOf(at("15"), HasSubstr("'ring' does not end in a texture, as 'disc' does")));
   EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "plain")"),
               AllOf(at("17"), HasSubstr("'plain' is not a preset")));
   EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "preset-lower")"),

@@ -46,10 +46,11 @@ namespace Penumbra.Tests
                         Is.EqualTo("Tent 5x5, 9 fetches of the shadow map, no contact hardening."));
             options = ShadowPresets.Options(QualityPreset.Ultra);
             options.technique = ShadowTechnique.Flagship;
-            options.halfResolution = true;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Flagship, all texels around a pixel in place of samples; where the device cannot run " +
                                    "it PCSS, 16 blocker and 32 filter samples."));
+            options.halfResolution = true;
+            Assert.That(PresetText.Describe(options), Does.EndWith("32 filter samples, at half resolution."));
         }
     }
 }

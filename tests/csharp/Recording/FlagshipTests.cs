@@ -132,6 +132,36 @@ namespace Penumbra.Tests
             Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
         }
 
+        // Kernels write every second pixel; the feature's own pass makes the screen of it.
+        [TestCase(321, 181)]
+        [TestCase(1920, 1080)]
+        [TestCase(1, 1)]
+        public void AtHalfResolutionTilesCoverHalfOfTheScreen(int width, int height)
+        {
+            scene.Width = width;
+            scene.Height = height;
+            feature.Settings.custom.halfResolution = true;
+            FakeDevice.DrawCall classify = Calls("ClassifyTiles").Single();
+            int halfWidth = (width + 1) / 2;
+            int halfHeight = (height + 1) / 2;
+            Assert.That(classify.Groups, Is.EqualTo(GroupsOf(halfWidth) + " " + GroupsOf(halfHeight) + " 1"));
+            Assert.That(classify.Keywords, Has.Member("_PENUMBRA_HALF_RESOLUTION"));
+            Assert.That(((Vector4)classify.Uniforms["_PenumbraScreenSize"]).x, Is.EqualTo(width));
+            Assert.That(((Vector4)classify.Uniforms["_PenumbraTargetSize"]).x, Is.EqualTo(halfWidth));
+            int words = WordsOfTile * Tiles(halfWidth) * Tiles(halfHeight);
+            Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
+            FakeDevice.DrawCall upsample = urp.Device.Draws.Last(draw => draw.Pass == "Upsample");
+            Assert.That(classify.Textures["_PenumbraVisibility"], Does.StartWith(upsample.Textures["_PenumbraSourceTexture"]));
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass == "Resolve"), Is.Empty);
+        }
+
+        [Test]
+        public void AtFullResolutionNothingIsUpsampled()
+        {
+            Assert.That(Calls("ClassifyTiles").Single().Keywords, Has.None.EqualTo("_PENUMBRA_HALF_RESOLUTION"));
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Has.None.EqualTo("Upsample"));
+        }
+
         [TestCase("ResolveTiles", "ClassifyTiles", "_PenumbraTile")]
         [TestCase("ResolveRest", "ResolveTiles", "_PenumbraRest")]
         public void ListedTilesAloneAreResolvedInTheTextureThatReceiversRead(string kernel, string lister, string list)

@@ -24,15 +24,16 @@ struct FeatureOption {
 // A filter that a keyword selects in shaders, and, with a value, the renderer feature offers; or passes that
 // the renderer feature alone draws, in place of its own over the screen.
 struct Selection {
-  std::string name;                    // in C#
-  std::string keyword;                 // empty: what is selected without any; of passes their fallback's
-  std::string technique;               // whose filter it is: a filter alone, or the end of a graph
-  bool draws_visibility = false;       // the technique's graph ends in a texture, and shaders have no filter
-  std::string technique_16_bits;       // the same filter over maps of 16 bits a channel; may be empty
-  FilterCall filter;                   // of that technique
-  std::vector<GraphTexture> textures;  // of its graph, that the filter reads
-  bool is_sampled = false;             // as Technique
-  bool widens_with_disc = false;       // penumbrae are as wide as the light's disc makes them
+  std::string name;               // in C#
+  std::string keyword;            // empty: what is selected without any; of passes their fallback's
+  std::string technique;          // whose filter it is: a filter alone, or the end of a graph
+  bool draws_visibility = false;  // the technique's graph ends in a texture, and shaders have no filter
+  std::string technique_16_bits;  // the same filter over maps of 16 bits a channel; may be empty
+  std::string technique_half_resolution;         // the same passes for every second pixel; may be empty
+  FilterCall filter;                             // of that technique
+  std::vector<GraphTexture> textures;            // of its graph, that the filter reads
+  bool is_sampled = false;                       // as Technique
+  bool widens_with_disc = false;                 // penumbrae are as wide as the light's disc makes them
   std::vector<std::string> computed_parameters;  // structs that the feature's C# sets; others its values and
                                                  // options do
   bool needs_target_45 = false;  // of Unity's shader targets: it gathers, or searches for bits

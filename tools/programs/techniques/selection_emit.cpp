@@ -65,6 +65,13 @@ constexpr const char* graphs_begin = R"(        };
         {
 )";
 
+constexpr const char* half_graphs_begin = R"(        };
+
+        /// <summary>Passes that draw the visibility at half resolution, in place of those of Graphs; null: none.</summary>
+        internal static readonly TechniqueGraph[] HalfGraphs =
+        {
+)";
+
 constexpr const char* parameters_begin = R"(        };
 
         /// <summary>
@@ -150,6 +157,11 @@ std::string graphs_of(const TechniqueList& list, const Selection& selection) {
   for (const Technique* technique : techniques_of(list, selection))
     if (!technique->graph_name.empty()) names += (names.empty() ? "" : ", ") + csharp_graph_of(*technique);
   return names.empty() ? "new TechniqueGraph[0]" : "new[] { " + names + " }";
+}
+
+std::string half_graph_of(const TechniqueList& list, const Selection& selection) {
+  const std::string& name = selection.technique_half_resolution;
+  return name.empty() ? "null" : csharp_graph_of(list.find(name));
 }
 
 std::string option_that_sets(const Selection& selection, const std::string& field) {
@@ -262,7 +274,7 @@ std::string flags(const char* name, const std::vector<bool>& values) {
 
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
-  std::string entries, keywords, options, cascades, graphs, parameters, measured, fallbacks;
+  std::string entries, keywords, options, cascades, graphs, half_graphs, parameters, measured, fallbacks;
   std::vector<bool> sampled, widens, target_45, limiting, biased;
   const std::vector<const Selection*> selections = offered(list);
   for (const Selection* selection : selections) {
@@ -274,6 +286,7 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     options += indent + options_of(*selection) + ",\n";
     cascades += emit_cascade_row(list, list.find(selection->technique));
     graphs += indent + graphs_of(list, *selection) + ",\n";
+    half_graphs += indent + half_graph_of(list, *selection) + ",\n";
     parameters += indent + parameters_of(list, *selection) + ",\n";
     measured += indent + measured_of(list, *selection) + ",\n";
     fallbacks += indent + fallback_of(selections, *selection) + ",\n";
@@ -287,8 +300,8 @@ std::string emit_selections_csharp(const TechniqueList& list) {
          table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
          table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
          table("        private static readonly string[][] Options =\n        {\n" + options) +
-         cascades_begin + cascades + graphs_begin + graphs + parameters_begin + parameters + measured_begin +
-         measured + fallbacks_begin + fallbacks + table_end;
+         cascades_begin + cascades + graphs_begin + graphs + half_graphs_begin + half_graphs +
+         parameters_begin + parameters + measured_begin + measured + fallbacks_begin + fallbacks + table_end;
 }
 
 }  // namespace penumbra::techniques

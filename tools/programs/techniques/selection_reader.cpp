@@ -113,6 +113,17 @@ void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& sele
   selection.technique_16_bits = technique.name;
 }
 
+// The passes of a half as wide screen, which end in one as wide.
+void read_half_resolution(JsonObject& object, const TechniqueList& list, Selection& selection) {
+  if (!object.has("technique_half_resolution")) return;
+  const Technique& technique = read_technique(object, "technique_half_resolution", list);
+  if (!selection.draws_visibility || technique.graph.filter_pass() != nullptr)
+    object.fail("technique_half_resolution",
+                "'" + technique.name + "' does not end in a texture, as '" + selection.technique + "' does",
+                "filters have the feature's own passes at half resolution");
+  selection.technique_half_resolution = technique.name;
+}
+
 // Of the technique's structs.
 void read_computed_parameters(JsonObject& object, const TechniqueList& list, const Technique& technique,
                               Selection& selection) {
@@ -155,6 +166,7 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
   read_computed_parameters(object, list, technique, selection);
   read_16_bits(object, list, selection);
+  read_half_resolution(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);
   object.finish();
@@ -165,8 +177,11 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
 const Selection* selection_with_passes(const TechniqueList& list, const Technique& technique) {
   for (const Selection& selection : list.selections) {
     if (!selection.draws_visibility) continue;
-    const Technique& other = list.find(selection.technique);
-    if (other.graph_name == technique.graph_name && other.manifest == technique.manifest) return &selection;
+    for (const std::string& name : {selection.technique, selection.technique_half_resolution}) {
+      if (name.empty()) continue;
+      const Technique& other = list.find(name);
+      if (other.graph_name == technique.graph_name && other.manifest == technique.manifest) return &selection;
+    }
   }
   return nullptr;
 }
