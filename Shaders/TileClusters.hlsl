@@ -274,15 +274,21 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
 // Of a tile in the list: where it lies, and a word for each part.
 #define TILE_WORDS 17
 
-uint PlaceOfTile(int2 pixel)
+// 15 bits across, which are enough for 524,288 pixels, the eye, and 16 bits down.
+uint PlaceOfTile(int2 pixel, uint eye)
 {
     const uint2 tile = uint2(pixel) / TILE_PIXELS;
-    return tile.x | (tile.y << 16);
+    return tile.x | (eye << 15) | (tile.y << 16);
 }
 
 int2 FirstPixelOfTile(uint place)
 {
-    return TILE_PIXELS * int2(place & 0xffffu, place >> 16);
+    return TILE_PIXELS * int2(place & 0x7fffu, place >> 16);
+}
+
+uint EyeOfTile(uint place)
+{
+    return (place >> 15) & 1;
 }
 
 // A part's word: which of its pixels are undecided, and a radius, texels, that no blocker's penumbra there exceeds.

@@ -5,6 +5,9 @@ namespace Penumbra
     /// <summary>Shader keywords of chains: the techniques' and the graphs'.</summary>
     internal static class ChainKeywords
     {
+        /// <summary>Of kernels that can draw both eyes at once: they are drawn so.</summary>
+        internal const string BothEyes = "_PENUMBRA_BOTH_EYES";
+
         /// <summary>All keywords that a program of a chain may declare.</summary>
         internal static IReadOnlyList<string> All
         {
@@ -13,6 +16,7 @@ namespace Penumbra
                 List<string> all = Of(null, ChainGraphs.All);
                 foreach (string name in TechniqueTable.Keywords)
                     if (name != null && !all.Contains(name)) all.Add(name);
+                all.Add(BothEyes);
                 return all;
             }
         }

@@ -92,23 +92,28 @@ namespace Penumbra
                    SystemInfo.maxComputeWorkGroupSizeY + " x " + SystemInfo.maxComputeWorkGroupSizeZ;
         }
 
-        /// <summary>
-        /// Why the chain cannot draw both eyes at once: textures of the screen are then arrays, for which raster
-        /// passes are compiled, but kernels are not.
-        /// </summary>
+        private const string StereoRemedy = "; use XR's multi-pass mode, which draws one after the other";
+
+        /// <summary>Why the chain's textures cannot have both eyes at once, which are their slices then.</summary>
         internal static string StereoProblem(ShadowChain chain)
         {
-            const string remedy = "; use XR's multi-pass mode, which draws one after the other";
             foreach (ChainTexture texture in chain.Slots)
                 if (texture.extent == GraphExtent.Screen && texture.layers > 1)
-                    return "a texture of the screen has layers, which cannot be drawn for both eyes at once" + remedy;
-            foreach (ChainStep step in chain.Steps)
-                if (step.pass.kind == PassKind.Compute &&
-                    step.reads.Concat(step.writes)
-                        .Any(used => !used.isBuffer && chain.Slots[used.index].extent == GraphExtent.Screen))
-                    return "kernel '" + step.pass.program + "' uses textures of the screen, which kernels cannot do for " +
-                           "both eyes at once" + remedy;
+                    return "a texture of the screen has layers, which cannot be drawn for both eyes at once" + StereoRemedy;
             return null;
+        }
+
+        /// <summary>
+        /// Why the step cannot draw both eyes at once: raster passes are compiled for textures with two slices, kernels
+        /// only if their file declares a keyword for it.
+        /// </summary>
+        internal static string StereoProblem(ShadowChain chain, ChainStep step, ProgramAsset asset)
+        {
+            bool ofScreen = step.reads.Concat(step.writes)
+                .Any(used => !used.isBuffer && chain.Slots[used.index].extent == GraphExtent.Screen);
+            if (step.pass.kind != PassKind.Compute || !ofScreen || asset.Declares(ChainKeywords.BothEyes)) return null;
+            return "kernel '" + step.pass.program + "' uses textures of the screen, and " + step.pass.asset +
+                   " has no keyword " + ChainKeywords.BothEyes + " to do so for both eyes at once" + StereoRemedy;
         }
     }
 }

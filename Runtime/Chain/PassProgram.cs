@@ -32,6 +32,13 @@ namespace Penumbra
                 for (int k = 0; k < on.Count; ++k) isOn[i] |= on[k] == keywords[i].name;
         }
 
+        internal bool Declares(string keyword)
+        {
+            foreach (LocalKeyword declared in keywords)
+                if (declared.name == keyword) return true;
+            return false;
+        }
+
         /// <summary>
         /// A pass of casters draws with their own materials and those materials' keywords. Null if the chain enables
         /// no keyword that the pass declares.

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -36,6 +37,7 @@ namespace Penumbra
             problem = DeviceLimits.Problem(options) ?? DeviceLimits.Problem(chain) ??
                       (bothEyes ? DeviceLimits.StereoProblem(chain) : null);
             IReadOnlyList<string> known = ChainKeywords.All;
+            IReadOnlyList<string> on = bothEyes ? chain.Keywords.Append(ChainKeywords.BothEyes).ToArray() : chain.Keywords;
             var used = new Dictionary<string, ProgramAsset>();
             for (int i = 0; i < programs.Length && problem == null; ++i)
             {
@@ -44,9 +46,10 @@ namespace Penumbra
                 {
                     problem = materials.Find(pass, out Object found, out Material material);
                     if (problem != null) break;
-                    asset = used[pass.asset] = new ProgramAsset(found, material, known, chain.Keywords);
+                    asset = used[pass.asset] = new ProgramAsset(found, material, known, on);
                 }
-                problem = Find(pass, asset, out programs[i]);
+                problem = Find(pass, asset, out programs[i]) ??
+                          (bothEyes ? DeviceLimits.StereoProblem(chain, chain.Steps[i], asset) : null);
                 if (problem == null && pass.kind == PassKind.Casters) problem = asset.CasterProblem(pass);
                 if (pass.kind == PassKind.Raster && pass.writes.Length > 1 ||
                     pass.kind == PassKind.Casters && pass.writes.Length > 0)

@@ -201,7 +201,7 @@ namespace Penumbra
                 if (read.levels == null) continue;
                 ChainTexture texture = chain.Slots[read.index];
                 TextureSize size = TextureSize.Drawn(texture, frame).At(level);
-                int slices = texture.extent == GraphExtent.Screen && size.depth == 1 ? frame.views : size.depth;
+                int slices = size.depth;
                 for (int slice = 0; slice < slices; ++slice)
                     commands.CopyTexture(slots[read.index], slice, level, 0, 0, size.width, size.height,
                                          slots[read.levels[level]], slice, 0, 0, 0);

@@ -9,7 +9,7 @@ namespace Penumbra
         internal readonly int width;
         internal readonly int height;
 
-        /// <summary>Depth of a 3D texture; otherwise the layers, without the second eye.</summary>
+        /// <summary>Depth of a 3D texture; otherwise the layers, of the screen without layers one for each eye.</summary>
         internal readonly int depth;
 
         private readonly bool isVolume;
@@ -57,7 +57,8 @@ namespace Penumbra
                     return texture.depth > 1 ? new TextureSize(texture.width, texture.height, texture.depth, true)
                                              : new TextureSize(texture.width, texture.height, texture.layers, false);
                 default:
-                    return new TextureSize(frame.width, frame.height, texture.layers, false);
+                    return new TextureSize(frame.width, frame.height,
+                                           texture.layers > 1 ? texture.layers : Math.Max(1, frame.views), false);
             }
         }
 

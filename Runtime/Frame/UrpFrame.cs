@@ -81,6 +81,7 @@ namespace Penumbra
             frame.options = options;
             frame.receivers = source.receivers;
             frame.isProbe = source.cameraType == CameraType.Reflection;
+            frame.views = source.views;
             frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);
             frame.updatedCascades = (1 << frame.layout.Cascades) - 1;
             frame.uniforms = new ShadowUniforms(options.Parameters(), frame.layout,

@@ -126,15 +126,16 @@ TEST_P(Flagship, DrawsTheSamePictureAgain) {
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
 }
 
-// At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its tile:
-// the upsampling copies it. What whole clusters decide may then be computed, and the other way round.
+// At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its
+// tile: the upsampling copies it. What whole clusters decide may then be computed, and the other way round.
 TEST_P(Flagship, ComputesTheSamePixelsAtHalfResolution) {
   for (const auto& [scene, degrees] : {std::pair("street", 0.53), {"trees", 2.0}, {"slabs", 5.0}}) {
     const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
     const CameraImage camera = camera_image(frame, RowOrder::top_first);
     const FrameOnDevice on_device(test_device(), frame);
     const std::vector<float> full = chain("flagship").run(on_device, &camera, kFlagshipOnce).visibility[0];
-    const std::vector<float> half = chain("flagship-half").run(on_device, &camera, kFlagshipOnce).visibility[0];
+    const std::vector<float> half =
+        chain("flagship-half").run(on_device, &camera, kFlagshipOnce).visibility[0];
     const auto is_computed = [](int at, int size) { return at % 2 == 1 || at == size - 1; };
     int computed = 0, same = 0;
     double apart = 0.0;
@@ -148,10 +149,45 @@ TEST_P(Flagship, ComputesTheSamePixelsAtHalfResolution) {
         apart += difference;
       }
     EXPECT_EQ(computed, 65 * 37) << scene;
-    // Pixels that share a window with others differ a little; a pixel that stands for another one is off by tenths.
+    // Pixels that share a window with others differ a little; a pixel that stands for another one is off by
+    // tenths.
     EXPECT_GT(same, 0.8 * computed) << scene;
     EXPECT_LT(apart / computed, 0.01) << scene;
   }
+}
+
+// Of two cameras side by side: each eye's picture is that which the kernels draw for it alone.
+TEST_P(Flagship, DrawsBothEyesAtOnceAsEachAlone) {
+  const auto both_eyes = [&] {
+    const techniques::TechniqueList& list = library_techniques();
+    ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
+    graph.keywords.emplace_back("_PENUMBRA_BOTH_EYES");
+    for (techniques::GraphTexture& texture : graph.graph.textures)
+      if (texture.name == "visibility") texture.layers = 2;
+    return GraphRunner(test_device(), compile(graph));
+  };
+  static KeptOnDevice<std::map<bool, std::unique_ptr<GraphRunner>>> runners;
+  std::unique_ptr<GraphRunner>& runner = (*runners)[GetParam()];
+  if (runner == nullptr) runner = std::make_unique<GraphRunner>(both_eyes());
+  const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
+  const scene::Frame other = under_disc(drawn("slabs", 4, GetParam()), 2.0);
+  const CameraImage left = camera_image(frame, RowOrder::top_first);
+  // What another camera sees of another scene, as the same map would shadow it: a picture of its own.
+  const CameraImage right = camera_image(other, RowOrder::top_first);
+  const FrameOnDevice on_device(test_device(), frame);
+  const auto alone = [&](const CameraImage& eye) {
+    return chain("flagship").run(on_device, &eye, kFlagshipOnce).visibility[0];
+  };
+  RunOptions options = kFlagshipOnce;
+  options.count_fetches = false;
+  options.second_eye = &right;
+  const std::vector<float> both = runner->run(on_device, &left, options).visibility[0];
+  std::vector<float> expected = alone(left);
+  const std::vector<float> second = alone(right);
+  EXPECT_NE(expected, second);
+  expected.insert(expected.end(), second.begin(), second.end());
+  ASSERT_EQ(both.size(), expected.size());
+  EXPECT_EQ(both, expected);
 }
 
 // A macro of Shaders/TileWindows.hlsl.

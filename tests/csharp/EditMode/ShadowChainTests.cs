@@ -296,6 +296,7 @@ namespace Penumbra.Tests
             Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null).Distinct()
                                                                .Append("_PENUMBRA_MASK").Append("_PENUMBRA_CLOUDS")
                                                                .Append("_PENUMBRA_HALF_RESOLUTION")
+                                                               .Append("_PENUMBRA_BOTH_EYES")
                                                                .Append("_PENUMBRA_FAR_HEIGHTS")
                                                                .Append("_PENUMBRA_FAR_HORIZON")));
 

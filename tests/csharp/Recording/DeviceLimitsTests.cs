@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
@@ -142,14 +143,24 @@ namespace Penumbra.Tests
             GraphPass kernel = Writing(1);
             kernel.kind = PassKind.Compute;
             kernel.groups = GraphGroups.TexelsOf(1);
-            Assert.That(DeviceLimits.StereoProblem(Chain(kernel)), Is.Null, "over the map");
+            Assert.That(StereoProblem(Chain(kernel)), Is.Null, "over the map");
             Add(GraphExtent.Screen);
             GraphPass reading = Writing(1);
             reading.kind = PassKind.Compute;
             reading.groups = GraphGroups.TexelsOf(1);
             reading.reads = new[] { GraphBinding.Texture("_Screen", 2) };
-            Assert.That(DeviceLimits.StereoProblem(Chain(Writing(2), reading)),
-                        Does.StartWith("kernel 'Means' uses textures of the screen"));
+            ShadowChain chain = Chain(Writing(2), reading);
+            Assert.That(StereoProblem(chain), Does.StartWith("kernel 'Means' uses textures of the screen"));
+            Assert.That(StereoProblem(chain, ChainKeywords.BothEyes), Is.Null);
+        }
+
+        private static string StereoProblem(ShadowChain chain, params string[] declared)
+        {
+            var asset = new ProgramAsset(new ComputeShader { KeywordNames = declared.ToList() }, null, ChainKeywords.All,
+                                         chain.Keywords);
+            return DeviceLimits.StereoProblem(chain) ??
+                   chain.Steps.Select(step => DeviceLimits.StereoProblem(chain, step, asset))
+                       .FirstOrDefault(problem => problem != null);
         }
 
         /// <summary>Devices whose kernels do not write a channel of 8 bits write one of 32.</summary>

@@ -47,7 +47,12 @@ namespace Penumbra.Tests
 
         private static ComputeShader Kernels(string file)
         {
-            var shader = new ComputeShader { name = Path.GetFileNameWithoutExtension(file) };
+            var shader = new ComputeShader
+            {
+                name = Path.GetFileNameWithoutExtension(file),
+                KeywordNames = Regex.Matches(Text(file), "#pragma multi_compile_local (.*)")
+                    .SelectMany(pragma => pragma.Groups[1].Value.Split(' ')).Where(name => name != "_").ToList(),
+            };
             foreach (Match kernel in Regex.Matches(Text(file), "#pragma kernel (\\w+)"))
             {
                 string name = kernel.Groups[1].Value;

@@ -155,6 +155,45 @@ namespace Penumbra.Tests
             Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass == "Resolve"), Is.Empty);
         }
 
+        // Each eye is a slice of the screen's textures and of the groups, and has room of its own in the lists.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void BothEyesAreDrawnAtOnce(bool half)
+        {
+            scene.Width = 321;
+            scene.Height = 181;
+            scene.Views = 2;
+            feature.Settings.custom.halfResolution = half;
+            FakeDevice.DrawCall classify = Calls("ClassifyTiles").Single();
+            int width = half ? 161 : 321;
+            int height = half ? 91 : 181;
+            Assert.That(classify.Groups, Is.EqualTo(GroupsOf(width) + " " + GroupsOf(height) + " 2"));
+            Assert.That(classify.Keywords, Has.Member("_PENUMBRA_BOTH_EYES"));
+            int words = 2 * WordsOfTile * Tiles(width) * Tiles(height);
+            Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
+            Assert.That(urp.Device.Draws.Where(draw => draw.Pass == "FirstLevels").Select(draw => draw.Groups.Split(' ')[2]),
+                        Is.All.EqualTo("1"), "the map is the same for both");
+        }
+
+        [Test]
+        public void BothEyesHaveASliceThatKernelsWrite()
+        {
+            scene.Views = 2;
+            RenderTextureDescriptor target = scene.Target();
+            ShadowFrame frame = default;
+            frame.layout = new AtlasLayout(2048, 4);
+            frame.views = 2;
+            UrpFrame.SetSize(ref frame, target);
+            ShadowChain chain = ShadowChain.Of(feature.Settings.Options());
+            RenderTextureDescriptor visibility = UrpFrame.Texture(target, chain.Slots[ShadowChain.Output], frame);
+            Assert.That((visibility.dimension, visibility.volumeDepth, visibility.enableRandomWrite),
+                        Is.EqualTo((target.dimension, 2, true)), "the camera's layout of eyes");
+        }
+
+        [Test]
+        public void OneEyeHasNoSlices() =>
+            Assert.That(Calls("ClassifyTiles").Single().Keywords, Has.None.EqualTo("_PENUMBRA_BOTH_EYES"));
+
         [Test]
         public void AtFullResolutionNothingIsUpsampled()
         {

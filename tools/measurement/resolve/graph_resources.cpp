@@ -29,6 +29,11 @@ void require_size(const std::string& where, const std::string& name, double byte
                                 " MiB, more than 4096");
 }
 
+int layers_of(const techniques::GraphTexture& texture, const GraphExtents& extents) {
+  return texture.extent == techniques::ExtentOf::tile ? static_cast<int>(extents.map.origins.size())
+                                                      : texture.layers;
+}
+
 gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& texture,
                 const GraphExtents& extents) {
   const auto [width, height, depth] = texture_size_of(texture, extents);
@@ -37,8 +42,7 @@ gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& textu
   shape.width = width;
   shape.height = height;
   shape.depth = depth;
-  shape.layers = texture.extent == techniques::ExtentOf::tile ? static_cast<int>(extents.map.origins.size())
-                                                              : texture.layers;
+  shape.layers = layers_of(texture, extents);
   const int most = gpu::mip_count(width, height, depth);
   shape.mips = texture.mips == 0 ? most : std::min(texture.mips, most);
   shape.samples = texture.samples;
@@ -87,12 +91,13 @@ GraphResources::GraphResources(const gpu::Device& device, const techniques::Pass
   for (const techniques::GraphBuffer& buffer : graph.buffers) {
     std::size_t words = static_cast<std::size_t>(buffer.words);
     if (!buffer.texture.empty()) {
-      const auto [width, height, depth] = texture_size_of(*graph.texture(buffer.texture), extents);
+      const techniques::GraphTexture& texture = *graph.texture(buffer.texture);
+      const auto [width, height, depth] = texture_size_of(texture, extents);
       const auto blocks = [&](int texels) {
         return static_cast<std::size_t>((texels + buffer.divisor - 1) / buffer.divisor);
       };
       words += static_cast<std::size_t>(buffer.words_per_texel) * blocks(width) * blocks(height) *
-               static_cast<std::size_t>(depth);
+               static_cast<std::size_t>(std::max(depth, layers_of(texture, extents)));
     }
     require_size(buffer.where, buffer.name, 4.0 * static_cast<double>(words));
     const std::vector<std::uint32_t> zeros(words);

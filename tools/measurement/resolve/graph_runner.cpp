@@ -90,10 +90,11 @@ void check_numbers_of(const ShadowShader& shader, const CompiledProgram& program
 class GraphRunner::Run {
  public:
   Run(GraphRunner& runner, const FrameOnDevice& frame, const CameraImage* camera,
-      ProgramOnDevice::Module module)
+      const CameraImage* second_eye, ProgramOnDevice::Module module)
       : runner_(runner),
         frame_(frame),
         camera_(camera),
+        second_eye_(second_eye),
         extents_{camera == nullptr ? frame.width() : camera->width,
                  camera == nullptr ? frame.height() : camera->height, frame.map_layout()},
         resources_(*runner.device_, runner.graph(), extents_),
@@ -103,8 +104,12 @@ class GraphRunner::Run {
     if (runner.graph().over_screen() && camera == nullptr)
       throw std::invalid_argument("a graph over the screen needs a camera");
     if (camera != nullptr) {
-      depth_.emplace(*runner.device_, gpu::Format::r32f, camera->width, camera->height);
+      depth_.emplace(*runner.device_, gpu::ImageShape{.format = gpu::Format::r32f,
+                                                      .width = camera->width,
+                                                      .height = camera->height,
+                                                      .layers = second_eye == nullptr ? 1 : 2});
       depth_->upload(camera->depth);
+      if (second_eye != nullptr) depth_->upload(second_eye->depth, {.layer = 1});
     }
     for (std::size_t i = 0; i < runner.graph().passes.size(); ++i) add_pass(i);
   }
@@ -114,7 +119,7 @@ class GraphRunner::Run {
     UniformValues values = frame_.uniforms(seed);
     values.merge(runner_.own_.uniforms());
     values.merge(runner_.graph_.source.parameters);
-    if (camera_ != nullptr) set_screen(values, *camera_);
+    if (camera_ != nullptr) set_screen(values, *camera_, second_eye_);
     for (Step& step : steps_) {
       UniformValues all = values;
       if (step.part != nullptr) all.merge(frame_.casters()->uniforms());
@@ -136,7 +141,11 @@ class GraphRunner::Run {
   std::vector<float> visibility() const {
     const std::string& name = runner_.graph().visibility;
     if (name.empty()) return frame_.visibility().download<float>();
-    return rows_from_top(texels(name), camera_->width, camera_->rows);
+    std::vector<float> seen = rows_from_top(texels(name), camera_->width, camera_->rows);
+    if (second_eye_ == nullptr) return seen;
+    const std::vector<float> second = rows_from_top(texels(name, 1), camera_->width, camera_->rows);
+    seen.insert(seen.end(), second.begin(), second.end());
+    return seen;
   }
 
   std::vector<std::uint8_t> masked_out() const {
@@ -196,11 +205,11 @@ class GraphRunner::Run {
     return runner_.graph_.source.filter ? runner_.graph_.source.filter->numbers : none;
   }
 
-  std::vector<float> texels(const std::string& name) const {
+  std::vector<float> texels(const std::string& name, int layer = 0) const {
     if (resources_.texture(name).format() != gpu::Format::r32f)
       throw InputError(runner_.graph().texture(name)->where,
                        "'" + name + "' is read back as visibility or mask, which are of format r8 or r32f");
-    return resources_.texture(name).download<float>();
+    return resources_.texture(name).download<float>({.layer = layer});
   }
 
   void add_per_pixel(const Step& step, const std::vector<std::uint32_t>& fetches, double pixels,
@@ -408,6 +417,7 @@ class GraphRunner::Run {
   GraphRunner& runner_;
   const FrameOnDevice& frame_;
   const CameraImage* camera_;
+  const CameraImage* second_eye_;
   GraphExtents extents_;
   GraphResources resources_;
   PassGeometry geometry_;
@@ -454,7 +464,7 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
                              const RunOptions& options) {
   GraphResult result;
   fit_to(frame.atlas().format());
-  Run plain(*this, frame, camera, ProgramOnDevice::Module::as_shipped);
+  Run plain(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::as_shipped);
   const int seeds = graph_.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
@@ -471,7 +481,7 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   result.masked_out = plain.masked_out();
   result.unset_uniforms.assign(plain.unset_uniforms().begin(), plain.unset_uniforms().end());
   if (!options.count_fetches) return result;
-  Run counted(*this, frame, camera, ProgramOnDevice::Module::counting);
+  Run counted(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::counting);
   counted.run(0);
   counted.add_counts(result);
   return result;

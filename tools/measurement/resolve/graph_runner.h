@@ -26,6 +26,10 @@ struct RunOptions {
   // alone is not timed.
   double warm_up_seconds = 0.0;
   bool count_fetches = true;
+  // Of graphs whose programs draw both eyes at once and whose textures of the screen have two layers: what
+  // the second eye sees, of the same size and order of rows. Visibility then has its rows behind the first
+  // eye's.
+  const CameraImage* second_eye = nullptr;
 };
 
 // What a pass reads, writes and calculates in a frame, in all its draws or dispatches.

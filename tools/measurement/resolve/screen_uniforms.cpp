@@ -14,8 +14,9 @@ glm::vec4 texture_size(const gpu::Image& image) {
   return texture_size(image.width(), image.height());
 }
 
-void set_screen(UniformValues& values, const CameraImage& camera) {
-  const std::array<glm::dmat4, 2> eyes{camera.screen_to_world, camera.screen_to_world};
+void set_screen(UniformValues& values, const CameraImage& camera, const CameraImage* second_eye) {
+  const std::array<glm::dmat4, 2> eyes{
+      camera.screen_to_world, second_eye == nullptr ? camera.screen_to_world : second_eye->screen_to_world};
   values.set("_PenumbraScreenToWorld", std::span<const glm::dmat4>(eyes));
   values.set("_PenumbraScreenSize", texture_size(camera.width, camera.height));
 }

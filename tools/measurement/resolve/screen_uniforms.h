@@ -11,7 +11,7 @@ namespace penumbra::resolve {
 glm::vec4 texture_size(int width, int height);
 glm::vec4 texture_size(const gpu::Image& image);
 
-// Both eyes: the harness draws one.
-void set_screen(UniformValues& values, const CameraImage& camera);
+// Without a second eye both are the first.
+void set_screen(UniformValues& values, const CameraImage& camera, const CameraImage* second_eye = nullptr);
 
 }  // namespace penumbra::resolve

@@ -69,9 +69,12 @@ namespace UnityEngine
 
         [OwnBehaviour] public List<Kernel> Kernels { get; } = new List<Kernel>();
 
+        /// <summary>What its file declares.</summary>
+        [OwnBehaviour] public List<string> KeywordNames { get; set; } = new List<string>();
+
         [OwnBehaviour] public ComputeShader() { }
 
-        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(new List<string>());
+        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(KeywordNames);
 
         public int FindKernel(string name) => Kernels.FindIndex(kernel => kernel.Name == name);
 
