@@ -50,6 +50,9 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Flagship, all texels around a pixel in place of samples; where the device cannot run " +
                                    "it PCSS, 16 blocker and 32 filter samples."));
+            options.technique = ShadowTechnique.FlagshipPixel;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("Flagship, per pixel, all texels around a pixel in place of samples, at half resolution."));
         }
     }
 }
