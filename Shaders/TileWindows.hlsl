@@ -15,6 +15,7 @@
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
 #define PENUMBRA_TILE_WINDOWS_HLSL
 
+#include "FlagshipParameters.hlsl"
 #include "TileClusters.hlsl"
 #include "../ShaderLibrary/Filters/DepthRingSums.hlsl"
 
@@ -36,6 +37,7 @@
 
 // How far from the cluster's first receiver, texels along each axis, a receiver may lie.
 static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
+static const float kFewestFilterCells = 3.0;
 // A receiver so near to the plane of its part's, texels along the light, and so near to it takes its sums.
 static const float kPartPlaneTexels = 2.0;
 static const float kPartReach = 12.0;
@@ -74,6 +76,12 @@ groupshared uint partGround[TILE_PARTS]; // BlockersOfCell
 groupshared uint partSpread[TILE_PARTS]; // farthest receiver along an axis, texels
 groupshared uint partNear[TILE_PARTS];   // 1: a texel near the receivers makes a narrow penumbra
 
+// From the receiver to the edge of the filter's disc, cells; the windows have room for kRingCells.
+float FilterCells(FlagshipParameters parameters)
+{
+    return min(max(float(parameters.filterCells), kFewestFilterCells), kRingCells);
+}
+
 // Receivers, in whole texels, and how far around them the windows reach.
 struct WindowBounds
 {
@@ -81,13 +89,14 @@ struct WindowBounds
     int2 high;
     float radius; // texels
     int levels;   // beyond the texels
+    float ringCells; // of filter and search, whichever has more
     TileBounds tile;
 };
 
 DepthWindow WindowOf(WindowBounds bounds, int level)
 {
     const float cell = exp2(float(level));
-    const float reach = min(kRingCells * cell, bounds.radius) + cell;
+    const float reach = min(bounds.ringCells * cell, bounds.radius) + cell;
     const int2 low = int2(floor((float2(bounds.low) - reach) / cell));
     const int2 high = int2(floor((float2(bounds.high) + 1.0 + reach) / cell));
     DepthWindow window;
@@ -165,13 +174,15 @@ bool JoinWindow(bool waits, QuadReceiver receiver, float radius, int cascade, ui
     return joins;
 }
 
-WindowBounds BoundWindow(uint cluster)
+WindowBounds BoundWindow(uint cluster, FlagshipParameters parameters)
 {
     WindowBounds bounds;
     bounds.low = int2(windowLeft[cluster], windowTop[cluster]);
     bounds.high = int2(windowRight[cluster], windowBottom[cluster]);
     bounds.radius = asfloat(windowRadius[cluster]);
-    bounds.levels = RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels);
+    const float filterCells = FilterCells(parameters);
+    bounds.levels = max(RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels), DiscLevel(bounds.radius, filterCells));
+    bounds.ringCells = max(filterCells, kSearchRingCells);
     bounds.tile = windowTile[cluster];
     return bounds;
 }
@@ -282,13 +293,11 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
     return search;
 }
 
-// Of the n-th cell of the ring's square, where the receiver's ring has it. filled: with what the ring encloses.
-RingSums AddRingCell(RingSums sums, int level, int n, bool filled, QuadReceiver receiver, float ground, ConeScales scales,
+// Of a cell, where the receiver's ring has it. filled: with what the ring encloses.
+RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadReceiver receiver, float ground, ConeScales scales,
                      float radius)
 {
     const float width = exp2(float(level));
-    const int2 here = int2(floor(receiver.centre / width));
-    const int2 cell = here + int2(n % SEARCH_CELLS, n / SEARCH_CELLS) - SEARCH_CELLS / 2;
     const DepthWindow window = levelWindows[level];
     const float2 away = AwayFrom(receiver, cell, width);
     const float distance = length(away);
@@ -309,9 +318,19 @@ RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales
     UNITY_LOOP
     for (int level = 1; level <= levels; ++level)
     {
+        const float width = exp2(float(level));
+        const float2 centre = receiver.centre / width;
+        const float farthest = min(kSearchRingCells, radius / width) + 0.5;
+        const DepthWindow window = levelWindows[level];
+        const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
         UNITY_LOOP
-        for (int n = 0; n < SEARCH_CELLS * SEARCH_CELLS; ++n)
-            all = AddRingCell(all, level, n, false, receiver, ground, scales, radius);
+        for (int y = rows.x; y <= rows.y; ++y)
+        {
+            const int2 row = CellsOfRow(centre, farthest, y, window);
+            UNITY_LOOP
+            for (int x = row.x; x <= row.y; ++x)
+                all = AddRingCell(all, level, int2(x, y), false, receiver, ground, scales, radius);
+        }
     }
     return all;
 }
@@ -406,9 +425,11 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
         UNITY_LOOP
         for (int level = 1; level <= levels; ++level)
         {
+            const int2 first = int2(floor(receiver.centre / exp2(float(level)))) - SEARCH_CELLS / 2;
             UNITY_LOOP
             for (int n = int(thread % PART_LANES); n < SEARCH_CELLS * SEARCH_CELLS; n += PART_LANES)
-                sums = AddRingCell(sums, level, n, level == 1 && !near, receiver, ground, scales, radius);
+                sums = AddRingCell(sums, level, first + int2(n % SEARCH_CELLS, n / SEARCH_CELLS), level == 1 && !near, receiver,
+                                   ground, scales, radius);
         }
     }
     if (sums.nearby.x > 0.0)
@@ -459,13 +480,13 @@ float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
 }
 
 // As FilterDisc of PcssAngular.hlsl, over every cell of the disc, of DiscLevel.
-float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra)
+float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filterCells)
 {
-    const int level = DiscLevel(penumbra.radius);
+    const int level = DiscLevel(penumbra.radius, filterCells);
     const DepthWindow window = levelWindows[level];
     const float width = exp2(float(level));
     const float2 centre = receiver.centre / width;
-    const float farthest = min(kRingCells, penumbra.radius / width) + 0.5;
+    const float farthest = min(filterCells, penumbra.radius / width) + 0.5;
     const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
     float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
@@ -480,7 +501,7 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra)
             CellBlockers blockers;
             if (level == 0) blockers = BlockersOfTexel(DepthInWindow(window, int2(x, y)), away, receiver);
             else blockers = BlockersOfCell(SpreadInWindow(window, int2(x, y)), away, width, penumbra.ground, receiver);
-            const float share = ShareInDisc(distance, level, penumbra.radius, kRingCells);
+            const float share = ShareInDisc(distance, level, penumbra.radius, filterCells);
             sums = FilterCell(sums, blockers, distance, width, share, penumbra.cone);
         }
     }
@@ -488,7 +509,7 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra)
 }
 
 // radius: of the search, texels.
-float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, uint part)
+float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, FlagshipParameters parameters, uint part)
 {
     const bool nearPart = IsNearPart(receiver, scales, part);
     RingSearch search = BeginSearch(scales);
@@ -500,7 +521,7 @@ float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, u
     if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
     if (penumbra.readsBlock) visibility = FilterWindowBlock(receiver, penumbra);
-    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowDisc(receiver, penumbra));
+    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowDisc(receiver, penumbra, FilterCells(parameters)));
     return SanitizeVisibility(visibility);
 }
 

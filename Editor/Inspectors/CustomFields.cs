@@ -52,6 +52,7 @@ namespace Penumbra.Editor
             custom.FindPropertyRelative(nameof(options.mapFormat)).intValue = (int)options.mapFormat;
             custom.FindPropertyRelative(nameof(options.rays)).intValue = options.rays;
             custom.FindPropertyRelative(nameof(options.samplesPerRay)).intValue = options.samplesPerRay;
+            custom.FindPropertyRelative(nameof(options.filterCells)).intValue = options.filterCells;
             custom.FindPropertyRelative(nameof(options.discRadiusMetres)).floatValue = options.discRadiusMetres;
             custom.FindPropertyRelative(nameof(options.mask)).boolValue = options.mask;
             custom.FindPropertyRelative(nameof(options.conservativeMask)).boolValue = options.conservativeMask;

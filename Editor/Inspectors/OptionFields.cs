@@ -64,6 +64,10 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.discRadiusMetres), OptionTable.DiscRadiusMetres.Label, OptionTable.DiscRadiusMetres.Tooltip,
             options => options.technique.Takes(nameof(ShadowOptions.discRadiusMetres)), volume => volume.discRadiusMetres);
 
+        internal static readonly OptionField FilterCells = new OptionField(
+            nameof(ShadowOptions.filterCells), OptionTable.FilterCells.Label, OptionTable.FilterCells.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.filterCells)), volume => volume.filterCells);
+
         internal static readonly OptionField Mask = new OptionField(
             nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.mask);
@@ -112,8 +116,8 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField[] All =
         {
-            Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius, SoftnessCap,
-            MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, HalfResolution, Denoise,
+            Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius, FilterCells,
+            SoftnessCap, MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, HalfResolution, Denoise,
         };
     }
 }

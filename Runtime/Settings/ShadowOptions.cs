@@ -76,6 +76,13 @@ namespace Penumbra
         [Range(OptionTable.DiscRadiusMetres.Min, OptionTable.DiscRadiusMetres.Max)]
         public float discRadiusMetres;
 
+        /// <summary>
+        /// Of the flagship: cells of the shadow map from the middle of a wide penumbra's filter to its edge, 3 to 5.
+        /// </summary>
+        [Tooltip(OptionTable.FilterCells.Tooltip)]
+        [Range(OptionTable.FilterCells.Min, OptionTable.FilterCells.Max)]
+        public int filterCells;
+
         /// <summary>Full filter only where the mask finds a penumbra; a single shadow map test elsewhere.</summary>
         [Tooltip(OptionTable.Mask.Tooltip)]
         public bool mask;
@@ -141,7 +148,7 @@ namespace Penumbra
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
             lightBleeding.Equals(other.lightBleeding) && mapBlurTexels.Equals(other.mapBlurTexels) &&
             mapFormat == other.mapFormat && rays == other.rays && samplesPerRay == other.samplesPerRay &&
-            discRadiusMetres.Equals(other.discRadiusMetres) &&
+            discRadiusMetres.Equals(other.discRadiusMetres) && filterCells == other.filterCells &&
             mask == other.mask && conservativeMask == other.conservativeMask &&
             halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
@@ -179,6 +186,7 @@ namespace Penumbra
                                                 OptionTable.SamplesPerRay.Max);
             options.discRadiusMetres = Mathf.Clamp(FiniteOr(discRadiusMetres, 0.0f), OptionTable.DiscRadiusMetres.Min,
                                                    OptionTable.DiscRadiusMetres.Max);
+            options.filterCells = Mathf.Clamp(filterCells, OptionTable.FilterCells.Min, OptionTable.FilterCells.Max);
             options.cascadeBlend = Mathf.Clamp(FiniteOr(cascadeBlend, 0.0f), OptionTable.CascadeBlend.Min,
                                                OptionTable.CascadeBlend.Max);
             options.contactShadowMetres = Mathf.Clamp(FiniteOr(contactShadowMetres, 0.0f),

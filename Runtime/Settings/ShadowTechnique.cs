@@ -312,6 +312,7 @@ namespace Penumbra
             new[]
             {
                 nameof(ShadowOptions.blockerSamples),
+                nameof(ShadowOptions.filterCells),
                 nameof(ShadowOptions.filterSamples),
                 nameof(ShadowOptions.minFilterTexels),
                 nameof(ShadowOptions.softnessCapMetres),
@@ -741,7 +742,16 @@ namespace Penumbra
                     }.SetGlobal(commands);
                 },
             },
-            new SetParameters[0],
+            new SetParameters[]
+            {
+                (CommandBuffer commands, in ShadowOptions options) =>
+                {
+                    new FlagshipParameters
+                    {
+                        filterCells = options.filterCells,
+                    }.SetGlobal(commands);
+                },
+            },
             new SetParameters[0],
         };
 
@@ -862,6 +872,7 @@ namespace Penumbra
             (ref ShadowOptions options) =>
             {
                 options.blockerSamples = 24;
+                options.filterCells = 5;
                 options.filterSamples = 16;
                 options.minFilterTexels = 1.25f;
                 options.softnessCapMetres = 100.0f;

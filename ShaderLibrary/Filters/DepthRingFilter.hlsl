@@ -89,13 +89,13 @@ float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(
                      RingPenumbra penumbra, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
-    const int level = DiscLevel(penumbra.radius);
+    const int level = DiscLevel(penumbra.radius, kRingCells);
     const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
     UNITY_LOOP
     for (int i = 0; i < CountOf(quads); ++i)
     {
         const int2 quad = QuadAt(quads, i);
-        const float4 areas = AreasInDisc(quad, level, penumbra.radius, receiver);
+        const float4 areas = AreasInDisc(quad, level, penumbra.radius, kRingCells, receiver);
         if (!AnyArea(areas)) continue;
         if (level == 0)
             sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,

@@ -90,18 +90,17 @@ float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadRece
     return AreasOfQuad(quad, level, radius, ringCells, false, receiver);
 }
 
-// The level of the filter's cells, kRingCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
-// has them, change the error by less than a hundredth; with 4 cells to the edge there are up to 1.6 times as many false shadows,
-// with 3 up to 5 times as many (street, contact-boxes at 960 x 540).
-int DiscLevel(float radius)
+// The level of the filter's cells, filterCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
+// has them, change the error by less than a hundredth.
+int DiscLevel(float radius, float filterCells)
 {
-    return RingLevels(radius + 0.5, kRingCells, kMostRingLevels);
+    return RingLevels(radius + 0.5, filterCells, kMostRingLevels);
 }
 
 // Of the filter's disc. level: DiscLevel.
-float4 AreasInDisc(int2 quad, int level, float radius, QuadReceiver receiver)
+float4 AreasInDisc(int2 quad, int level, float radius, float filterCells, QuadReceiver receiver)
 {
-    return AreasOfQuad(quad, level, radius, kRingCells, true, receiver);
+    return AreasOfQuad(quad, level, radius, filterCells, true, receiver);
 }
 
 bool AnyArea(float4 areas)

@@ -39,6 +39,11 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   EXPECT_EQ(rows.at("fetches_per_pixel"), 5.0 * 128 * 128 / (32 * 16));
   EXPECT_EQ(rows.at("texels_written_per_pixel"), 128.0 * 128 / (32 * 16));
   EXPECT_EQ(rows.at("fetches_per_cascade"), 5.0 * 64 * 64);
+  double operations = 0.0;
+  for (const nlohmann::json& pass : record.at("passes"))
+    operations += pass.at("operations_per_pixel").get<double>();
+  EXPECT_GT(rows.at("operations_per_pixel"), 0.0);
+  EXPECT_DOUBLE_EQ(record.at("operations_per_pixel").get<double>(), operations);
 
   const auto cost = run({"cost", "--technique-list", added("Means"), "--family", "navi21"});
   EXPECT_EQ(cost.exit_code, 0) << cost.errors;
@@ -56,6 +61,7 @@ TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
   EXPECT_EQ(records[0].at("technique"), "means");
   EXPECT_EQ(records[1].at("technique"), "tent-5");
   EXPECT_EQ(records[1].at("fetches_mean"), 9.0);
+  EXPECT_GT(records[1].at("operations_per_pixel"), 9.0) << "a filter alone";
 }
 
 TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {

@@ -1,4 +1,4 @@
-// Shaders whose fetches and written texels are known.
+// Shaders whose fetches, written texels and operations are known.
 #include "resolve/texel_counter.h"
 
 #include <gmock/gmock.h>
@@ -6,6 +6,7 @@
 
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "resolve/counted_run.h"
@@ -178,6 +179,111 @@ void Main(uint3 id : SV_DispatchThreadID)
                                         {}, {4, 1, 1});
   EXPECT_THAT(counts.written, ElementsAre(0U, 1U, 2U, 4U));
   EXPECT_THAT(counts.fetches, ElementsAre(0U, 0U, 0U, 1U));
+}
+
+std::uint64_t operations_of(const std::string& statements) {
+  return dispatched(
+             "groupshared float2 shared_value;\n[numthreads(1, 1, 1)]\nvoid Main()\n{\n"
+             "    const float4 a = float4(_In[0], _In[1], _In[2], _In[3]);\n    " +
+                 statements + "\n}\n",
+             {}, {})
+      .operations.front();
+}
+
+TEST(TexelCounter, EachScalarOfArithmeticIsAnOperation) {
+  const std::pair<const char*, std::uint64_t> cases[] = {
+      {"_Out[0] = a.w;", 0},
+      {"_Out[0] = a.x + a.y;", 1},
+      {"_Out[0] = -a.x;", 1},
+      {"if (a.x / (a.y + 1.0) > 0.5) _Out[0] = a.x;", 3},
+      {"_Out[0] = sqrt(a.x);", 1},
+      {"_Out[0] = max(a.x, a.y);", 1},
+      {"_Out[0] = (a + a).x;", 4},
+      {"_Out[0] = (a * a.x).x;", 4},
+      {"_Out[0] = exp2(a).x;", 4},
+      {"_Out[0] = dot(a, a);", 7},
+      {"_Out[0] = dot(a.xy, a.zw);", 3},
+      {"_Out[0] = length(a);", 8},
+      {"if (normalize(a).x > 0.5) _Out[0] = a.x;", 13},
+      {"_Out[0] = cross(a.xyz, a.yzw).x;", 9},
+      {"_Out[0] = mul(float2x2(a), a.xy).x;", 2 * 3},
+      {"_Out[0] = mul(float3x2(a, a.xy), a.xy).x;", 3 * 3},
+      {"_Out[0] = mul(a.xyz, float3x2(a, a.xy)).x;", 2 * 5},
+      {"_Out[0] = mul(float2x2(a), float2x2(a))[0].x;", 4 * 3},
+      {"_Out[0] = float(int(a.x));", 2},
+      {"_Out[0] = asfloat(asuint(a.x) & 3);", 1},
+      {"_Out[0] = asfloat(asuint(a.x) << 3);", 1},
+      {"_Out[0] = asfloat(countbits(asuint(a.x)));", 1},
+      {"if (a.x < a.y) _Out[0] = a.x;", 1},
+      {"if (all(a.xy < a.zw)) _Out[0] = a.x;", 2 + 2},
+      {"_Out[0] = _Plain.SampleLevel(sampler_Linear, a.xy, 0).x;", 0},
+      {"shared_value = a.xy;", 2},
+      {"_Out[0] = shared_value.x;", 1}};
+  for (const auto& [statement, expected] : cases) EXPECT_EQ(operations_of(statement), expected) << statement;
+}
+
+TEST(TexelCounter, OperationsAreThoseThatAreExecuted) {
+  const TexelCounts counts = dispatched(R"(
+float Sum(float value, uint times)
+{
+    float sum = value;
+    for (uint i = 0; i < times; ++i) sum += value;
+    return sum;
+}
+[numthreads(4, 1, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    if (_In[0] > 1.0) return;
+    _Out[id.x] = Sum(_In[id.x], id.x);
+}
+)",
+                                        {}, {4, 1, 1});
+  // The branch and the loop's first comparison; then a sum, the next i and a comparison.
+  EXPECT_THAT(counts.operations, ElementsAre(2U, 5U, 8U, 11U));
+}
+
+// Loops that the optimiser unrolls, one inside of a function and one with a break.
+TEST(TexelCounter, OperationsOfUnrolledLoopsCountEachTime) {
+  const TexelCounts counts = dispatched(R"(
+float Sum(float4 values[4], uint most)
+{
+    float all = 0.0;
+    [unroll] for (int i = 0; i < 4; ++i)
+    {
+        if (uint(i) == most) break;
+        all += dot(values[i], values[i]);
+    }
+    return all;
+}
+[numthreads(6, 1, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    float4 values[4];
+    [unroll] for (int i = 0; i < 4; ++i) values[i] = 2.0 * float4(_In[0], _In[1], _In[2], _In[3]);
+    _Out[id.x] = Sum(values, id.x);
+}
+)",
+                                        {}, {6, 1, 1});
+  // 5 tests, 4 steps and 4 products of vectors; then for each i a test, the comparison with the most (a
+  // conversion from int to uint is none) and, unless it ends there, 7 + 1 for the sum and 1 for the step.
+  constexpr std::uint64_t kFirst = 5 + 4 + 4 * 4;
+  const auto turns = [](std::uint64_t number) { return kFirst + 11 * number; };
+  EXPECT_THAT(counts.operations, ElementsAre(turns(0) + 2, turns(1) + 2, turns(2) + 2, turns(3) + 2,
+                                             turns(4) + 1, turns(4) + 1));
+}
+
+TEST(TexelCounter, OperationsDoNotWrapAtThirtyTwoBits) {
+  const TexelCounts counts = dispatched(R"(
+[numthreads(64, 1, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    float4x4 turned = float4x4(_In[id.x].xxxx, _In[1].xxxx, _In[2].xxxx, _In[3].xxxx);
+    for (uint i = 0; i < 60000; ++i) turned = mul(turned, mul(turned, mul(turned, turned)));
+    _Out[id.x] = turned[0].x;
+}
+)",
+                                        {4, 1, 1}, {});
+  EXPECT_EQ(counts.operations.front(), 4 * 64 * (1 + 60000ULL * (2 + 3 * 16 * 7)));
 }
 
 constexpr const char* kAsManyAsItsNumber = R"(

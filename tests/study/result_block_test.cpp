@@ -62,6 +62,16 @@ TEST(ResultBlock, OneSceneSaysNothingOfOthers) {
               HasSubstr("the choice of scenes and of pixels"));
 }
 
+TEST(ResultBlock, OperationsAreShownWhereTheyWereCounted) {
+  Results results = synthetic::results();
+  EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("perations")));
+  for (Record& record : results.records) record.operations_per_pixel = 1234.4;
+  const std::string block = result_block(results, {kChart, {}});
+  EXPECT_THAT(block, AllOf(HasSubstr("| fetches in penumbrae | operations per pixel |"),
+                           HasSubstr(" | 1234 |\n"), HasSubstr("Operations: scalar arithmetic")));
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("operations per pixel")));
+}
+
 // A pass of 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
 TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
   Results results = synthetic::results();

@@ -150,10 +150,13 @@ TEST_F(SelectionTest, OptionsSetParametersAndBeginAsTheyAreMeasured) {
 }
 
 TEST_F(SelectionTest, ParametersThatTheFeatureComputesAreNotSetBesides) {
-  std::string text = with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": true)");
+  std::string text =
+      with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["RingParameters"])");
   text = emit_selections_csharp(read(text));
   EXPECT_THAT(text, Not(HasSubstr("new RingParameters")));
   EXPECT_THAT(text, HasSubstr("options.ringTaps = 8;")) << "but they begin as they are measured";
+  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["Rings"])"),
+              HasSubstr("unknown struct 'Rings'"));
 }
 
 TEST_F(SelectionTest, AFallbackMayBeTheFilterWithoutAKeyword) {
@@ -250,6 +253,7 @@ TEST_F(VisibilitySelectionTest, APresetDrawsItAndKeepsItsOwnOptions) {
   const std::string text = emit_presets_csharp(read_with(disc_manifest));
   EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Disc of 12; else Preset Low\n"));
   EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
+  EXPECT_THAT(text, HasSubstr("ringTaps = 12,\n")) << "as what it draws is measured, not as the first with it";
 }
 
 TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {

@@ -12,6 +12,7 @@ namespace Penumbra.Tests
             technique = ShadowTechnique.Pcss, angularDiameterDegrees = number, softnessCapMetres = number,
             minFilterTexels = number, blockerSamples = count, filterSamples = count, lightBleeding = number,
             mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count,
+            filterCells = count,
         };
 
         [TestCase(float.NaN, int.MinValue)]
@@ -29,6 +30,7 @@ namespace Penumbra.Tests
             Assert.That(options.filterSamples, Is.InRange(1, 64));
             Assert.That(options.rays, Is.InRange(1, 64));
             Assert.That(options.samplesPerRay, Is.InRange(1, 64));
+            Assert.That(options.filterCells, Is.InRange(3, 5));
             Assert.That(options.lightBleeding, Is.InRange(0.0f, 0.95f));
             Assert.That(options.mapBlurTexels, Is.InRange(0.0f, 4.0f));
             Assert.That(options.discRadiusMetres, Is.InRange(0.0f, 1.0f));
@@ -145,6 +147,8 @@ namespace Penumbra.Tests
             volume.samplesPerRay.value = 6;
             volume.discRadiusMetres.overrideState = true;
             volume.discRadiusMetres.value = 0.25f;
+            volume.filterCells.overrideState = true;
+            volume.filterCells.value = 4;
             volume.mask.overrideState = true;
             volume.mask.value = false;
             volume.conservativeMask.overrideState = true;
@@ -163,7 +167,8 @@ namespace Penumbra.Tests
                 technique = ShadowTechnique.PcssPoisson, angularDiameterDegrees = 4.0f, blockerSamples = 33,
                 filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
                 minFilterTexels = Feature.minFilterTexels, lightBleeding = 0.4f, mapBlurTexels = 3.0f,
-                mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, mask = false, conservativeMask = true,
+                mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, filterCells = 4,
+                mask = false, conservativeMask = true,
                 halfResolution = true, denoise = false, contactShadowMetres = 0.125f, contactShadowSteps = 20,
             }));
         }

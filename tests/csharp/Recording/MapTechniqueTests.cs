@@ -171,7 +171,7 @@ namespace Penumbra.Tests
         {
             angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
             minFilterTexels = 3.5f, lightBleeding = 0.7f, mapBlurTexels = 3.25f, rays = 3, samplesPerRay = 4,
-            discRadiusMetres = 0.75f,
+            discRadiusMetres = 0.75f, filterCells = 4,
         };
 
         /// <summary>Of the structs of a technique, packed as its manifest has the values.</summary>

@@ -23,7 +23,8 @@ using techniques::GraphTexture;
 using techniques::PassGraph;
 using techniques::PassKind;
 
-double sum(const std::vector<std::uint32_t>& counts) {
+template <typename Count>
+double sum(const std::vector<Count>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
@@ -158,9 +159,10 @@ class GraphRunner::Run {
       counts.frequency = pass.frequency;
       for (const Step& step : steps_) {
         if (step.pass != i || !step.counter.buffer) continue;
-        const auto [fetches, written] = step.counter.buffer->counts();
+        const auto [fetches, written, operations] = step.counter.buffer->counts();
         counts.fetches += sum(fetches) / pixels;
         counts.texels_written += sum(written) / pixels;
+        counts.operations += sum(operations) / pixels;
         add_per_pixel(step, fetches, pixels, result);
       }
       if (pass.frequency == techniques::Frequency::cascade)

@@ -28,12 +28,13 @@ struct RunOptions {
   bool count_fetches = true;
 };
 
-// What a pass reads and writes in a frame, of all its draws or dispatches.
+// What a pass reads, writes and calculates in a frame, in all its draws or dispatches.
 struct PassCounts {
   std::string pass;
   techniques::Frequency frequency = techniques::Frequency::frame;
   double fetches = 0.0;              // per pixel of the screen
   double texels_written = 0.0;       // the same
+  double operations = 0.0;           // the same; scalar operations that are executed
   double fetches_per_cascade = 0.0;  // of a pass that runs for each cascade: in one of them
 };
 

@@ -31,6 +31,7 @@ TexelCounts TexelCounter::counts() const {
   for (std::size_t i = shaders::texel_counts_header; i < words.size(); i += shaders::texel_counts_per_cell) {
     counts.fetches.push_back(words[i]);
     counts.written.push_back(words[i + 1]);
+    counts.operations.push_back(words[i + 2] | static_cast<std::uint64_t>(words[i + 3]) << 32U);
   }
   return counts;
 }

@@ -1,4 +1,4 @@
-// Counts of fetches and written texels on a device: the buffer that a counted module adds to
+// Counts of fetches, written texels and operations on a device: the buffer that a counted module adds to
 // (shaders/counted_module.h).
 #pragma once
 
@@ -14,12 +14,13 @@ namespace penumbra::resolve {
 struct TexelCounts {
   std::vector<std::uint32_t> fetches;
   std::vector<std::uint32_t> written;
+  std::vector<std::uint64_t> operations;  // scalar operations, executed
 };
 
 class TexelCounter {
  public:
-  // All 0. A grid of one cell has the totals of any pass, up to 2^32 - 1. Throws std::invalid_argument for an
-  // extent below 1.
+  // All 0. A grid of one cell has the totals of any pass, fetches and texels up to 2^32 - 1. Throws
+  // std::invalid_argument for an extent below 1.
   explicit TexelCounter(const gpu::Device& device, int width = 1, int height = 1, int depth = 1);
 
   // For the binding of the name shaders::texel_counts_name.

@@ -75,4 +75,8 @@ std::string fetches_text(const std::optional<Estimate>& fetches) {
   return figure_text(fetches, 1.0, kFetchDecimals);
 }
 
+std::string operations_text(const std::optional<Estimate>& operations) {
+  return figure_text(operations, 1.0, 0);
+}
+
 }  // namespace penumbra::study

@@ -30,4 +30,7 @@ std::string figure_text_alone(const std::optional<Estimate>& estimate, double sc
 // Fetches per pixel: a tenth is the finest that tells techniques apart.
 std::string fetches_text(const std::optional<Estimate>& fetches);
 
+// Operations per pixel: a whole number.
+std::string operations_text(const std::optional<Estimate>& operations);
+
 }  // namespace penumbra::study

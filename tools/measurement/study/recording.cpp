@@ -199,8 +199,9 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
 }
 
 PassRecord pass_record(const resolve::PassCounts& counts) {
-  PassRecord record{counts.pass, techniques::name_of(counts.frequency), counts.fetches, counts.texels_written,
-                    std::nullopt};
+  PassRecord record{counts.pass,    techniques::name_of(counts.frequency),
+                    counts.fetches, counts.texels_written,
+                    std::nullopt,   counts.operations};
   if (counts.frequency == techniques::Frequency::cascade)
     record.fetches_per_cascade = counts.fetches_per_cascade;
   return record;
@@ -262,6 +263,10 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   }
   if (const std::vector<techniques::Need>& needs = subject.graph.graph.needs; !needs.empty())
     record.baked_mebibytes = baked_mebibytes(*setup.inputs, needs);
+  if (!answer.passes.empty())
+    record.operations_per_pixel =
+        std::accumulate(answer.passes.begin(), answer.passes.end(), 0.0,
+                        [](double sum, const resolve::PassCounts& pass) { return sum + pass.operations; });
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;

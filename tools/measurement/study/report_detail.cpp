@@ -120,14 +120,16 @@ std::string split(const ErrorSplit& split) {
   return group.html();
 }
 
-std::string fetches(const Metrics& metrics) {
-  Group group("Fetches per pixel");
+std::string fetches(const Record& record) {
+  const Metrics& metrics = record.metrics;
+  Group group("Fetches and operations per pixel");
   group.add("of the shadow function", metrics.fetches_mean, "{:.1f}");
   group.add("95th percentile", metrics.fetches_p95, "{:.0f}");
   group.add("in penumbra", metrics.fetches_penumbra_mean, "{:.1f}");
   if (metrics.preprocess_fetches_per_pixel > 0.0) {
     group.add("of passes at lower resolution", metrics.preprocess_fetches_per_pixel, "{:.2f}");
   }
+  group.add("scalar operations of all passes", record.operations_per_pixel, "{:.0f}");
   if (metrics.mask) {
     group.add("pixels skipped by the mask, %", metrics.mask->pixels_saved, "{:.1f}", 100.0);
     group.add("penumbra pixels missed by the mask, %", metrics.mask->penumbra_pixels_missed, "{:.2f}", 100.0);
@@ -208,7 +210,7 @@ std::string provenance(const Results& results, const Record& record) {
 
 std::string record_detail(const Results& results, const Record& record, const std::string& about_id) {
   return "<div class=\"groups\">\n" + about(record, about_id) + intervals(record.metrics.intervals) +
-         errors(record.metrics) + split(record.metrics.split) + fetches(record.metrics) + cascades(record) +
+         errors(record.metrics) + split(record.metrics.split) + fetches(record) + cascades(record) +
          motion(record) + provenance(results, record) + "</div>\n";
 }
 

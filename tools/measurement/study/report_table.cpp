@@ -23,7 +23,8 @@ struct Row {
   std::optional<Estimate> rmse_all;
   std::optional<Estimate> leak_rate;
   std::optional<Estimate> false_shadow_rate;
-  std::optional<Estimate> fetches;  // of all passes
+  std::optional<Estimate> fetches;     // of all passes
+  std::optional<Estimate> operations;  // the same
   std::size_t penumbra_pixels = 0;
 
   bool is_mean() const { return scene.empty(); }
@@ -51,6 +52,7 @@ Row row_of(const Results& results, const Record& record) {
           estimate(metrics.leak_rate, intervals.leak_rate),
           estimate(metrics.false_shadow_rate, intervals.false_shadow_rate),
           estimate(metrics.fetches_mean, intervals.fetches_mean, metrics.preprocess_fetches_per_pixel),
+          estimate(record.operations_per_pixel, std::nullopt),
           metrics.penumbra_pixels};
 }
 
@@ -68,6 +70,7 @@ Row row_of(const Results& results, const SummaryLine& line) {
           line.leak_rate,
           line.false_shadow_rate,
           line.fetches,
+          line.operations,
           sample_of(results, line.light_degrees).penumbra_pixels};
 }
 
@@ -116,6 +119,8 @@ std::vector<Column> columns(const std::vector<Row>& rows) {
       figure("False shadow", "% of lit", &Row::false_shadow_rate, 100.0),
       {"Fetches", "per pixel", [](const Row& row) { return row.fetches; },
        [](const Estimate& value) { return fetches_text(value); }},
+      {"Operations", "per pixel", [](const Row& row) { return row.operations; },
+       [](const Estimate& value) { return operations_text(value); }},
       {"Penumbra", "pixels",
        [](const Row& row) {
          return Estimate{static_cast<double>(row.penumbra_pixels), std::nullopt};

@@ -66,17 +66,33 @@ std::string title_and_name(const Choice& choice) {
                                           : title_of(choice) + ", " + markdown_code(choice.technique);
 }
 
+// Files of older versions have none.
+bool has_operations(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return record.operations_per_pixel.has_value(); });
+}
+
 std::string mean_table(const Results& results, double light, BlockForm form) {
-  MarkdownTable table({"Technique", "RMSE in penumbra", "RMSE of all pixels", "light leaks, %",
-                       "false shadow, %", "fetches per pixel", "fetches in penumbrae"});
+  const bool with_operations = form == BlockForm::full && has_operations(results);
+  std::vector<std::string> heads{"Technique",           "RMSE in penumbra", "RMSE of all pixels",
+                                 "light leaks, %",      "false shadow, %",  "fetches per pixel",
+                                 "fetches in penumbrae"};
+  if (with_operations) heads.push_back("operations per pixel");
+  MarkdownTable table(heads);
   for (const SummaryLine& line : summarise(results)) {
     if (line.light_degrees != light) continue;
     const std::string partial =
         line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
     const std::string name = form == BlockForm::full ? title_and_name(line.choice) : title_of(line.choice);
-    table.add({name + partial, figure_text(line.rmse_penumbra), figure_text(line.rmse_all),
-               figure_text(line.leak_rate, 100.0), figure_text(line.false_shadow_rate, 100.0),
-               fetches_text(line.fetches), fetches_text(line.fetches_in_penumbra)});
+    std::vector<std::string> cells{name + partial,
+                                   figure_text(line.rmse_penumbra),
+                                   figure_text(line.rmse_all),
+                                   figure_text(line.leak_rate, 100.0),
+                                   figure_text(line.false_shadow_rate, 100.0),
+                                   fetches_text(line.fetches),
+                                   fetches_text(line.fetches_in_penumbra)};
+    if (with_operations) cells.push_back(operations_text(line.operations));
+    table.add(cells);
   }
   return table.text();
 }
@@ -158,7 +174,7 @@ std::string picture_sizes(const Results& results) {
   return (smallest == largest ? smallest : smallest + " to " + largest) + " pixels";
 }
 
-std::string how_to_read(const Results& results) {
+std::string how_to_read(const Results& results, BlockForm form) {
   const char* figure =
       scene_names(results).size() == 1
           ? "Each figure is of one scene ± half the width of its 95 % confidence interval, which covers the "
@@ -170,12 +186,16 @@ std::string how_to_read(const Results& results) {
       "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
       "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
       "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
-      "technique that can stop early does all its work.{}\n\n",
+      "technique that can stop early does all its work.{}{}\n\n",
       figure, kLeakAbove, kFalseShadowBelow,
       has_map_passes(results) ? " Both include the passes over the shadow map, divided by the pixels of the "
                                 "pictures, which are of " +
                                     picture_sizes(results) + "."
-                              : "");
+                              : "",
+      form == BlockForm::full && has_operations(results)
+          ? " Operations: scalar arithmetic that all passes execute, before the compiler "
+            "optimises it, per pixel of the picture."
+          : "");
 }
 
 // What passes over the map cost, which does not depend on the picture's size. Means over the scenes at the
@@ -236,7 +256,8 @@ std::string brief_block(const Results& results) {
     if (light != middle)
       others += (others.empty() ? "" : "\n") + light_table(results, light, BlockForm::brief);
   }
-  std::string block = light_table(results, middle, BlockForm::brief) + "\n" + how_to_read(results);
+  std::string block =
+      light_table(results, middle, BlockForm::brief) + "\n" + how_to_read(results, BlockForm::brief);
   if (!others.empty()) block += folded("Smaller and larger lights", others) + "\n";
   return block + command(results);
 }
@@ -268,7 +289,7 @@ std::string technique_table(const Results& results, const FactsOfTechniques& fac
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {
-  std::string block = how_to_read(results);
+  std::string block = how_to_read(results, BlockForm::full);
   std::string errors, leaks, false_shadow;
   const auto add = [&results](std::string& tables, double light, const auto& figure) {
     tables +=

@@ -73,13 +73,14 @@ struct PackageNote {
   bool operator==(const PackageNote&) const = default;
 };
 
-// The texture reads and writes of one pass of a technique in a frame.
+// The texture reads and writes of one pass of a technique in a frame, and its operations.
 struct PassRecord {
   std::string pass;
   std::string runs;                // frame, cascade or bake
   double fetches_per_pixel = 0.0;  // of the picture
   double texels_written_per_pixel = 0.0;
-  std::optional<double> fetches_per_cascade;  // where it runs for each cascade: in one of them, all texels
+  std::optional<double> fetches_per_cascade;     // where it runs for each cascade: in one of them, all texels
+  std::optional<double> operations_per_pixel{};  // executed scalar operations; absent in older files
 
   bool operator==(const PassRecord&) const = default;
 };
@@ -135,6 +136,9 @@ struct Record {
   std::vector<DistanceRecord>
       by_distance{};                        // of scenes that are seen beyond the shadow distance; else empty
   std::optional<double> baked_mebibytes{};  // of the textures that the technique reads besides the frame
+  // Executed scalar operations of all passes (shaders/counted_module.h), per pixel of the picture; absent in
+  // older files.
+  std::optional<double> operations_per_pixel{};
   std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
   std::optional<Shimmer> shimmer;  // when the study panned
   std::optional<Seam> seam;        // with several cascades; absent in older files

@@ -265,6 +265,8 @@ std::vector<PassRecord> read_passes(StrictObject& record) {
     result.runs = pass.text("runs");
     result.fetches_per_pixel = pass.number("fetches_per_pixel", 0.0, kAnything);
     result.texels_written_per_pixel = pass.number("texels_written_per_pixel", 0.0, kAnything);
+    if (pass.has("operations_per_pixel"))
+      result.operations_per_pixel = pass.number("operations_per_pixel", 0.0, kAnything);
     if (pass.has("fetches_per_cascade"))
       result.fetches_per_cascade = pass.number("fetches_per_cascade", 0.0, kAnything);
     pass.finish();
@@ -353,6 +355,8 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.metrics = read_metrics(record);
   result.per_cascade = read_cascades(record, result.cascades);
   result.by_distance = read_distances(record);
+  if (record.has("operations_per_pixel"))
+    result.operations_per_pixel = record.number("operations_per_pixel", 0.0, kAnything);
   if (record.has("baked_mebibytes"))
     result.baked_mebibytes = record.number("baked_mebibytes", 0.0, kAnything);
   result.passes = read_passes(record);

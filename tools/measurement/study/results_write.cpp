@@ -148,6 +148,7 @@ Json json_of(const PassRecord& pass) {
             {"runs", pass.runs},
             {"fetches_per_pixel", pass.fetches_per_pixel},
             {"texels_written_per_pixel", pass.texels_written_per_pixel}};
+  if (pass.operations_per_pixel) json["operations_per_pixel"] = *pass.operations_per_pixel;
   if (pass.fetches_per_cascade) json["fetches_per_cascade"] = *pass.fetches_per_cascade;
   return json;
 }
@@ -173,6 +174,7 @@ Json json_of(const Record& record, std::string_view kind) {
     json["by_distance"] = Json::array();
     for (const DistanceRecord& ring : record.by_distance) json["by_distance"].push_back(json_of(ring));
   }
+  if (record.operations_per_pixel) json["operations_per_pixel"] = *record.operations_per_pixel;
   if (record.baked_mebibytes) json["baked_mebibytes"] = *record.baked_mebibytes;
   if (!record.passes.empty()) {
     json["passes"] = Json::array();

@@ -77,6 +77,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   SceneFigures false_shadows;
   SceneFigures fetches;
   SceneFigures fetches_in_penumbra;
+  SceneFigures operations;
   Mean time;
   for (const std::string& scene : scene_names(results)) {
     const Record* record = find_record(results, choice.label, scene, light_degrees);
@@ -88,6 +89,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
     false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
     fetches.add(of_all_passes(metrics.fetches_mean, metrics), metrics.intervals.fetches_mean);
     fetches_in_penumbra.add(of_all_passes(metrics.fetches_penumbra_mean, metrics), std::nullopt);
+    operations.add(record->operations_per_pixel, std::nullopt);
     if (record->time) time.add(record->time->median_ms);
   }
   SummaryLine line{choice, light_degrees, rmse.count()};
@@ -97,6 +99,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   line.false_shadow_rate = false_shadows.mean(1.0);
   line.fetches = fetches.mean(std::numeric_limits<double>::infinity());
   line.fetches_in_penumbra = fetches_in_penumbra.mean(std::numeric_limits<double>::infinity());
+  line.operations = operations.mean(std::numeric_limits<double>::infinity());
   line.time_ms = time.value();
   line.complete = rmse.count() > 0 && rmse.count() == sample_of(results, light_degrees).scenes;
   return line;

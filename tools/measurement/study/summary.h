@@ -36,6 +36,7 @@ struct SummaryLine {
   std::optional<Estimate> false_shadow_rate{};
   std::optional<Estimate> fetches{};              // per pixel of the frame, preparation included
   std::optional<Estimate> fetches_in_penumbra{};  // the same of the pixels in penumbra alone
+  std::optional<Estimate> operations{};           // scalar operations per pixel; absent in older files
   std::optional<double> time_ms{};                // median of a frame
 };
 

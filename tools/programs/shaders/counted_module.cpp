@@ -1,9 +1,13 @@
 #include "shaders/counted_module.h"
 
+#include <glslang/SPIRV/GLSL.std.450.h>
+
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "shaders/module_rewrite.h"
@@ -37,6 +41,166 @@ bool tells_the_source(spv::Op op) {
   return op == spv::OpLine || op == spv::OpNoLine || op == spv::OpSource || op == spv::OpSourceContinued ||
          op == spv::OpString || op == spv::OpModuleProcessed;
 }
+
+bool ends_a_block(spv::Op op) {
+  switch (op) {
+    case spv::OpSelectionMerge:
+    case spv::OpLoopMerge:  // before the branch
+    case spv::OpBranch:
+    case spv::OpBranchConditional:
+    case spv::OpSwitch:
+    case spv::OpReturn:
+    case spv::OpReturnValue:
+    case spv::OpUnreachable:
+      return true;
+    default:
+      return ends_the_invocation(op);
+  }
+}
+
+// Scalar operations of an instruction, as counted_module.h defines them.
+class OperationCount {
+ public:
+  explicit OperationCount(const spirv::Code& code) : code_(code) {}
+
+  std::uint32_t of(const spirv::Instruction& one) const {
+    if (one.op == spv::OpExtInst) return of_extended(one);
+    if (one.op == spv::OpLoad) return is_shared(one.operands[0]) ? scalars(one.type) : 0;
+    if (one.op == spv::OpStore) return is_shared(one.operands[0]) ? scalars(type_of(one.operands[1])) : 0;
+    if (one.op >= spv::OpAtomicLoad && one.op <= spv::OpAtomicXor) return 1;
+    if (one.op == spv::OpDot) return 2 * scalars(type_of(one.operands[0])) - 1;
+    if (one.op == spv::OpAny || one.op == spv::OpAll) return scalars(type_of(one.operands[0]));
+    if (const std::uint32_t products = products_of_each(one); products != 0)
+      return scalars(one.type) * (2 * products - 1);
+    return is_arithmetic(one.op) ? scalars(one.type) : 0;
+  }
+
+ private:
+  static bool is_arithmetic(spv::Op op) {
+    const bool converts = op >= spv::OpConvertFToU && op <= spv::OpQuantizeToF16;
+    const bool calculates = op >= spv::OpSNegate && op <= spv::OpOuterProduct;
+    const bool widens = op >= spv::OpIAddCarry && op <= spv::OpSMulExtended;
+    const bool compares = op >= spv::OpIsNan && op <= spv::OpFUnordGreaterThanEqual;
+    const bool of_bits = op >= spv::OpShiftRightLogical && op <= spv::OpBitCount;
+    const bool derives = op >= spv::OpDPdx && op <= spv::OpFwidthCoarse;
+    return converts || calculates || widens || compares || of_bits || derives;
+  }
+
+  // Of a product with a matrix: how many products add up to each scalar of the result. 0: of anything else.
+  std::uint32_t products_of_each(const spirv::Instruction& one) const {
+    switch (one.op) {
+      case spv::OpVectorTimesMatrix:
+        return scalars(type_of(one.operands[0]));
+      case spv::OpMatrixTimesVector:
+        return scalars(type_of(one.operands[1]));
+      case spv::OpMatrixTimesMatrix:
+        return code_.definition(type_of(one.operands[0]))->operands[1];
+      default:
+        return 0;
+    }
+  }
+
+  // operands[1] is the number of the function, operands[2] its first argument.
+  std::uint32_t of_extended(const spirv::Instruction& one) const {
+    const auto components = [&] { return scalars(type_of(one.operands[2])); };
+    switch (one.operands[1]) {
+      case GLSLstd450Length:
+        return 2 * components();
+      case GLSLstd450Distance:
+      case GLSLstd450Normalize:
+        return 3 * components();
+      case GLSLstd450Cross:
+        return 9;
+      default:
+        return scalars(one.type);
+    }
+  }
+
+  bool is_shared(Id pointer) const {
+    return code_.storage_class(type_of(pointer)) == spv::StorageClassWorkgroup;
+  }
+
+  Id type_of(Id id) const {
+    const spirv::Instruction* definition = code_.definition(id);
+    return definition == nullptr ? 0 : definition->type;
+  }
+
+  std::uint32_t scalars(Id type) const {
+    const spirv::Instruction* definition = code_.definition(type);
+    if (definition == nullptr) return 1;
+    switch (definition->op) {
+      case spv::OpTypeVector:
+      case spv::OpTypeMatrix:
+        return definition->operands[1] * scalars(definition->operands[0]);
+      case spv::OpTypeArray:
+        return static_cast<std::uint32_t>(code_.integer(definition->operands[1]).value_or(1)) *
+               scalars(definition->operands[0]);
+      case spv::OpTypeStruct: {
+        std::uint32_t all = 0;
+        for (const Id member : definition->operands) all += scalars(member);
+        return all;
+      }
+      default:
+        return 1;
+    }
+  }
+
+  const spirv::Code& code_;
+};
+
+// The operations to add at the end of each block, by its label.
+class OperationsOfBlocks {
+ public:
+  explicit OperationsOfBlocks(const spirv::Code& code) : code_(code), count_(code) {
+    for (const spirv::Function& function : code.functions()) {
+      for (const spirv::Block& block : function.blocks)
+        for (std::size_t i = block.begin; i < block.end; ++i)
+          added_[block.label] += count_.of(code.instructions()[i]);
+      for (const spirv::Block& block : function.blocks) move_out_of_test(function, block);
+    }
+  }
+
+  std::uint32_t of(Id label) const {
+    const auto found = added_.find(label);
+    return found == added_.end() ? 0 : found->second;
+  }
+
+ private:
+  const spirv::Instruction& terminator(const spirv::Block& block) const {
+    return code_.instructions()[block.end - 1];
+  }
+
+  bool branches_to(const spirv::Block& block, Id label) const {
+    return terminator(block).op == spv::OpBranch && terminator(block).operands[0] == label;
+  }
+
+  // SPIRV-Tools, when it unrolls a loop, loses what the block of the loop's test adds: its value after the
+  // loop is that of the first test. So the blocks that branch to the loop's head add it: as often, since a
+  // test follows each time.
+  void move_out_of_test(const spirv::Function& function, const spirv::Block& head) {
+    if (!has_unrolled_loop(head) || terminator(head).op != spv::OpBranch) return;
+    const Id test = terminator(head).operands[0];
+    const auto tests = [&](const spirv::Block& block) {
+      return block.label == test && terminator(block).op == spv::OpBranchConditional;
+    };
+    if (std::none_of(function.blocks.begin(), function.blocks.end(), tests)) return;
+    const std::uint32_t moved = std::exchange(added_[head.label], 0) + std::exchange(added_[test], 0);
+    for (const spirv::Block& block : function.blocks)
+      if (branches_to(block, head.label)) added_[block.label] += moved;
+  }
+
+  bool has_unrolled_loop(const spirv::Block& head) const {
+    for (std::size_t i = head.begin; i < head.end; ++i) {
+      const spirv::Instruction& one = code_.instructions()[i];
+      if (one.op == spv::OpLoopMerge) return (one.operands[2] & spv::LoopControlUnrollMask) != 0;
+    }
+    return false;
+  }
+
+  const spirv::Code& code_;
+  const OperationCount count_;
+  std::map<Id, std::uint32_t> added_;
+};
 
 // The module's declarations of the entry point.
 struct EntryFacts {
@@ -128,7 +292,7 @@ Words name_words(Id id, const std::string& text) {
 class Counting {
  public:
   Counting(const SpirvModule& module, const spirv::Code& code, const EntryFacts& facts)
-      : module_(module), code_(code), facts_(facts), rewrite_(module) {}
+      : module_(module), code_(code), facts_(facts), operations_of_blocks_(code), rewrite_(module) {}
 
   SpirvModule run() {
     add_counts_ = rewrite_.new_id();
@@ -144,6 +308,8 @@ class Counting {
     if (tells_the_source(op)) return;
     if (op == spv::OpEntryPoint && one[2] == facts_.function) return keep_entry_point(one);
     if (op == spv::OpFunction) enter_function(one);
+    if (op == spv::OpLabel) of_block_ = operations_of_blocks_.of(one[1]);
+    if (ends_a_block(op) && of_block_ != 0) add(operations_, std::exchange(of_block_, 0));
     if (reads_a_texel(op)) add(fetches_, 1);
     if (writes_a_texel(op)) add(written_, 1);
     if (ends_the_invocation(op)) call_add_counts();
@@ -173,7 +339,8 @@ class Counting {
       counts_ = rewrite_.new_id();
       fetches_ = rewrite_.new_id();
       written_ = rewrite_.new_id();
-      operands.insert(operands.end(), {counts_, fetches_, written_});
+      operations_ = rewrite_.new_id();
+      operands.insert(operands.end(), {counts_, fetches_, written_, operations_});
     }
     keep(spv::OpEntryPoint, operands);
   }
@@ -194,6 +361,7 @@ class Counting {
     declare_position();
     fetches_ = private_counter(fetches_);
     written_ = private_counter(written_);
+    operations_ = private_counter(operations_);
     declare_counts();
     rewrite_.name(spv::OpName, name_words(add_counts_, "$AddTexelCounts"));
   }
@@ -288,31 +456,49 @@ class Counting {
   void write_add_counts() {
     rewrite_.result(spv::OpFunction, void_, {spv::FunctionControlMaskNone, function_type_}, add_counts_);
     rewrite_.code(spv::OpLabel, {rewrite_.new_id()});
-    const Id first = rewrite_.result(spv::OpIMul, uint_, {cell(), uint(texel_counts_per_cell)});
-    const Id fetches_at = rewrite_.result(spv::OpIAdd, uint_, {first, uint(texel_counts_header)});
-    const Id written_at = rewrite_.result(spv::OpIAdd, uint_, {first, uint(texel_counts_header + 1)});
-    add_atomically(fetches_at, fetches_);
-    add_atomically(written_at, written_);
+    const Id cells = rewrite_.result(spv::OpIMul, uint_, {cell(), uint(texel_counts_per_cell)});
+    const Id first = rewrite_.result(spv::OpIAdd, uint_, {cells, uint(texel_counts_header)});
+    add_atomically(first, loaded(fetches_));
+    add_atomically(place_after(first, 1), loaded(written_));
+    add_operations(first);
     rewrite_.code(spv::OpReturn, {});
     rewrite_.code(spv::OpFunctionEnd, {});
   }
 
   Id uint(std::size_t value) { return rewrite_.uint_constant(static_cast<std::uint32_t>(value)); }
 
-  void add_atomically(Id index, Id counter) {
-    const Id count = rewrite_.result(spv::OpLoad, uint_, {counter});
-    rewrite_.result(spv::OpAtomicIAdd, uint_,
-                    {word_pointer(index), uint(spv::ScopeDevice), uint(spv::MemorySemanticsMaskNone), count});
+  Id loaded(Id counter) { return rewrite_.result(spv::OpLoad, uint_, {counter}); }
+
+  Id place_after(Id first, std::size_t words) {
+    return rewrite_.result(spv::OpIAdd, uint_, {first, uint(words)});
+  }
+
+  // The word before the addition.
+  Id add_atomically(Id index, Id count) {
+    return rewrite_.result(
+        spv::OpAtomicIAdd, uint_,
+        {word_pointer(index), uint(spv::ScopeDevice), uint(spv::MemorySemanticsMaskNone), count});
+  }
+
+  // Two words: 32 bits are too few for all operations of a picture.
+  void add_operations(Id first) {
+    const Id count = loaded(operations_);
+    const Id before = add_atomically(place_after(first, 2), count);
+    const Id after = rewrite_.result(spv::OpIAdd, uint_, {before, count});
+    const Id wrapped = rewrite_.result(spv::OpULessThan, bool_, {after, before});
+    add_atomically(place_after(first, 3), rewrite_.result(spv::OpSelect, uint_, {wrapped, uint(1), uint(0)}));
   }
 
   const SpirvModule& module_;
   const spirv::Code& code_;
   const EntryFacts facts_;
+  const OperationsOfBlocks operations_of_blocks_;
+  std::uint32_t of_block_ = 0;  // operations of the block that is visited, until they are added
   ModuleRewrite rewrite_;
   Id function_ = 0;  // that is visited
   bool depth_first_told_ = false;
   Id add_counts_ = 0;  // the function
-  Id position_ = 0, counts_ = 0, fetches_ = 0, written_ = 0;
+  Id position_ = 0, counts_ = 0, fetches_ = 0, written_ = 0, operations_ = 0;
   Id position_type_ = 0, coordinate_type_ = 0;
   Id void_ = 0, function_type_ = 0, uint_ = 0, bool_ = 0;
   spv::StorageClass storage_ = spv::StorageClassStorageBuffer;

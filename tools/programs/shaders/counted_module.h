@@ -1,6 +1,6 @@
-// A module that counts the texels that it reads and writes.
+// A module that counts the texels that it reads and writes, and its scalar operations.
 //
-// It computes what the shipped module does, and two counts for each invocation. It is derived from the
+// It computes what the shipped module does, and three counts for each invocation. It is derived from the
 // compiler's module before optimisation, so a fetch counts where the source reaches it, even if the optimiser
 // would remove it; then it is optimised like the shipped module.
 //
@@ -8,14 +8,19 @@
 // in SPIR-V; structured, raw and constant buffers, groupshared memory and queries of a texture's size or
 // level of detail count 0. Texels written: 1 for each store to a writable texture, and 1 for each colour
 // output of a fragment that is not discarded. An atomic operation on a texel counts as a fetch and as a texel
-// written.
+// written. Operations: those that an invocation executes, 1 for each scalar of a result of arithmetic,
+// comparison, selection, conversion of numbers, bit operation or derivative, 1 also for a division, a root or
+// another elementary function; 2 n - 1 for a dot product of n components, and so for each scalar of a product
+// with a matrix; 1 for each scalar read from or written to groupshared memory, and for each atomic operation.
+// Branches, calls, copies, texture and buffer accesses and barriers count 0. The optimiser and the driver
+// leave fewer; a GPU executes them for all threads of a wave where one of them needs them.
 //
-// Limits: a count has 32 bits. A discarded fragment's fetches count up to the discard. Colour outputs count
-// whether or not a target is bound to them, and once for all samples of a pixel; depth does not count. Helper
-// invocations count 0, and their atomic operations have no effect. If a fragment shader neither discards, nor
-// sets its depth or coverage, nor writes anything but its outputs, only fragments that pass the depth test
-// count: GPUs run that test before shading. For other fragment shaders, fragments that the depth test rejects
-// also count.
+// Limits: a count has 32 bits, that of operations 64. A discarded fragment's fetches count up to the discard.
+// Colour outputs count whether or not a target is bound to them, and once for all samples of a pixel; depth
+// does not count. Helper invocations count 0, and their atomic operations have no effect. If a fragment
+// shader neither discards, nor sets its depth or coverage, nor writes anything but its outputs, only
+// fragments that pass the depth test count: GPUs run that test before shading. For other fragment shaders,
+// fragments that the depth test rejects also count.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +34,13 @@ namespace penumbra::shaders {
 // The storage buffer with the counts, by the name that reflection gives it: one that HLSL cannot declare.
 //
 // Its words: the width, height and depth of the grid of counts, each at least 1, and an unused word; then for
-// each cell of the grid, x first, two counts, fetches and texels written, to which every invocation adds its
-// own. The cell is a fragment's pixel, or a compute shader's SV_DispatchThreadID; an invocation outside of
-// the grid adds to the nearest cell. So a grid of 1 x 1 x 1 has the totals of a draw or dispatch of any size.
+// each cell of the grid, x first, the counts, to which every invocation adds its own: fetches, texels
+// written, and the low and the high word of operations. The cell is a fragment's pixel, or a compute shader's
+// SV_DispatchThreadID; an invocation outside of the grid adds to the nearest cell. So a grid of 1 x 1 x 1 has
+// the totals of a draw or dispatch of any size.
 inline constexpr const char* texel_counts_name = "$TexelCounts";
 inline constexpr std::size_t texel_counts_header = 4;  // words before the counts
-inline constexpr std::size_t texel_counts_per_cell = 2;
+inline constexpr std::size_t texel_counts_per_cell = 4;
 
 // For CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute shader; the result
 // has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for words that are not

@@ -27,6 +27,13 @@ constexpr const char* preset_table_end = R"(        };
 }
 )";
 
+// Null: the preset draws what it is named after.
+const PresetChoice* choice_of(const TechniqueList& list, const Technique& preset) {
+  for (const PresetChoice& choice : list.presets)
+    if (choice.preset == preset.name) return &choice;
+  return nullptr;
+}
+
 std::string technique_of(const TechniqueList& list, const Technique& preset) {
   const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
   const auto found =
@@ -36,16 +43,14 @@ std::string technique_of(const TechniqueList& list, const Technique& preset) {
   if (found == list.selections.end() || preset.keywords.size() > 1)
     throw InputError(preset.where,
                      "the renderer feature has no technique for the keywords of '" + preset.name + "'");
-  const auto choice = std::find_if(list.presets.begin(), list.presets.end(),
-                                   [&](const PresetChoice& one) { return one.preset == preset.name; });
-  return choice == list.presets.end() ? found->name : choice->selection;
+  const PresetChoice* choice = choice_of(list, preset);
+  return choice == nullptr ? found->name : choice->selection;
 }
 
 // "Flagship; else Preset High: PCSS 12+24".
 std::string title_of(const TechniqueList& list, const Technique& preset) {
-  for (const PresetChoice& choice : list.presets)
-    if (choice.preset == preset.name) return list.find(choice.technique).title + "; else " + preset.title;
-  return preset.title;
+  const PresetChoice* choice = choice_of(list, preset);
+  return choice == nullptr ? preset.title : list.find(choice->technique).title + "; else " + preset.title;
 }
 
 std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
@@ -55,8 +60,19 @@ std::string value_or(const Technique& preset, const char* field, const std::stri
   return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
+// Of the field that the option sets, as what the preset draws is measured; null where that has no such
+// option.
+const double* drawn_value(const TechniqueList& list, const PresetChoice* choice, const std::string& option) {
+  if (choice == nullptr) return nullptr;
+  for (const Selection& selection : list.selections)
+    if (selection.name == choice->selection && selection.options.contains(option))
+      return &list.find(choice->technique).values.at(selection.options.at(option)).front();
+  return nullptr;
+}
+
 // Numbers that no preset chooses are those that the first technique with the option is measured with.
-std::vector<std::pair<std::string, std::string>> of_other_techniques(const TechniqueList& list) {
+std::vector<std::pair<std::string, std::string>> of_other_techniques(const TechniqueList& list,
+                                                                     const Technique& preset) {
   const std::vector<std::string> chosen = {"blockerSamples", "filterSamples", "softnessCapMetres",
                                            "minFilterTexels"};
   std::vector<std::pair<std::string, std::string>> values;
@@ -66,7 +82,10 @@ std::vector<std::pair<std::string, std::string>> of_other_techniques(const Techn
         std::find_if(list.selections.begin(), list.selections.end(),
                      [&](const Selection& selection) { return selection.options.contains(option.name); });
     if (found == list.selections.end()) continue;
-    const double value = list.find(found->technique).values.at(found->options.at(option.name)).front();
+    const double* drawn = drawn_value(list, choice_of(list, preset), option.name);
+    const double value = drawn != nullptr
+                             ? *drawn
+                             : list.find(found->technique).values.at(found->options.at(option.name)).front();
     values.emplace_back(option.name,
                         option.type == "int" ? std::to_string(static_cast<int>(value)) : csharp_float(value));
   }
@@ -85,12 +104,16 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   set("filterSamples", value_or(preset, "filterSamples", "1"));
   set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
   set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
-  for (const auto& [option, value] : of_other_techniques(list)) set(option, value);
+  for (const auto& [option, value] : of_other_techniques(list, preset)) set(option, value);
   set("mapFormat", "MapFormat.Bits32");
   const auto has_pass = [&](const std::string& program) {
-    const std::vector<GraphPass>& passes = preset.graph.passes;
-    return std::any_of(passes.begin(), passes.end(),
-                       [&](const GraphPass& pass) { return pass.program == program; });
+    const auto in = [&](const Technique& technique) {
+      const std::vector<GraphPass>& passes = technique.graph.passes;
+      return std::any_of(passes.begin(), passes.end(),
+                         [&](const GraphPass& pass) { return pass.program == program; });
+    };
+    const PresetChoice* choice = choice_of(list, preset);
+    return in(preset) || (choice != nullptr && in(list.find(choice->technique)));
   };
   const bool conservative = has_pass("ConservativeMask");
   set("mask", flag(conservative || has_pass("PenumbraMask")));

@@ -33,8 +33,9 @@ struct Selection {
   std::vector<GraphTexture> textures;  // of its graph, that the filter reads
   bool is_sampled = false;             // as Technique
   bool widens_with_disc = false;       // penumbrae are as wide as the light's disc makes them
-  bool has_computed_parameters = false;  // the feature's C# sets them; else its values and options do
-  bool needs_target_45 = false;          // of Unity's shader targets: it gathers, or searches for bits
+  std::vector<std::string> computed_parameters;  // structs that the feature's C# sets; others its values and
+                                                 // options do
+  bool needs_target_45 = false;  // of Unity's shader targets: it gathers, or searches for bits
   std::string fallback;      // selection in its place where its passes and filter cannot run; may be empty
   std::optional<int> value;  // serialised by assets: never changed; absent: shaders alone select it
   std::string title;         // in inspectors; this and the next of selections with a value

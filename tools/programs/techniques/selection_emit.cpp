@@ -172,18 +172,24 @@ std::string set_struct(const ParameterStruct& parameters, const Technique& techn
   return text + indent + "}.SetGlobal(commands);\n";
 }
 
+bool is_computed(const Selection& selection, const std::string& parameters) {
+  return std::find(selection.computed_parameters.begin(), selection.computed_parameters.end(), parameters) !=
+         selection.computed_parameters.end();
+}
+
 std::string parameters_of(const TechniqueList& list, const Selection& selection) {
   std::string setters;
   const std::string indent(16, ' ');
   for (const Technique* technique : techniques_of(list, selection)) {
     std::string structs;
     for (const ParameterStruct* parameters : list.structs_of(*technique))
-      structs += set_struct(*parameters, *technique, selection);
+      if (!is_computed(selection, parameters->name))
+        structs += set_struct(*parameters, *technique, selection);
     if (!structs.empty())
       setters += indent + "(CommandBuffer commands, in ShadowOptions options) =>\n" + indent + "{\n" +
                  structs + indent + "},\n";
   }
-  if (setters.empty() || selection.has_computed_parameters) return "new SetParameters[0]";
+  if (setters.empty()) return "new SetParameters[0]";
   return "new SetParameters[]\n            {\n" + setters + "            }";
 }
 
@@ -221,12 +227,12 @@ bool has_own_bias(const TechniqueList& list, const Selection& selection) {
 // A rule's vectors are copies of those that ShadowUniforms computes.
 void require_fitting_rules(const TechniqueList& list, const Selection& selection) {
   for (const CascadeRule& rule : list.find(selection.technique).cascades)
-    if (rule.technique.empty() && !selection.has_computed_parameters && !selection.options.empty())
+    if (rule.technique.empty() && selection.computed_parameters.empty() && !selection.options.empty())
       throw InputError(
           selection.where,
           "'" + selection.name + "' has options, and rules for cascades that change its own parameters",
           "sliders would not reach far cascades: let ShadowUniforms compute the parameters, and say "
-          "\"computed_parameters\": true");
+          "\"computed_parameters\": [the struct's name]");
 }
 
 std::string fallback_of(const std::vector<const Selection*>& selections, const Selection& selection) {

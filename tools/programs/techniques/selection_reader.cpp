@@ -113,6 +113,16 @@ void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& sele
   selection.technique_16_bits = technique.name;
 }
 
+// Of the technique's structs.
+void read_computed_parameters(JsonObject& object, const TechniqueList& list, const Technique& technique,
+                              Selection& selection) {
+  selection.computed_parameters = object.texts("computed_parameters");
+  std::vector<std::string> known;
+  for (const ParameterStruct* parameters : list.structs_of(technique)) known.push_back(parameters->name);
+  for (const std::string& name : selection.computed_parameters)
+    require_known(object, "computed_parameters", "struct", name, known);
+}
+
 Selection read_selection(JsonObject& object, const TechniqueList& list) {
   Selection selection;
   selection.name = required_identifier(object, "name");
@@ -143,7 +153,7 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   selection.is_sampled = technique.is_sampled();
   selection.widens_with_disc = object.boolean("widens_with_disc", selection.is_sampled);
   selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
-  selection.has_computed_parameters = object.boolean("computed_parameters", false);
+  read_computed_parameters(object, list, technique, selection);
   read_16_bits(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);

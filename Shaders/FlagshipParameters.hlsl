@@ -1,0 +1,21 @@
+// How finely the flagship filters what it does not decide for tiles.
+// Written by `penumbra validate --emit-parameters` from Shaders/PenumbraFlagship.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_FLAGSHIP_PARAMETERS_HLSL
+#define PENUMBRA_FLAGSHIP_PARAMETERS_HLSL
+
+struct FlagshipParameters
+{
+    int filterCells; // cells: cells of the shadow map, or fewer, from the middle of a wide penumbra's filter to its edge, 3 to 5
+};
+
+// Unpacks the uniforms _PenumbraFlagshipParameters0, which the package's C# struct of the same name sets.
+FlagshipParameters UnpackFlagshipParameters(float4 packed0)
+{
+    FlagshipParameters parameters;
+    parameters.filterCells = int(packed0.x);
+    return parameters;
+}
+
+#endif
