@@ -55,6 +55,7 @@ namespace Penumbra.Editor
                     return "all texels around a pixel in place of samples; where the device cannot run it " +
                            TechniqueName.Of(ShadowTechnique.Pcss) + ", " +
                            options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
+                case ShadowTechnique.FlagshipPixel: return "all texels around a pixel in place of samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }
         }

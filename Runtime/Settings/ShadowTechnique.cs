@@ -111,6 +111,10 @@ namespace Penumbra
         /// <summary>Penumbrae of a disc from all texels of the shadow map around a pixel, without noise, by compute shaders. Where a device cannot run them: PCSS.</summary>
         [InspectorName("Flagship")]
         Flagship = 24,
+
+        /// <summary>The flagship's penumbrae, from its filter in each pixel: without compute shaders, for more fetches. Transparent and other forward shaders can have the same filter.</summary>
+        [InspectorName("Flagship, per pixel")]
+        FlagshipPixel = 25,
     }
 
     /// <summary>Sets the parameters of a technique's passes and filter. Does not allocate.</summary>
@@ -153,41 +157,42 @@ namespace Penumbra
             "_PENUMBRA_DPCF_FILAMENT",
             "_PENUMBRA_PCSS_FILAMENT",
             "_PENUMBRA_PCSS",
+            "_PENUMBRA_FLAGSHIP_PIXEL",
         };
 
         private static readonly bool[] Sampled =
         {
             false, false, false, true, true, true, false, false, false, false,
             false, true, true, true, true, false, false, false, false, false,
-            true, true, true, true, false,
+            true, true, true, true, false, false,
         };
 
         private static readonly bool[] Widens =
         {
             false, false, false, true, true, true, false, false, false, false,
             false, true, true, true, true, true, true, true, true, true,
-            true, true, true, true, true,
+            true, true, true, true, true, true,
         };
 
         private static readonly bool[] Target45 =
         {
             false, false, false, true, true, true, false, false, true, false,
             false, true, true, true, true, false, true, false, true, true,
-            true, true, true, true, true,
+            true, true, true, true, true, true,
         };
 
         private static readonly bool[] Limiting =
         {
             false, false, false, true, false, true, false, false, false, false,
             false, false, false, false, false, true, true, true, true, false,
-            false, false, false, false, true,
+            false, false, false, false, true, true,
         };
 
         private static readonly bool[] Biased =
         {
             false, false, false, false, false, false, false, false, false, false,
             false, false, false, false, false, false, false, false, false, false,
-            true, true, true, true, false,
+            true, true, true, true, false, false,
         };
 
         private static readonly string[][] Options =
@@ -312,11 +317,17 @@ namespace Penumbra
                 nameof(ShadowOptions.minFilterTexels),
                 nameof(ShadowOptions.softnessCapMetres),
             },
+            new[]
+            {
+                nameof(ShadowOptions.minFilterTexels),
+                nameof(ShadowOptions.softnessCapMetres),
+            },
         };
 
         /// <summary>Parameters that the technique's rules change from a cascade on; empty without rules.</summary>
         internal static readonly CascadeVector[][] Cascades =
         {
+            new CascadeVector[0],
             new CascadeVector[0],
             new CascadeVector[0],
             new CascadeVector[0],
@@ -376,6 +387,7 @@ namespace Penumbra
             new TechniqueGraph[0],
             new TechniqueGraph[0],
             new[] { PenumbraFlagshipGraphs.Flagship },
+            new[] { DepthRingsGraphs.DepthRings },
         };
 
         /// <summary>Passes that draw the visibility at half resolution, in place of those of Graphs; null: none.</summary>
@@ -406,6 +418,7 @@ namespace Penumbra
             null,
             null,
             PenumbraFlagshipGraphs.FlagshipHalf,
+            null,
         };
 
         /// <summary>
@@ -770,6 +783,7 @@ namespace Penumbra
                     }.SetGlobal(commands);
                 },
             },
+            new SetParameters[0],
         };
 
         private static readonly SetOptions[] Measured =
@@ -894,6 +908,11 @@ namespace Penumbra
                 options.minFilterTexels = 1.25f;
                 options.softnessCapMetres = 100.0f;
             },
+            (ref ShadowOptions options) =>
+            {
+                options.minFilterTexels = 1.25f;
+                options.softnessCapMetres = 100.0f;
+            },
         };
 
         /// <summary>What is drawn where the technique cannot run; itself if it runs everywhere.</summary>
@@ -924,6 +943,7 @@ namespace Penumbra
             ShadowTechnique.Tent7x7,
             ShadowTechnique.Tent7x7,
             ShadowTechnique.Pcss,
+            ShadowTechnique.Tent7x7,
         };
 
         /// <summary>The technique samples the light's disc, so that its penumbrae are noisy.</summary>

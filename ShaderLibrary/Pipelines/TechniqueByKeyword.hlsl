@@ -28,6 +28,7 @@
 //               _PENUMBRA_MSSM                 FilterMssmSums             Filters/MssmSums.hlsl
 //               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/MssmLevels.hlsl
 //               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/ExponentialLevels.hlsl
+//               _PENUMBRA_FLAGSHIP_PIXEL       FilterDepthRings           Filters/DepthRingFilter.hlsl
 //               none of them                   FilterTent5x5Plane         Filters/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
@@ -60,7 +61,7 @@
      defined(_PENUMBRA_SINGLE_LOOP) || defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX) || \
      defined(_PENUMBRA_SINGLE_LOOP_MIPS) || defined(_PENUMBRA_SINGLE_LOOP_PLANES) || defined(_PENUMBRA_VSSM) || \
      defined(_PENUMBRA_VSSM_MIPS) || defined(_PENUMBRA_MSSM) || defined(_PENUMBRA_MSSM_MIPS) || \
-     defined(_PENUMBRA_EVSM_MIPS))
+     defined(_PENUMBRA_EVSM_MIPS) || defined(_PENUMBRA_FLAGSHIP_PIXEL))
 #define PENUMBRA_USES_TENT_7X7
 #elif defined(_PENUMBRA_HARD)
 #define PENUMBRA_USES_HARD
@@ -138,6 +139,10 @@
 #elif defined(_PENUMBRA_EVSM_MIPS)
 #define PENUMBRA_USES_EVSM_MIPS
 #define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_FLAGSHIP_PIXEL)
+#define PENUMBRA_USES_FLAGSHIP_PIXEL
+#define PENUMBRA_READS_RAW_DEPTH
+#define PENUMBRA_READS_MAPS
 #endif
 
 // The renderer feature's passes bind these maps while its technique is this keyword's.
@@ -197,6 +202,8 @@
 #include "../Filters/MssmLevels.hlsl"
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 #include "../Filters/ExponentialLevels.hlsl"
+#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+#include "../Filters/DepthRingFilter.hlsl"
 #else
 #include "../Filters/TentPcf.hlsl"
 #endif
@@ -234,6 +241,9 @@ TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+TEXTURE2D(_PenumbraDepthPlanesTexture);
+TYPED_TEXTURE2D(uint4, _PenumbraDepthSpreadsTexture);
 #endif
 
 #include "../Filters/PcssClassicParameters.hlsl"
@@ -434,6 +444,10 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
     return FilterExponentialLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
                                    PenumbraExponentialVariance());
+#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+    return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthPlanesTexture,
+                            _PenumbraDepthSpreadsTexture, receiver, tile,
+                            PenumbraPcssAngular());
 #else
     return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);
 #endif

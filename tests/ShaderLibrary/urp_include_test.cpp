@@ -136,6 +136,27 @@ TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
   EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
+TEST(UrpIncludeOfMaps, BindsBothOfTheFlagshipAndTheShadowMap) {
+  const Defines keyword{{"_PENUMBRA_FLAGSHIP_PIXEL", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
+  for (const char* direction : {"UNITY_REVERSED_Z", "_"}) {
+    Defines defines = keyword;
+    defines.emplace_back(direction, "1");
+    const shaders::CompileResult result = compile_umbrella(defines);
+    for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
+    ASSERT_FALSE(result.spirv.empty());
+    for (const char* name : {"_MainLightShadowmapTexture", "sampler_PenumbraPointClamp",
+                             "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture"})
+      EXPECT_TRUE(binds(result, name)) << name;
+  }
+  for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {
+    Defines defines = keyword;
+    defines.emplace_back(api, "1");
+    EXPECT_EQ(compile_umbrella(defines).spirv,
+              compile_umbrella({{"_PENUMBRA_TENT_7X7", "1"}, {api, "1"}}).spirv)
+        << api;
+  }
+}
+
 // Alone, and beside the other in either order; with URP's arrays and with its structured buffers.
 TEST(UrpSpotInclude, CompilesAndBindsTheAtlas) {
   for (const std::string& umbrellas : {kSpotShadows, kSpotShadows + kShadows, kShadows + kSpotShadows}) {

@@ -95,6 +95,32 @@ TEST_F(SelectionTest, IsEmittedAsTheLadderOfKeywords) {
                         "receiver, tile);\n#endif\n"));
 }
 
+TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
+  const std::string graph = R"("graphs": [{"name": "rings",
+    "textures": [{"name": "nearestOfAllTexels", "extent": "map", "format": "rgba32f"},
+                 {"name": "farthestOfAllTexels", "extent": "map", "format": "rgba32ui"}],
+    "passes": [{"name": "Make", "kind": "raster", "shader": "Ring.shader", "runs": "cascade",
+                "writes": ["nearestOfAllTexels", "farthestOfAllTexels"]},
+               {"name": "filter", "kind": "filter", "filter": {"file": "Ring.hlsl", "function": "FilterRing",
+                "arguments": ["shadowMap", "pointSampler", "nearestOfAllTexels", "farthestOfAllTexels"],
+                "parameters": "RingParameters"}}]}],
+  "defaults")";
+  files_.write("Ring.shader", "// ring\n");
+  std::string text = with(R"("defaults")", graph);
+  const std::string filter =
+      R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap", "pointSampler"],
+                "parameters": "RingParameters"})";
+  const std::size_t at = text.find(filter);
+  ASSERT_NE(at, std::string::npos);
+  text = emit_keywords_hlsl(read(text.replace(at, filter.size(), R"("graph": "rings")")));
+  EXPECT_THAT(text, HasSubstr("TEXTURE2D(_PenumbraNearestOfAllTexelsTexture);\n"
+                              "TYPED_TEXTURE2D(uint4, _PenumbraFarthestOfAllTexelsTexture);\n"));
+  EXPECT_THAT(text, HasSubstr("    return FilterRing(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
+                              "sampler_point, _PenumbraNearestOfAllTexelsTexture,\n"
+                              "                      _PenumbraFarthestOfAllTexelsTexture, receiver, tile,\n"
+                              "                      PenumbraRing());\n"));
+}
+
 TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
   const std::string text =
       emit_selections_csharp(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));

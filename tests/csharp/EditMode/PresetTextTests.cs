@@ -51,6 +51,9 @@ namespace Penumbra.Tests
                                    "it PCSS, 16 blocker and 32 filter samples."));
             options.halfResolution = true;
             Assert.That(PresetText.Describe(options), Does.EndWith("32 filter samples, at half resolution."));
+            options.technique = ShadowTechnique.FlagshipPixel;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("Flagship, per pixel, all texels around a pixel in place of samples, at half resolution."));
         }
     }
 }

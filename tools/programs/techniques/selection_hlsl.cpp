@@ -279,9 +279,19 @@ class KeywordWriter {
 
   std::string call_of(const Selection& selection, const FilterCall& filter, const std::string& begin,
                       const std::string& parameters) const {
-    std::string call = begin + filter.function + "(";
-    const std::string indent(call.size(), ' ');
-    std::string arguments;
+    const std::string opening = begin + filter.function + "(";
+    const std::string indent(opening.size(), ' ');
+    std::string call;
+    std::string line = opening;
+    const auto append = [&](const std::string& argument, bool wraps) {
+      if (line != opening && (wraps || line.size() + argument.size() >= kWidestCall)) {
+        call += line + "\n";
+        line = indent;
+      } else if (line != opening) {
+        line += " ";
+      }
+      line += argument + ",";
+    };
     for (const std::string& argument : filter.arguments) {
       if (filter.takes(shadow_map_name) && argument == "pointSampler" && !selection.reads_raw_depth())
         throw InputError(
@@ -289,14 +299,12 @@ class KeywordWriter {
             "'" + selection.name + "' reads raw depths in far cascades alone: '" + filter.function +
                 "' takes the point sampler",
             "shaders must know from the first cascade on that they do: give it a filter that does");
-      arguments += expression_of(argument) + ", ";
+      append(expression_of(argument), false);
     }
-    call += arguments.substr(0, arguments.size() - 1);
-    const std::string receiver = "receiver, tile";
-    const bool fits = call.size() + receiver.size() < kWidestCall;
-    call += (fits ? " " : "\n" + indent) + receiver;
-    if (!parameters.empty()) call += ",\n" + indent + parameters;
-    return call + ");";
+    append("receiver, tile", false);
+    if (!parameters.empty()) append(parameters, true);
+    line.pop_back();
+    return call + line + ");";
   }
 
   void call() {

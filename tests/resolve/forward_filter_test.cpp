@@ -1,0 +1,73 @@
+// A filter that reads maps, in a forward shader: by its keyword and the one include of Shadows.hlsl, after
+// the passes that make its maps, against the technique whose filter it is.
+#include <gmock/gmock.h>
+
+#include "platform/data_directory.h"
+#include "resolve/drawn_scenes.h"
+#include "resolve/graph_runner.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr RunOptions kForwardOnce{.noise_seeds = 1, .timing_repeats = 0};
+
+class ForwardFilter : public testing::TestWithParam<bool> {
+ protected:
+  static ShadowGraph technique() {
+    const techniques::TechniqueList& list = library_techniques();
+    return technique_graph(list, list.find("flagship-pixel"), Taps::as_listed, GetParam());
+  }
+
+  // As a shader of the user's is written.
+  static ShadowGraph forward() {
+    ShadowGraph graph = technique();
+    ShadowShader& shader = *graph.filter;
+    shader.name = "forward";
+    shader.body = R"(
+#define PENUMBRA_ADAPTER 1
+#define PENUMBRA_MAPS_BOUND
+#include "Platform/Platform.hlsl"
+#include "UrpGlobals.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return PenumbraMainLightVisibility(positionWS, normalWS, pixel);
+}
+)";
+    shader.defines.emplace_back("_PENUMBRA_FLAGSHIP_PIXEL", "1");
+    shader.include_directories.push_back(platform::data_directory() /
+                                         "tools/programs/shaders/unity/"
+                                         "com.unity.render-pipelines.universal/ShaderLibrary");
+    shader.fragment = true;
+    return graph;
+  }
+};
+
+// Both compute the same numbers from the same matrices: one in double and rounded, the other in float.
+TEST_P(ForwardFilter, IsThatOfItsTechnique) {
+  GraphRunner by_technique(test_device(), compile(technique()));
+  GraphRunner by_include(test_device(), compile(forward()));
+  for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {1, 5.0}}) {
+    const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
+    const FrameOnDevice on_device(test_device(), frame);
+    const GraphResult expected = by_technique.run(on_device, kForwardOnce);
+    const GraphResult result = by_include.run(on_device, kForwardOnce);
+    EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
+    const std::vector<float>& visibility = expected.visibility[0];
+    long in_penumbra = 0;
+    long read_others = 0;
+    for (std::size_t i = 0; i < visibility.size(); ++i) {
+      ASSERT_NEAR(result.visibility[0][i], visibility[i], 1e-6F) << degrees << " degrees, receiver " << i;
+      if (visibility[i] > 0.0F && visibility[i] < 1.0F) ++in_penumbra;
+      if (result.fetches[i] != expected.fetches[i]) ++read_others;
+    }
+    EXPECT_GT(in_penumbra, 500) << degrees << " degrees";
+    EXPECT_LE(read_others, 4) << degrees << " degrees";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothDirections, ForwardFilter, testing::Bool(),
+                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+
+}  // namespace
+}  // namespace penumbra::resolve
