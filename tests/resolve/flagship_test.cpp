@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <regex>
 
 #include "resolve/drawn_scenes.h"
@@ -124,6 +128,54 @@ TEST_P(Flagship, ResolvesTheBorderBetweenCascades) {
 TEST_P(Flagship, DrawsTheSamePictureAgain) {
   const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
+}
+
+// Of a map of 32 bits.
+void fill_tile(scene::Frame& frame, int cascade, float depth) {
+  const int side = frame.cascades.tile_resolution;
+  const int tiles_across = frame.atlas.width / side;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int row = cascade / tiles_across * side + y;
+      const int column = cascade % tiles_across * side + x;
+      const auto texel = static_cast<std::size_t>(row * frame.atlas.width + column);
+      frame.atlas.depth[texel] = depth;
+      std::memcpy(&frame.atlas.texels[texel * sizeof depth], &depth, sizeof depth);
+    }
+}
+
+// Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
+// change, and little, since what they share with their neighbours changes.
+TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
+  constexpr int kCascades = 4;
+  const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
+  const CameraImage camera = camera_image(frame, RowOrder::top_first);
+  const auto picture = [&](const scene::Frame& seen) {
+    return chain("flagship").run(FrameOnDevice(test_device(), seen), &camera, kFlagshipOnce).visibility[0];
+  };
+  const std::vector<float> before = picture(frame);
+  std::vector<std::array<float, kCascades>> change(before.size());
+  for (std::size_t cascade = 0; cascade < kCascades; ++cascade) {
+    for (const float poison : {0.0f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+      scene::Frame poisoned = frame;
+      fill_tile(poisoned, static_cast<int>(cascade), poison);
+      const std::vector<float> after = picture(poisoned);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_TRUE(after[i] >= 0.0f && after[i] <= 1.0f) << "pixel " << i << ": " << after[i];
+        change[i][cascade] = std::max(change[i][cascade], std::abs(after[i] - before[i]));
+      }
+    }
+  }
+  int touched = 0;
+  float most = 0.0f;
+  for (std::array<float, kCascades>& of_pixel : change) {
+    std::sort(of_pixel.begin(), of_pixel.end(), std::greater<float>());
+    touched += of_pixel[1] > 0.0f ? 1 : 0;
+    most = std::max(most, of_pixel[1]);
+  }
+  // Whose window a pixel shares depends on all pixels of its tile, those of another cascade among them.
+  EXPECT_LT(touched, static_cast<int>(change.size()) / 200);
+  EXPECT_LT(most, 0.15f) << "a texel of another cascade taken for a blocker changes it by up to 1";
 }
 
 // At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its
