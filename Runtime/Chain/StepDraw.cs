@@ -201,8 +201,7 @@ namespace Penumbra
                 if (read.levels == null) continue;
                 ChainTexture texture = chain.Slots[read.index];
                 TextureSize size = TextureSize.Drawn(texture, frame).At(level);
-                int slices = size.depth;
-                for (int slice = 0; slice < slices; ++slice)
+                for (int slice = 0; slice < size.depth; ++slice)
                     commands.CopyTexture(slots[read.index], slice, level, 0, 0, size.width, size.height,
                                          slots[read.levels[level]], slice, 0, 0, 0);
             }

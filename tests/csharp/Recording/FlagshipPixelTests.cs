@@ -10,27 +10,12 @@ namespace Penumbra.Tests
     /// <summary>
     /// The flagship per pixel: draws into two maps at once, level by level, which its filter and forward shaders read.
     /// </summary>
-    public sealed class FlagshipPixelTests
+    public sealed class FlagshipPixelTests : FlagshipFrames
     {
-        private const int FirstBlock = 4;  // texels of the shadow map in one of the first level
         private static readonly string[] Maps = { "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture" };
         private static readonly string[] Sources = { "_PenumbraSourcePlanes", "_PenumbraSourceSpreads" };
 
-        private PenumbraShadows feature;
-        private FakeUrp urp;
-        private FakeScene scene;
-
-        [SetUp]
-        public void SetUp()
-        {
-            FakeShader.Install();
-            feature = new PenumbraShadows();
-            feature.Create();
-            feature.Settings.preset = QualityPreset.Custom;
-            feature.Settings.custom.technique = ShadowTechnique.FlagshipPixel;
-            urp = new FakeUrp();
-            scene = new FakeScene();
-        }
+        protected override ShadowTechnique Technique => ShadowTechnique.FlagshipPixel;
 
         [TearDown]
         public void TearDown()
@@ -41,23 +26,6 @@ namespace Penumbra.Tests
             SystemInfo.supportsComputeShaders = true;
             SystemInfo.supportedRenderTargetCount = 8;
             SystemInfo.copyTextureSupport = CopyTextureSupport.Basic;
-            feature.Dispose();
-        }
-
-        private FakeDevice.DrawCall[] Calls(string pass)
-        {
-            urp.Device.Draws.Clear();
-            urp.Device.Copies.Clear();
-            urp.Render(scene, feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
-            return urp.Device.Draws.Where(draw => draw.Pass == pass).ToArray();
-        }
-
-        private static IEnumerable<Rect> Tiles(int cascades, int block)
-        {
-            int side = new AtlasLayout(2048, cascades).TileResolution / block;
-            for (int cascade = 0; cascade < cascades; ++cascade)
-                yield return new Rect(cascade % 2 * side, cascade / 2 * side, side, side);
         }
 
         private static int Levels(int cascades)

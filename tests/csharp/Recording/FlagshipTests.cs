@@ -8,53 +8,27 @@ using UnityEngine.Rendering;
 namespace Penumbra.Tests
 {
     /// <summary>The flagship's passes in a frame: which part of the map and of the screen each covers.</summary>
-    public sealed class FlagshipTests
+    public sealed class FlagshipTests : FlagshipFrames
     {
-        // Of the map's texels, a texel of the first level has 4 x 4, one of the coarse levels 8 x 8; a tile has 16 x 16 pixels.
-        private const int FirstBlock = 4;
+        // Of the map's texels, one of the coarse levels has 8 x 8; a tile has 16 x 16 pixels.
         private const int CoarseBlock = 8;
         private const int TilePixels = 16;
         // Of a group of ClassifyTiles, along each axis.
         private const int GroupPixels = 32;
         private const int WordsOfTile = 17;
 
-        private PenumbraShadows feature;
-        private FakeUrp urp;
-        private FakeScene scene;
-
-        [SetUp]
-        public void SetUp()
-        {
-            FakeShader.Install();
-            feature = new PenumbraShadows();
-            feature.Create();
-            feature.Settings.preset = QualityPreset.Custom;
-            feature.Settings.custom.technique = ShadowTechnique.Flagship;
-            urp = new FakeUrp();
-            scene = new FakeScene();
-        }
+        protected override ShadowTechnique Technique => ShadowTechnique.Flagship;
 
         [TearDown]
-        public void TearDown()
-        {
+        public void TearDown() =>
             ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;
-            feature.Dispose();
-        }
 
-        private FakeDevice.DrawCall[] Calls(string kernel)
+        // Nothing in its place.
+        private new FakeDevice.DrawCall[] Calls(string kernel)
         {
-            urp.Device.Draws.Clear();
-            urp.Render(scene, feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+            FakeDevice.DrawCall[] calls = base.Calls(kernel);
             Assert.That(feature.Replaced, Is.Null);
-            return urp.Device.Draws.Where(draw => draw.Pass == kernel).ToArray();
-        }
-
-        private static IEnumerable<Rect> Tiles(int cascades, int block)
-        {
-            int side = new AtlasLayout(2048, cascades).TileResolution / block;
-            for (int cascade = 0; cascade < cascades; ++cascade)
-                yield return new Rect(cascade % 2 * side, cascade / 2 * side, side, side);
+            return calls;
         }
 
         private static Rect Tile(FakeDevice.DrawCall call)
