@@ -218,7 +218,8 @@ TEST(TexelCounter, EachScalarOfArithmeticIsAnOperation) {
       {"if (all(a.xy < a.zw)) _Out[0] = a.x;", 2 + 2},
       {"_Out[0] = _Plain.SampleLevel(sampler_Linear, a.xy, 0).x;", 0},
       {"shared_value = a.xy;", 2},
-      {"_Out[0] = shared_value.x;", 1}};
+      // Groupshared memory has no value before the first write.
+      {"shared_value = a.xy; GroupMemoryBarrierWithGroupSync(); _Out[0] = shared_value.x;", 2 + 1}};
   for (const auto& [statement, expected] : cases) EXPECT_EQ(operations_of(statement), expected) << statement;
 }
 
