@@ -130,6 +130,49 @@ class RingCells(unittest.TestCase):
         self.assertIn("| 8° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
 
 
+class TexelErrors(unittest.TestCase):
+    @staticmethod
+    def results(*more):
+        errors = {("bilinear", None): 0.3, ("disc", 0.5): 0.25, ("disc", 0.9): 0.2, ("shipped", 1.0): 0.21, ("shipped", 1.125): 0.24,
+                  ("shipped", 1.25): 0.2, ("mean edge", None): 0.1, ("revectorised 16 x 16", 0.5): 0.3, ("learned", None): 0.19,
+                  ("learned of its kind", None): 0.18}
+        records = []
+        for radius, shapes, scale in ((0.25, "edges", 1.0), (1.0, "edges", 0.5), (0.25, "bars", 2.0)):
+            for (estimator, floor), error in errors.items():
+                one = {"shapes": shapes, "radius_texels": radius, "estimator": estimator, "rmse_penumbra": scale * error,
+                       "half_penumbra": 0.001 * scale, "rmse_all": 0.5, "half_all": 0.00213, "receivers_penumbra": 70}
+                records.append(one if floor is None else {**one, "floor_texels": floor})
+        return {"command": "penumbra_texel_errors FILE", "commit": COMMIT, "receivers": 100, "trained": 200, "records": records + list(more)}
+
+    def test_the_best_smallest_radius_of_a_column_is_bold(self):
+        text = page.texel_errors(self.results(), "penumbra")
+        self.assertIn("| estimator | 0.25 edges | 0.25 bars | 1 edges |", text)
+        self.assertIn("| bilinear, 2 x 2 | 0.300 | 0.600 | 0.150 |", text)
+        self.assertIn("smallest radius 0.5 | 0.250 | 0.500 | 0.125 |", text)
+        self.assertIn("smallest radius 0.9 | **0.200** | **0.400** | **0.100** |", text)
+        self.assertIn("at least 70 of them in each column", text)
+        self.assertIn("is 0.0020 at most", text)
+
+    def test_errors_of_all_receivers_have_their_own_interval(self):
+        text = page.texel_errors(self.results(), "all")
+        self.assertIn("| bilinear, 2 x 2 | 0.500 | 0.500 | 0.500 |", text)
+        self.assertIn("is 0.0022 at most", text)
+
+    def test_gains_are_against_the_best_disc_or_the_default(self):
+        text = page.texel_gains(self.results())
+        # 100 x .5 x hypot(.001 / .1, .001 / .2)
+        self.assertIn("| mean of the edges that 4 x 4 allow | the best disc | -50.0 ± 0.6 |", text)
+        self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |", text)
+
+    def test_a_record_that_is_missing_or_doubled_is_told(self):
+        results = self.results()
+        with self.assertRaisesRegex(page.Problem, "two records"):
+            page.texel_errors(self.results(results["records"][0]), "penumbra")
+        del results["records"][0]
+        with self.assertRaisesRegex(page.Problem, "has no bilinear"):
+            page.texel_errors(results, "penumbra")
+
+
 class FarSteps(unittest.TestCase):
     def test_a_row_has_the_error_beyond_the_shadow_distance_alone(self):
         def of(scene, steps, error, leaks):

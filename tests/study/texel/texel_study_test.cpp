@@ -164,6 +164,12 @@ TEST(TexelEstimators, AnEdgeAlongTheTexels) {
     }
 }
 
+TEST(TexelEstimators, AnEdgeIsWhereTheBitsChange) {
+  const FittedEdge edge = fitted_edge(covered_right_of(1).block());
+  EXPECT_NEAR(edge.offset, 1.0, 1e-12);
+  EXPECT_NEAR(fit_of_edge({0.4, 0.1}, covered_right_of(1), 1.0, 0.9), covered_by_half_plane(-0.6, 1.0), 1e-9);
+}
+
 // The shipped kernel of 1 texel weighs centres at distances of .5 by .5, here and there.
 TEST(TexelEstimators, TheShippedKernelWeighsByTheDistance) {
   Texels texels;
@@ -195,6 +201,19 @@ TEST(TexelEstimators, RevectorisedStairsAreStraight) {
         if (covers({x + 0.5, y + 0.5})) texels.set(x, y, true);
     const double exact = supersampled({0.1, -0.1}, 1.0, covers);
     EXPECT_NEAR(revectorised({0.1, -0.1}, texels, 1.0, Texels::kReach), exact, 0.06) << step;
+  }
+}
+
+// A step up to either side of four texels: the line between them rises from (-2, -.5) to (2, .5).
+TEST(TexelEstimators, ABorderIsALineBetweenItsEnds) {
+  Texels texels;
+  for (int x = -Texels::kReach; x < Texels::kReach; ++x)
+    for (int y = -Texels::kReach; y < (x < -2 ? -1 : x < 2 ? 0 : 1); ++y) texels.set(x, y, true);
+  for (const double x : {-1.5, -0.5, 0.5, 1.5}) {
+    EXPECT_TRUE(covers_revectorised(texels, {x, 0.25 * x - 0.05}, Texels::kReach)) << x;
+    EXPECT_FALSE(covers_revectorised(texels, {x, 0.25 * x + 0.05}, Texels::kReach)) << x;
+    EXPECT_TRUE(covers_revectorised(texels, {x, -0.05}, 2)) << x;  // its ends are out of sight
+    EXPECT_FALSE(covers_revectorised(texels, {x, 0.05}, 2)) << x;
   }
 }
 
