@@ -27,6 +27,7 @@
 #include "platform/source_commit.h"
 #include "platform/terminal.h"
 #include "reference/trace_visibility.h"
+#include "study/earlier_rows.h"
 #include "study/picture_sheet.h"
 #include "study/preset_figures.h"
 #include "study/report.h"
@@ -47,6 +48,8 @@ struct MeasureOptions : StudyOptions {
   int penumbra_pixels = 0;
   int edge_samples = 0;
   std::string from;                        // earlier results.json: nothing is measured
+  std::string earlier;                     // results.json of which rows are added to what is measured
+  std::vector<std::string> earlier_rows;   // their techniques
   std::string readme;                      // file whose result block is replaced
   std::string block{study::kResultBlock};  // that block's name
   std::vector<std::string> rows;           // of its tables; empty: all
@@ -257,6 +260,14 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
 
+// Before the measuring: a mistake in the file loses no results.
+study::Results earlier_results(const MeasureOptions& options) {
+  if (options.earlier.empty()) return {};
+  study::Results earlier = study::read_results(options.earlier);
+  study::check_earlier_rows(earlier, options.earlier_rows, options.earlier);
+  return earlier;
+}
+
 void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
   check_cache_folder(options.cache, platform::cache_directory(), context);
@@ -270,9 +281,12 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
   check_outputs(options, context);
   // Before the measuring: a mistake in a manifest loses no results.
   const study::FactsOfTechniques facts = shown_facts(options);
+  const study::Results earlier = earlier_results(options);
   Measured measured;
   if (options.from.empty()) {
     measured = measure(command, options, context);
+    if (!options.earlier.empty())
+      study::add_earlier_rows(measured.results, earlier, options.earlier_rows, options.earlier);
   } else {
     measured.results = study::read_results(options.from);
   }
@@ -349,6 +363,14 @@ void add_measure(CLI::App& app, Context& context) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
   file("--from", options->from, "Read the figures from this results.json instead of measuring");
+  CLI::Option* earlier =
+      file("--earlier", options->earlier,
+           "Results of the same pictures, of which --earlier-rows are added to those of this run");
+  earlier->group("What to measure");
+  CLI::Option* earlier_rows = as_list(command->add_option(
+      "--earlier-rows", options->earlier_rows, "Techniques of --earlier, measured by adapters for example"));
+  earlier_rows->type_name("NAME")->needs(earlier)->group("What to measure");
+  earlier->needs(earlier_rows);
   CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is updated");
   command->add_option("--block", options->block, "Name of the block of --readme, as in its markers")
       ->type_name("NAME")

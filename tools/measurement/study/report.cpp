@@ -92,13 +92,25 @@ std::string machine(const Results& results) {
   std::string library = "Penumbra " + escape_html(results.library_version);
   if (results.commit) library += ", commit <code>" + escape_html(*results.commit) + "</code>";
   std::string packages;
-  for (const PackageNote& package : results.packages) {
-    packages += entry("Package", escape_html(package.name + " " + package.version.value_or("(no version)")));
+  const auto add_packages = [&](const std::vector<PackageNote>& notes) {
+    for (const PackageNote& package : notes)
+      packages +=
+          entry("Package", escape_html(package.name + " " + package.version.value_or("(no version)")));
+  };
+  add_packages(results.packages);
+  std::string earlier;
+  for (const EarlierRun& run : results.earlier) {
+    add_packages(run.packages);
+    earlier += fmt::format("<h3>{}, by Penumbra {}{}</h3>\n{}",
+                           escape_html(fmt::format("{}", fmt::join(run.techniques, ", "))),
+                           escape_html(run.library_version),
+                           run.commit ? ", commit <code>" + escape_html(*run.commit) + "</code>" : "",
+                           command_html(run.command));
   }
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
          entry("Library", library) + packages + entry("Times", note) + "</dl>\n<h3>The command</h3>\n" +
-         command_html(results.command);
+         command_html(results.command) + earlier;
 }
 
 // The reference of the figures, and its accuracy, per scene and light.

@@ -34,11 +34,12 @@ std::string light_name(double degrees) {
   return fmt::format("{}°", degrees);
 }
 
-// The commit and the packages, where they are known.
-std::string provenance(const Results& results) {
+// Of results or an earlier run: the commit and the packages, where they are known.
+template <class Run>
+std::string provenance(const Run& run) {
   std::string text;
-  if (results.commit) text += " at commit " + markdown_cell(*results.commit);
-  for (const PackageNote& package : results.packages) {
+  if (run.commit) text += " at commit " + markdown_cell(*run.commit);
+  for (const PackageNote& package : run.packages) {
     text += ", " + markdown_cell(package.name + (package.version ? " " + *package.version : ""));
   }
   return text;
@@ -148,8 +149,19 @@ std::string origin(const Results& results) {
                      markdown_cell(results.hardware));
 }
 
+// Of rows that another run measured, of the same pictures.
+std::string earlier_command(const EarlierRun& run) {
+  std::vector<std::string> names;
+  for (const std::string& technique : run.techniques) names.push_back(markdown_code(technique));
+  return fmt::format("\nOf the same pictures, by Penumbra {}{}: {}.\n\n", markdown_cell(run.library_version),
+                     provenance(run), fmt::join(names, ", ")) +
+         markdown_code_block("sh", run.command);
+}
+
 std::string command(const Results& results) {
-  return folded("The command", markdown_code_block("sh", results.command) + "\n" + origin(results));
+  std::string text = markdown_code_block("sh", results.command) + "\n" + origin(results);
+  for (const EarlierRun& run : results.earlier) text += earlier_command(run);
+  return folded("The command", text);
 }
 
 bool has_map_passes(const Record& record) {

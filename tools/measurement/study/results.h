@@ -150,6 +150,17 @@ struct Record {
   bool operator==(const Record&) const = default;
 };
 
+// Techniques of the records that were measured before the others, of the same pictures, and how.
+struct EarlierRun {
+  std::vector<std::string> techniques;
+  std::string library_version;
+  std::optional<std::string> commit;
+  std::vector<PackageNote> packages;
+  std::string command;
+
+  bool operator==(const EarlierRun&) const = default;
+};
+
 struct Results {
   std::string library_version;
   std::optional<std::string>
@@ -160,6 +171,7 @@ struct Results {
   std::string device;    // the Vulkan device's own name
   std::string driver;
   bool is_software = true;
+  std::vector<EarlierRun> earlier{};  // whose records are among these
   std::vector<MeasuredFrame> frames;  // one per scene and light, in the order of the records
   std::vector<Record> records;
 

@@ -62,6 +62,11 @@ class StrictObject {
     return document_.at(at_ / key).is_null();
   }
 
+  std::vector<std::string> texts(const std::string& key) {
+    require(key);
+    return object_.texts(key);
+  }
+
   StrictObject object(const std::string& key) {
     require(key);
     return {document_, at_ / key};
@@ -416,6 +421,25 @@ void read_records(const LocatedJson& document, StrictObject& top, Results& resul
   }
 }
 
+std::vector<PackageNote> read_packages(const LocatedJson& document, StrictObject& owner, const Pointer& at) {
+  std::vector<PackageNote> packages;
+  const std::size_t size = owner.array_size("packages");
+  for (std::size_t i = 0; i < size; ++i) packages.push_back(read_package({document, at / i}));
+  return packages;
+}
+
+EarlierRun read_earlier(const LocatedJson& document, const Pointer& at) {
+  StrictObject object(document, at);
+  EarlierRun run;
+  run.techniques = object.texts("techniques");
+  run.library_version = object.text("library_version");
+  if (!object.is_null("commit")) run.commit = object.text("commit");
+  run.packages = read_packages(document, object, at / "packages");
+  run.command = object.text("command");
+  object.finish();
+  return run;
+}
+
 Results read_document(const LocatedJson& document) {
   StrictObject top(document, Pointer());
   const std::size_t version = top.count("schema_version");
@@ -428,15 +452,15 @@ Results read_document(const LocatedJson& document) {
   Results results;
   results.library_version = top.text("library_version");
   if (!top.is_null("commit")) results.commit = top.text("commit");
-  const std::size_t packages = top.array_size("packages");
-  for (std::size_t i = 0; i < packages; ++i) {
-    results.packages.push_back(read_package({document, Pointer("/packages") / i}));
-  }
+  results.packages = read_packages(document, top, Pointer("/packages"));
   results.command = top.text("command");
   results.hardware = top.text("hardware");
   results.device = top.text("device");
   results.driver = top.text("driver");
   results.is_software = top.boolean("is_software");
+  if (top.has("earlier"))
+    for (std::size_t i = 0; i < top.array_size("earlier"); ++i)
+      results.earlier.push_back(read_earlier(document, Pointer("/earlier") / i));
   read_frames(document, top, results);
   read_records(document, top, results);
   top.finish();

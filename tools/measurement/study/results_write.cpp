@@ -76,6 +76,16 @@ Json json_of(const PackageNote& package) {
   return {{"name", package.name}, {"version", package.version ? Json(*package.version) : Json(nullptr)}};
 }
 
+Json json_of(const EarlierRun& run) {
+  Json json = {{"techniques", run.techniques},
+               {"library_version", run.library_version},
+               {"commit", run.commit ? Json(*run.commit) : Json(nullptr)},
+               {"packages", Json::array()},
+               {"command", run.command}};
+  for (const PackageNote& package : run.packages) json["packages"].push_back(json_of(package));
+  return json;
+}
+
 void add_metrics(Json& record, const Metrics& metrics) {
   record["pixels"] = metrics.pixels;
   record["penumbra_pixels"] = metrics.penumbra_pixels;
@@ -262,6 +272,7 @@ std::string to_json(const Results& results) {
   json["device"] = results.device;
   json["driver"] = results.driver;
   json["is_software"] = results.is_software;
+  for (const EarlierRun& run : results.earlier) json["earlier"].push_back(json_of(run));
   json["frames"] = Json::array();
   for (const MeasuredFrame& frame : results.frames) json["frames"].push_back(json_of(frame));
   json["records"] = Json::array();

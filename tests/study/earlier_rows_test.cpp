@@ -1,0 +1,86 @@
+// Rows of earlier results beside new ones: only where both saw the same pictures.
+#include "study/earlier_rows.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/input_error.h"
+#include "study/result_block.h"
+#include "study/synthetic_study.h"
+
+namespace penumbra::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::vector<std::string> kTents{"bilinear", "tent-5x5"};
+
+Results now() {
+  return synthetic::results({"pcss-24-16", "pcss-64-64"});
+}
+
+Results before() {
+  Results results = synthetic::results({"bilinear", "tent-5x5", "pcss-24-16"});
+  results.commit = "0123456789abcdef";
+  results.command = "penumbra measure --technique bilinear";
+  return results;
+}
+
+std::string problem(const Results& earlier, const std::vector<std::string>& rows = kTents) {
+  Results results = now();
+  try {
+    add_earlier_rows(results, earlier, rows, "before.json");
+  } catch (const InputError& error) {
+    EXPECT_EQ(results, now()) << "nothing was added";
+    return error.what();
+  }
+  return "no problem";
+}
+
+TEST(EarlierRows, AreAddedBehindTheOthersWithHowTheyWereMeasured) {
+  Results results = now();
+  add_earlier_rows(results, before(), kTents, "before.json");
+  const std::size_t own = now().records.size();
+  ASSERT_EQ(results.records.size(), 2 * own);
+  for (std::size_t i = own; i < results.records.size(); ++i)
+    EXPECT_THAT(results.records[i].technique, testing::AnyOf("bilinear", "tent-5x5"));
+  ASSERT_EQ(results.earlier.size(), 1U);
+  EXPECT_EQ(results.earlier[0].techniques, kTents);
+  EXPECT_EQ(results.earlier[0].commit, "0123456789abcdef");
+  EXPECT_EQ(parse_results(to_json(results), "again.json"), results);
+  EXPECT_THAT(result_block(results, {}),
+              AllOf(HasSubstr("at commit 0123456789abcdef"), HasSubstr("`bilinear`, `tent-5x5`"),
+                    HasSubstr("penumbra measure --technique bilinear\n")));
+}
+
+TEST(EarlierRows, OfOtherPicturesAreRefused) {
+  Results other = before();
+  other.frames[0].width += 1;
+  EXPECT_THAT(problem(other), AllOf(HasSubstr("before.json"), HasSubstr("has another picture or light there"),
+                                    HasSubstr("measure all techniques in one run")));
+  other = before();
+  other.frames.erase(other.frames.begin());
+  EXPECT_THAT(problem(other), HasSubstr("was not measured there"));
+}
+
+TEST(EarlierRows, OfOtherMapsOrReferencesAreRefused) {
+  Results other = before();
+  for (Record& record : other.records) record.map_size *= 2;
+  EXPECT_THAT(problem(other), HasSubstr("was measured there with a map of "));
+  other = before();
+  for (Record& record : other.records) record.reference.samples += 1;
+  EXPECT_THAT(problem(other), HasSubstr("rays per pixel, here with"));
+  other = before();
+  for (Record& record : other.records) record.metrics.penumbra_pixels += 1;
+  EXPECT_THAT(problem(other), HasSubstr("was measured there with"));
+}
+
+TEST(EarlierRows, ThatAreUnknownOrMeasuredAgainAreRefused) {
+  EXPECT_THAT(problem(before(), {"tent-5x6"}),
+              AllOf(HasSubstr("it has no technique 'tent-5x6'"), HasSubstr("did you mean 'tent-5x5'?")));
+  EXPECT_THAT(problem(before(), {"pcss-24-16"}), HasSubstr("'pcss-24-16' was measured again"));
+}
+
+}  // namespace
+}  // namespace penumbra::study

@@ -1,0 +1,23 @@
+// Records of earlier results beside new ones, for techniques that cannot or need not be measured again.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// Throws InputError if `earlier` lacks one of the techniques.
+void check_earlier_rows(const Results& earlier, const std::vector<std::string>& techniques,
+                        const std::filesystem::path& file);
+
+// Appends the records of these techniques to `results`, and says in them how they were measured. Both must
+// have measured the same scenes under the same lights, with the same pictures, maps, cascades and reference:
+// the errors of two techniques can then be compared. Throws InputError, which names `file` and the first
+// difference, if they have not, or if a technique was measured again.
+void add_earlier_rows(Results& results, const Results& earlier, const std::vector<std::string>& techniques,
+                      const std::filesystem::path& file);
+
+}  // namespace penumbra::study
