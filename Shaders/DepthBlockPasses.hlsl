@@ -1,10 +1,11 @@
 // Penumbra: the passes that make the maps of depth planes and of depth spreads, both in one draw.
 //
 // Computes:   QuarterDepthBlocks  planes and spreads of every 4 x 4 texels of the shadow map
-//             DepthBlocksMip      of 2 x 2 blocks of the level before
+//             EighthDepthBlocks   of 2 x 2 of these blocks, in maps of their own
+//             DepthBlocksMip      of 2 x 2 blocks of the level before, in these maps
 // Source:     Map/DepthBlocks.hlsl. The kernels FirstLevels and NextLevel of PenumbraFlagship.compute make the same numbers.
-// Inputs:     those of DepthRangePasses.hlsl; _PenumbraMip; _PenumbraSourcePlanes and _PenumbraSourceSpreads: of a level, the
-//             one before.
+// Inputs:     those of DepthRangePasses.hlsl; _PenumbraMip; _PenumbraSourcePlanes and _PenumbraSourceSpreads: the blocks
+//             of the level before.
 // Cost:       4 gathers; 8 loads.
 // Guarantees: those of DepthRangePasses.hlsl.
 // Use it:     as passes that run for each cascade, into four floats and four integers of 32 bits.
@@ -40,18 +41,28 @@ BlockTargets QuarterDepthBlocks(ScreenVaryings input)
     return TargetsOf(BlockOfTexels(depths));
 }
 
-BlockTargets DepthBlocksMip(ScreenVaryings input)
+// blockTexels: of the blocks that are read.
+BlockTargets JoinedBlocks(int2 pixel, float blockTexels)
 {
-    const int2 first = 2 * int2(input.positionCS.xy);
     DepthBlock parts[4];
     UNITY_UNROLL
     for (int i = 0; i < 4; ++i)
     {
-        const int2 part = first + int2(i & 1, i >> 1);
+        const int2 part = 2 * pixel + int2(i & 1, i >> 1);
         parts[i].planes = LOAD_TEXTURE2D(_PenumbraSourcePlanes, part);
         parts[i].spreads = LOAD_TEXTURE2D(_PenumbraSourceSpreads, part);
     }
-    return TargetsOf(JoinBlocks(parts, kRangeBlock * exp2(float(_PenumbraMip) - 1.0)));
+    return TargetsOf(JoinBlocks(parts, blockTexels));
+}
+
+BlockTargets EighthDepthBlocks(ScreenVaryings input)
+{
+    return JoinedBlocks(int2(input.positionCS.xy), kRangeBlock);
+}
+
+BlockTargets DepthBlocksMip(ScreenVaryings input)
+{
+    return JoinedBlocks(int2(input.positionCS.xy), kRangeBlock * exp2(float(_PenumbraMip)));
 }
 
 #endif

@@ -164,6 +164,17 @@ Shader "Hidden/Penumbra/Maps"
 
         Pass
         {
+            Name "EighthDepthBlocks"
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment EighthDepthBlocks
+            #include "DepthBlockPasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
             Name "DepthBlocksMip"
             HLSLPROGRAM
             #pragma target 4.5

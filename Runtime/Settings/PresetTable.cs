@@ -1,14 +1,14 @@
 namespace Penumbra
 {
     // The options of the quality presets, in QualityPreset's order.
-    // Written by `penumbra validate --emit-presets` from Shaders/PenumbraShadows.technique.json; do not edit.
+    // Written by `penumbra validate --emit-presets` from the technique list; do not edit.
     internal static class PresetTable
     {
         internal static readonly ShadowOptions[] Rows =
         {
-            new ShadowOptions  // Preset Low: PCSS 6+8
+            new ShadowOptions  // Preset Low: Flagship at half resolution, 3 cells; else Fallback of Low: PCSS 6+8 at half resolution
             {
-                technique = ShadowTechnique.Pcss,
+                technique = ShadowTechnique.Flagship,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 6,
                 filterSamples = 8,
@@ -19,16 +19,16 @@ namespace Penumbra
                 rays = 7,
                 samplesPerRay = 8,
                 discRadiusMetres = 0.05f,
-                filterCells = 5,
+                filterCells = 3,
                 mapFormat = MapFormat.Bits32,
                 mask = false,
                 conservativeMask = false,
-                halfResolution = false,
+                halfResolution = true,
                 denoise = false,
             },
-            new ShadowOptions  // Preset Medium: PCSS 8+16
+            new ShadowOptions  // Preset Medium: Flagship, 3 cells; else Fallback of Medium: PCSS 8+16
             {
-                technique = ShadowTechnique.Pcss,
+                technique = ShadowTechnique.Flagship,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 8,
                 filterSamples = 16,
@@ -39,16 +39,16 @@ namespace Penumbra
                 rays = 7,
                 samplesPerRay = 8,
                 discRadiusMetres = 0.05f,
-                filterCells = 5,
+                filterCells = 3,
                 mapFormat = MapFormat.Bits32,
                 mask = false,
                 conservativeMask = false,
                 halfResolution = false,
                 denoise = false,
             },
-            new ShadowOptions  // Preset High: PCSS 12+24, masked
+            new ShadowOptions  // Preset High: Flagship, 4 cells; else Fallback of High: PCSS 12+24, masked
             {
-                technique = ShadowTechnique.Pcss,
+                technique = ShadowTechnique.Flagship,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 12,
                 filterSamples = 24,
@@ -59,16 +59,16 @@ namespace Penumbra
                 rays = 7,
                 samplesPerRay = 8,
                 discRadiusMetres = 0.05f,
-                filterCells = 5,
+                filterCells = 4,
                 mapFormat = MapFormat.Bits32,
                 mask = true,
                 conservativeMask = false,
                 halfResolution = false,
                 denoise = false,
             },
-            new ShadowOptions  // Preset Ultra: PCSS 16+32, masked
+            new ShadowOptions  // Preset Ultra: Flagship, 5 cells; else Fallback of Ultra: PCSS 16+32, masked
             {
-                technique = ShadowTechnique.Pcss,
+                technique = ShadowTechnique.Flagship,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 16,
                 filterSamples = 32,

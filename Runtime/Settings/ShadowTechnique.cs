@@ -311,9 +311,7 @@ namespace Penumbra
             },
             new[]
             {
-                nameof(ShadowOptions.blockerSamples),
                 nameof(ShadowOptions.filterCells),
-                nameof(ShadowOptions.filterSamples),
                 nameof(ShadowOptions.minFilterTexels),
                 nameof(ShadowOptions.softnessCapMetres),
             },
@@ -902,9 +900,7 @@ namespace Penumbra
             },
             (ref ShadowOptions options) =>
             {
-                options.blockerSamples = 24;
                 options.filterCells = 5;
-                options.filterSamples = 16;
                 options.minFilterTexels = 1.25f;
                 options.softnessCapMetres = 100.0f;
             },

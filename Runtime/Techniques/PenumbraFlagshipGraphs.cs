@@ -84,6 +84,7 @@ namespace Penumbra
                     groups = GraphGroups.Indirect(1),
                 },
             },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0), GraphBinding.Texture("_PenumbraDepthSpreadsTexture", 1), GraphBinding.Texture("_PenumbraCoarsePlanesTexture", 2), GraphBinding.Texture("_PenumbraCoarseSpreadsTexture", 3) },
             visibility = 4,
         };
 
@@ -175,6 +176,7 @@ namespace Penumbra
                 },
             },
             keywords = new[] { "_PENUMBRA_HALF_RESOLUTION" },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0), GraphBinding.Texture("_PenumbraDepthSpreadsTexture", 1), GraphBinding.Texture("_PenumbraCoarsePlanesTexture", 2), GraphBinding.Texture("_PenumbraCoarseSpreadsTexture", 3) },
             visibility = 5,
         };
     }

@@ -22,7 +22,8 @@ namespace Penumbra
         internal string[] keywords = Array.Empty<string>();
 
         /// <summary>
-        /// The textures that the filter at the graph's end reads, with the names that the screen-space passes use.
+        /// The textures that the filter at the graph's end reads, or filters of shaders that draw after the passes, with
+        /// the names that the screen-space passes use.
         /// </summary>
         internal GraphBinding[] filterTextures = Array.Empty<GraphBinding>();
 

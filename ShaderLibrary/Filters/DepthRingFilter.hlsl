@@ -4,13 +4,14 @@
 //             visibility of a disc light, from every texel near the receiver and larger cells farther away.
 // Source:     Penumbra's own: what Shaders/PenumbraFlagship.compute does for tiles of pixels, for a receiver alone.
 //             DepthRingSums.hlsl; FilterExits.hlsl.
-// Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes and depthSpreads, of the passes
-//             QuarterDepthBlocks and DepthBlocksMip.
+// Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes and depthSpreads of blocks of 4 x 4
+//             texels, and coarsePlanes and coarseSpreads of 8 x 8 texels, with mip levels: of the passes QuarterDepthBlocks,
+//             EighthDepthBlocks and DepthBlocksMip, or of the flagship's kernels FirstLevels and NextLevel.
 // Cost:       up to 9 fetches of the planes for each of up to kMostRingRadii radii; where those do not decide, some 20 gathers
 //             in search of blockers and about as many in the filter, and 12 and 20 for each octave of distance beyond.
 // Guarantees: [0, 1] for any input; no noise: the same receiver gives the same answer. Where the planes decide, it is what
 //             FilterPcssAngular returns, to the last bit. Reads no texel outside of the receiver's tile that counts.
-// Use it:     in forward shaders and for what blends, where the renderer feature makes both maps. Not: for a whole screen on
+// Use it:     in forward shaders and for what blends, where the renderer feature makes these maps. Not: for a whole screen on
 //             devices with compute shaders, where tiles share what they read.
 #ifndef PENUMBRA_DEPTH_RING_FILTER_HLSL
 #define PENUMBRA_DEPTH_RING_FILTER_HLSL
@@ -31,7 +32,38 @@ struct RingDecision
     float radius;     // texels: no blocker's penumbra is wider
 };
 
-RingDecision DecideRings(TEXTURE2D(depthPlanes), ExitReach reach, ConeScales scales)
+// Of a block of the level; its first level is a texture of its own.
+DepthPlanes PlanesOfLevel(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), int2 block, int level)
+{
+    UNITY_BRANCH
+    if (level == 0) return UnpackPlanes(LOAD_TEXTURE2D(depthPlanes, block));
+    return UnpackPlanes(LOAD_TEXTURE2D_LOD(coarsePlanes, block, level - 1));
+}
+
+// Of the four cells of a level of which block is one of the level above. level: 1 or more.
+uint4 SpreadsOfLevel(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), int2 block, int level)
+{
+    UNITY_BRANCH
+    if (level == 1) return LOAD_TEXTURE2D(depthSpreads, block);
+    return LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
+}
+
+// As BoundExits.
+ExitBounds BoundRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach reach, float radius)
+{
+    const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
+    ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
+    UNITY_LOOP
+    for (int i = 0; ReadsExitBlock(i, blocks, bounds, true); ++i)
+    {
+        const int2 texel = ExitBlockAt(blocks, i);
+        const DepthPlanes planes = PlanesOfLevel(depthPlanes, coarsePlanes, texel, blocks.disc.level);
+        bounds = AddExitBlock(bounds, planes, texel, radius, blocks, reach);
+    }
+    return bounds;
+}
+
+RingDecision DecideRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach reach, ConeScales scales)
 {
     RingDecision decision;
     decision.visibility = kUndecided;
@@ -40,7 +72,7 @@ RingDecision DecideRings(TEXTURE2D(depthPlanes), ExitReach reach, ConeScales sca
     UNITY_LOOP
     for (int i = 0; i < kMostRingRadii; ++i)
     {
-        const ExitBounds bounds = BoundExits(depthPlanes, reach, decision.radius + kSampleReachTexels, true);
+        const ExitBounds bounds = BoundRings(depthPlanes, coarsePlanes, reach, decision.radius + kSampleReachTexels);
         if (!bounds.whole) break;
         if (bounds.noneBlocks) decision.visibility = 1.0;
         else if (bounds.allBlock && bounds.smallestGap > reach.darkShare * bounds.largestGap) decision.visibility = 0.0;
@@ -59,8 +91,8 @@ float4 DepthsOfQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), int2 first, QuadR
     return SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner)).wzxy;
 }
 
-RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), float radius,
-                       QuadReceiver receiver, ConeScales scales)
+RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                       TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
 {
     RingSearch search = BeginSearch(scales);
     const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
@@ -78,15 +110,15 @@ RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2
                 search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad,
                                       areas, receiver, scales);
             else
-                search = SearchCells(search, LOAD_TEXTURE2D_LOD(depthSpreads, quad, level - 1), quad, level, areas, receiver,
-                                     scales);
+                search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
+                                     receiver, scales);
         }
     }
     return search;
 }
 
 float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                     RingPenumbra penumbra, QuadReceiver receiver)
+                     TYPED_TEXTURE2D(uint4, coarseSpreads), RingPenumbra penumbra, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
     const int level = DiscLevel(penumbra.radius, kRingCells);
@@ -101,7 +133,8 @@ float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(
             sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
                                 penumbra, receiver);
         else
-            sums = FilterCells(sums, LOAD_TEXTURE2D_LOD(depthSpreads, quad, level - 1), quad, level, areas, penumbra, receiver);
+            sums = FilterCells(sums, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas, penumbra,
+                               receiver);
     }
     return LitShare(sums.x, sums.y);
 }
@@ -120,30 +153,32 @@ float FilterBlockOfRings(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra
 }
 
 // radius: no blocker's penumbra is wider, texels.
-float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads), float radius,
-                     QuadReceiver receiver, ConeScales scales)
+float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                     TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
 {
-    const RingSearch search = SearchRings(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, radius, receiver, scales);
+    const RingSearch search =
+        SearchRings(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, radius, receiver, scales);
     const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
     if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
     if (penumbra.readsBlock)
         visibility = FilterBlockOfRings(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, receiver);
     if (penumbra.readsDisc && visibility > 0.0)
-        visibility = min(visibility, FilterRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, penumbra, receiver));
+        visibility = min(visibility, FilterRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads,
+                                                    penumbra, receiver));
     return SanitizeVisibility(visibility);
 }
 
 float FilterDepthRings(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point), TEXTURE2D(depthPlanes),
-                       TYPED_TEXTURE2D(uint4, depthSpreads), ShadowReceiver receiver, ShadowTile tile,
-                       PcssAngularParameters parameters)
+                       TYPED_TEXTURE2D(uint4, depthSpreads), TEXTURE2D(coarsePlanes), TYPED_TEXTURE2D(uint4, coarseSpreads),
+                       ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
 {
     const ExitReach reach = ReachOfPcssAngular(receiver, tile, parameters);
     const ConeScales scales = ConeScalesOf(tile);
-    const RingDecision decision = DecideRings(depthPlanes, reach, scales);
+    const RingDecision decision = DecideRings(depthPlanes, coarsePlanes, reach, scales);
     if (decision.visibility >= 0.0) return decision.visibility;
-    return RingVisibility(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, min(decision.radius, scales.largestRadius),
-                          reach.receiver, scales);
+    return RingVisibility(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads,
+                          min(decision.radius, scales.largestRadius), reach.receiver, scales);
 }
 
 #endif

@@ -101,36 +101,73 @@ struct ExitBounds
     float smallestGap;  // of all
 };
 
-// wantsGap: also where neither can be true any more.
-ExitBounds BoundExits(TEXTURE2D(depthPlanes), ExitReach reach, float radius, bool wantsGap)
+// The blocks around a receiver, and how they are bounded.
+struct ExitBlocks
 {
-    ReceiverGroup group = GroupOf(reach.receiver);
+    ReceiverGroup group;
+    DiscBlocks disc;
+    int2 size;
+    float blockTexels;
+};
+
+ExitBlocks ExitBlocksWithin(float radius, ExitReach reach)
+{
+    ExitBlocks blocks;
+    blocks.group = GroupOf(reach.receiver);
     const float2 rise = abs(reach.receiver.gradient);
-    group.planeError = (rise.x + rise.y) * reach.planeShift;
-    const float2 centre = reach.receiver.centre;
-    const DiscBlocks blocks = BlocksOfDisc(centre, radius, kExitBlocksAcross, reach.receiver.bounds);
-    const float blockTexels = kRangeBlock * exp2(float(blocks.level));
-    const int2 size = blocks.high - blocks.low + 1;
+    blocks.group.planeError = (rise.x + rise.y) * reach.planeShift;
+    blocks.disc = BlocksOfDisc(reach.receiver.centre, radius, kExitBlocksAcross, reach.receiver.bounds);
+    blocks.size = blocks.disc.high - blocks.disc.low + 1;
+    blocks.blockTexels = kRangeBlock * exp2(float(blocks.disc.level));
+    return blocks;
+}
+
+ExitBounds BoundsOfNoBlock(ExitBlocks blocks, ExitReach reach)
+{
     ExitBounds bounds;
-    bounds.whole = blocks.whole;
+    bounds.whole = blocks.disc.whole;
     bounds.noneBlocks = true;
     bounds.allBlock = reach.mayBeDark;
     bounds.largestGap = 0.0;
     bounds.smallestGap = LargestGap(kFarthestDepth);
+    return bounds;
+}
+
+// wantsGap: also where neither can be true any more.
+bool ReadsExitBlock(int i, ExitBlocks blocks, ExitBounds bounds, bool wantsGap)
+{
+    return i < blocks.size.x * blocks.size.y && blocks.disc.whole && (bounds.noneBlocks || bounds.allBlock || wantsGap);
+}
+
+int2 ExitBlockAt(ExitBlocks blocks, int i)
+{
+    return blocks.disc.low + int2(i % blocks.size.x, i / blocks.size.x);
+}
+
+ExitBounds AddExitBlock(ExitBounds bounds, DepthPlanes planes, int2 texel, float radius, ExitBlocks blocks, ExitReach reach)
+{
+    const float2 away = (float2(texel) + 0.5) * blocks.blockTexels - reach.receiver.centre;
+    const GroupBounds block = BoundBlock(planes, away, blocks.blockTexels, radius, blocks.group);
+    if (block.nearest > radius) return bounds;
+    const float offset = min(max(block.nearest - reach.slackTexels, 0.0) * reach.depthPerTexel, reach.largestOffset);
+    const bool none = reach.planeAlone ? block.noneAbovePlane : block.noneAbove || !(block.largestGap > offset);
+    bounds.noneBlocks = bounds.noneBlocks && none;
+    bounds.allBlock = bounds.allBlock && block.allAbove && block.smallestGap > 0.0;
+    if (!none) bounds.largestGap = max(bounds.largestGap, block.largestGap);
+    bounds.smallestGap = min(bounds.smallestGap, block.smallestGap);
+    return bounds;
+}
+
+ExitBounds BoundExits(TEXTURE2D(depthPlanes), ExitReach reach, float radius, bool wantsGap)
+{
+    const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
+    ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
     UNITY_LOOP
-    for (int i = 0; i < size.x * size.y && blocks.whole && (bounds.noneBlocks || bounds.allBlock || wantsGap); ++i)
+    for (int i = 0; ReadsExitBlock(i, blocks, bounds, wantsGap); ++i)
     {
-        const int2 texel = blocks.low + int2(i % size.x, i / size.x);
-        const float2 away = (float2(texel) + 0.5) * blockTexels - centre;
-        const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.level));
-        const GroupBounds block = BoundBlock(planes, away, blockTexels, radius, group);
-        if (block.nearest > radius) continue;
-        const float offset = min(max(block.nearest - reach.slackTexels, 0.0) * reach.depthPerTexel, reach.largestOffset);
-        const bool none = reach.planeAlone ? block.noneAbovePlane : block.noneAbove || !(block.largestGap > offset);
-        bounds.noneBlocks = bounds.noneBlocks && none;
-        bounds.allBlock = bounds.allBlock && block.allAbove && block.smallestGap > 0.0;
-        if (!none) bounds.largestGap = max(bounds.largestGap, block.largestGap);
-        bounds.smallestGap = min(bounds.smallestGap, block.smallestGap);
+        const int2 texel = ExitBlockAt(blocks, i);
+        const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.disc.level));
+        bounds = AddExitBlock(bounds, planes, texel, radius, blocks, reach);
     }
     return bounds;
 }

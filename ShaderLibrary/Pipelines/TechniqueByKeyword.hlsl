@@ -36,7 +36,7 @@
 //             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
-//             these passes, while the feature's technique is the keyword's.
+//             these passes, while the feature's technique is the keyword's or one that publishes the same maps.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -244,6 +244,8 @@ TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 TYPED_TEXTURE2D(uint4, _PenumbraDepthSpreadsTexture);
+TEXTURE2D(_PenumbraCoarsePlanesTexture);
+TYPED_TEXTURE2D(uint4, _PenumbraCoarseSpreadsTexture);
 #endif
 
 #include "../Filters/PcssClassicParameters.hlsl"
@@ -446,7 +448,8 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
                                    PenumbraExponentialVariance());
 #elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
     return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthPlanesTexture,
-                            _PenumbraDepthSpreadsTexture, receiver, tile,
+                            _PenumbraDepthSpreadsTexture, _PenumbraCoarsePlanesTexture, _PenumbraCoarseSpreadsTexture,
+                            receiver, tile,
                             PenumbraPcssAngular());
 #else
     return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);

@@ -136,7 +136,7 @@ TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
   EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
-TEST(UrpIncludeOfMaps, BindsBothOfTheFlagshipAndTheShadowMap) {
+TEST(UrpIncludeOfMaps, BindsThoseOfTheFlagshipAndTheShadowMap) {
   const Defines keyword{{"_PENUMBRA_FLAGSHIP_PIXEL", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
   for (const char* direction : {"UNITY_REVERSED_Z", "_"}) {
     Defines defines = keyword;
@@ -145,7 +145,8 @@ TEST(UrpIncludeOfMaps, BindsBothOfTheFlagshipAndTheShadowMap) {
     for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
     for (const char* name : {"_MainLightShadowmapTexture", "sampler_PenumbraPointClamp",
-                             "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture"})
+                             "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture",
+                             "_PenumbraCoarsePlanesTexture", "_PenumbraCoarseSpreadsTexture"})
       EXPECT_TRUE(binds(result, name)) << name;
   }
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {

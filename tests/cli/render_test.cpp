@@ -165,7 +165,7 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
   expect_refused({"--zoom", "16"}, {"million pixels", "zoom less"});
   size_ = "64x36";
   expect_refused({"--zoom", "17"}, {"--zoom", "1 .. 16"});
-  expect_refused({"--show", "mask"}, {"--show mask", "preset-high"});
+  expect_refused({"--show", "mask"}, {"--show mask", "fallback-high"});
   expect_refused({"--show", "colour"}, {"--show", "fetches"});
 }
 

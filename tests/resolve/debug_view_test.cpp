@@ -77,7 +77,7 @@ bool near(const glm::vec3& a, const glm::dvec3& b, double tolerance = 2e-3) {
 class DebugViews : public testing::TestWithParam<std::tuple<int, bool, RowOrder>> {
  protected:
   int cascades() const { return std::get<0>(GetParam()); }
-  Views views(const std::string& scene, const std::string& preset = "preset-high") const {
+  Views views(const std::string& scene, const std::string& preset = "fallback-high") const {
     return Views(drawn(scene, cascades(), std::get<1>(GetParam())), preset, std::get<2>(GetParam()));
   }
 };
@@ -184,7 +184,7 @@ glm::dvec3 texel_hue(double share) {
 // Hue by the texel's width in pixels, brightness by the chequers: both from the cascade's matrix and the
 // lens.
 TEST(DebugViewOfTexels, AreAsLargeAsTheMapsAre) {
-  const Views views(drawn("slabs", 1, true), "preset-low", RowOrder::top_first);
+  const Views views(drawn("slabs", 1, true), "preset-ultra", RowOrder::top_first);
   const Colours colours = views.draw("ShadowTexels");
   const parameters::Cascade& cascade = views.frame.cascades.cascades.front();
   const parameters::Camera& camera = views.frame.camera;

@@ -32,7 +32,10 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
     last.name = last.program = kernel;
     last.file = (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/RingsByTextures.compute")
                     .generic_string();
-    last.reads = {{"_PenumbraBlockPlanes", "depthPlanes"}, {"_PenumbraBlockSpreads", "depthSpreads"}};
+    last.reads = {{"_PenumbraBlockPlanes", "depthPlanes"},
+                  {"_PenumbraBlockSpreads", "depthSpreads"},
+                  {"_PenumbraCoarsePlanes", "coarsePlanes"},
+                  {"_PenumbraCoarseSpreads", "coarseSpreads"}};
     last.writes = {{"_PenumbraVisibility", "visibility"}};
     last.updates.clear();
     last.groups = {};
@@ -40,7 +43,8 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
     graph.graph.textures = drawn.textures;
     graph.graph.textures.push_back(*library_techniques().find("flagship").graph.texture("visibility"));
     graph.graph.buffers.clear();
-    graph.graph.passes = {drawn.passes[0], drawn.passes[1], last};
+    graph.graph.passes = drawn.passes;
+    graph.graph.passes.back() = last;
     return graph;
   }
 

@@ -173,9 +173,9 @@ TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
     touched += of_pixel[1] > 0.0f ? 1 : 0;
     most = std::max(most, of_pixel[1]);
   }
-  // Whose window a pixel shares depends on all pixels of its tile, those of another cascade among them.
+  // Whose search a pixel shares depends on the other pixels of its part, and so do the roundings of sums.
   EXPECT_LT(touched, static_cast<int>(change.size()) / 200);
-  EXPECT_LT(most, 0.15f) << "a texel of another cascade taken for a blocker changes it by up to 1";
+  EXPECT_LT(most, 0.005f) << "a texel of another cascade taken for a blocker changes it by up to 1";
 }
 
 // At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its

@@ -1,5 +1,6 @@
 // A filter that reads maps, in a forward shader: by its keyword and the one include of Shadows.hlsl, after
-// the passes that make its maps, against the technique whose filter it is.
+// the passes that make its maps, against the technique whose filter it is. The flagship's kernels make the
+// same maps.
 #include <gmock/gmock.h>
 
 #include "platform/data_directory.h"
@@ -16,6 +17,28 @@ class ForwardFilter : public testing::TestWithParam<bool> {
   static ShadowGraph technique() {
     const techniques::TechniqueList& list = library_techniques();
     return technique_graph(list, list.find("flagship-pixel"), Taps::as_listed, GetParam());
+  }
+
+  static std::vector<std::string> maps_of(const ShadowGraph& graph) {
+    std::vector<std::string> names;
+    for (const techniques::GraphTexture& texture : graph.graph.textures) names.push_back(texture.name);
+    return names;
+  }
+
+  // After the flagship's passes over the map.
+  static ShadowGraph forward_after_kernels() {
+    ShadowGraph graph = forward();
+    const techniques::PassGraph& flagship = library_techniques().find("flagship").graph;
+    EXPECT_THAT(flagship.published, testing::ElementsAreArray(maps_of(graph)));
+    const techniques::GraphPass filter = graph.graph.passes.back();
+    graph.graph.textures.clear();
+    for (const std::string& name : flagship.published)
+      graph.graph.textures.push_back(*flagship.texture(name));
+    graph.graph.passes.clear();
+    for (const techniques::GraphPass& pass : flagship.passes)
+      if (pass.frequency == techniques::Frequency::cascade) graph.graph.passes.push_back(pass);
+    graph.graph.passes.push_back(filter);
+    return graph;
   }
 
   // As a shader of the user's is written.
@@ -63,6 +86,18 @@ TEST_P(ForwardFilter, IsThatOfItsTechnique) {
     }
     EXPECT_GT(in_penumbra, 500) << degrees << " degrees";
     EXPECT_LE(read_others, 4) << degrees << " degrees";
+  }
+}
+
+TEST_P(ForwardFilter, IsTheSameAfterTheFlagshipsKernels) {
+  GraphRunner after_draws(test_device(), compile(forward()));
+  GraphRunner after_kernels(test_device(), compile(forward_after_kernels()));
+  for (const auto& [cascades, degrees] : {std::pair(4, 2.0), {1, 5.0}}) {
+    const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
+    const FrameOnDevice on_device(test_device(), frame);
+    EXPECT_EQ(after_kernels.run(on_device, kForwardOnce).visibility[0],
+              after_draws.run(on_device, kForwardOnce).visibility[0])
+        << degrees << " degrees";
   }
 }
 

@@ -55,7 +55,7 @@ TEST(NoiseStudy, GradientNoiseIsTheLibrarys) {
   const StudyOutcome of = noise_outcome(
       {library_subject("screen-pcss-angular-24-16"), noise_subject("pcss-24-16-gradient"),
        library_subject("screen-pcss-angular-24-16-denoised"), noise_subject("pcss-24-16-gradient-denoised"),
-       library_subject("preset-medium"), noise_subject("pcss-8-16-gradient")});
+       library_subject("fallback-medium"), noise_subject("pcss-8-16-gradient")});
   for (const std::size_t library : {0U, 2U, 4U}) {
     EXPECT_EQ(of.pictures[library].result, of.pictures[library + 1].result) << of.records[library].technique;
     EXPECT_EQ(of.records[library].metrics, of.records[library + 1].metrics) << of.records[library].technique;

@@ -260,12 +260,14 @@ class PresetCosts(unittest.TestCase):
             cost_row("Fragment", "tent-7", 400), cost_row("Fragment", "tent-7", 399, []),
             cost_row("Fragment", "tent-7", 398, family="gfx1100"),
             cost_row("Resolve", "preset-low", 1000), cost_row("Resolve", "preset-high", 1200),
-            cost_row("Mask", "preset-high", 900), cost_row("Resolve", "preset-ultra", 1200)]})
+            cost_row("Mask", "preset-high", 900), cost_row("Resolve", "preset-ultra", 1200),
+            cost_row("Resolve", "fallback-low", 700)]})
         self.assertTrue(text.endswith(
             "| Tent 7x7, URP's filter at High | the filter alone | 400 | 8 | 800 |\n"
             "| Low | Resolve | 1000 | 8 | 2000 |\n"
             "| High, Ultra | Resolve | 1200 | 8 | 2400 |\n"
-            "| High | Mask | 900 | 8 | 1800 |"), text)
+            "| High | Mask | 900 | 8 | 1800 |\n"
+            "| fallback of Low | Resolve | 700 | 8 | 1400 |"), text)
 
 
 class DepthFetches(unittest.TestCase):
@@ -275,9 +277,9 @@ class DepthFetches(unittest.TestCase):
 
     def test_the_pass_without_a_mask_and_the_masked_presets(self):
         def masked(name, scene, light, fetches, saved):
-            return record("preset-" + name, scene, light, (saved, 0.0), preprocess_fetches_per_pixel=fetches)
+            return record("fallback-" + name, scene, light, (saved, 0.0), preprocess_fetches_per_pixel=fetches)
 
-        text = page.depth_fetches(results(record("preset-low"), *(
+        text = page.depth_fetches(results(record("fallback-low"), *(
             row for name in ("high", "ultra") for row in (
                 masked(name, "a", 2.0, 2.0, 0.1), masked(name, "b", 2.0, 3.0, 0.3),
                 masked(name, "a", 5.0, 1.0, 0.0), masked(name, "b", 5.0, 1.0, 0.02)))), self.SCREEN)
@@ -289,16 +291,16 @@ class DepthFetches(unittest.TestCase):
 
     def test_different_masks_are_refused(self):
         with self.assertRaisesRegex(page.Problem, "different masks"):
-            page.depth_fetches(results(record("preset-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
-                                       record("preset-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
+            page.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
+                                       record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
 
 
 class PresetMasks(unittest.TestCase):
     def test_lights_are_columns_and_scenes_rows(self):
         text = page.preset_masks(results(
-            record("preset-low"), record("preset-high", light=0.5, mask=(0.256, 0.0004)),
-            record("preset-high", mask=(0.1, None)), record("preset-high", "b", 0.5, mask=(1.0, 0.5)),
-            record("preset-high", "b", mask=(0.0, 0.0)), record("other", mask=(0.9, 0.9))))
+            record("fallback-low"), record("fallback-high", light=0.5, mask=(0.256, 0.0004)),
+            record("fallback-high", mask=(0.1, None)), record("fallback-high", "b", 0.5, mask=(1.0, 0.5)),
+            record("fallback-high", "b", mask=(0.0, 0.0)), record("other", mask=(0.9, 0.9))))
         self.assertTrue(text.endswith(
             "High:\n\n"
             "| scene | skipped, 2° light, % | skipped, 0.5° light, % | missed, 2° light, % | missed, 0.5° light, % |\n"
@@ -307,15 +309,15 @@ class PresetMasks(unittest.TestCase):
             "| b | 0 | 100 | 0.00 | 50.00 |"), text)
 
     def test_presets_of_one_mask_share_a_table(self):
-        text = page.preset_masks(results(record("preset-medium", mask=(0.1, 0.0)),
-                                         record("preset-high", mask=(0.2, 0.0)),
-                                         record("preset-ultra", mask=(0.1, 0.0))))
+        text = page.preset_masks(results(record("fallback-medium", mask=(0.1, 0.0)),
+                                         record("fallback-high", mask=(0.2, 0.0)),
+                                         record("fallback-ultra", mask=(0.1, 0.0))))
         self.assertIn("Medium, Ultra:\n\n", text)
         self.assertIn("\n\nHigh:\n\n", text)
 
     def test_no_mask_at_all(self):
-        with self.assertRaisesRegex(page.Problem, "no preset of results/presets/results.json has a mask"):
-            page.preset_masks(results(record("preset-low")))
+        with self.assertRaisesRegex(page.Problem, "no fallback of results/presets/results.json has a mask"):
+            page.preset_masks(results(record("fallback-low")))
 
 
 class ScreenFigures(unittest.TestCase):

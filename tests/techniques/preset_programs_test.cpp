@@ -26,6 +26,11 @@ shaders::PackageShader feature_shader() {
   return shaders::PackageShader(root / "Shaders/PenumbraShadows.shader");
 }
 
+std::vector<PresetProgram> programs(const std::string& preset) {
+  const TechniqueList list = techniques();
+  return programs_of(list, list.find(preset), feature_shader());
+}
+
 std::vector<std::string> passes_of(const std::vector<PresetProgram>& programs) {
   std::vector<std::string> names;
   for (const PresetProgram& program : programs) names.push_back(program.pass);
@@ -33,14 +38,16 @@ std::vector<std::string> passes_of(const std::vector<PresetProgram>& programs) {
 }
 
 TEST(PresetPrograms, ArePassesOfTheChainWithTheKeywordsTheyDeclare) {
-  const std::vector<PresetProgram> high = programs_of(techniques().find("preset-high"), feature_shader());
+  const std::vector<PresetProgram> high = programs("preset-high");
   EXPECT_THAT(passes_of(high),
               ElementsAre("PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve"));
   EXPECT_THAT(high[0].keywords, IsEmpty());
   EXPECT_THAT(high[3].keywords, ElementsAre("_PENUMBRA_PCSS", "_PENUMBRA_MASK"));
-  const std::vector<PresetProgram> low = programs_of(techniques().find("preset-low"), feature_shader());
-  EXPECT_THAT(passes_of(low), ElementsAre("Resolve"));
-  EXPECT_THAT(low[0].keywords, ElementsAre("_PENUMBRA_PCSS"));
+  const std::vector<PresetProgram> low = programs("preset-low");
+  EXPECT_THAT(passes_of(low), ElementsAre("Upsample", "Resolve"))
+      << "its own, those of its fallback, none twice";
+  EXPECT_THAT(low[1].keywords, ElementsAre("_PENUMBRA_PCSS"));
+  EXPECT_THAT(passes_of(programs("preset-reference")), ElementsAre("Resolve"));
 }
 
 TEST(PresetPrograms, AVariantIsOneKeywordOfEverySet) {

@@ -187,14 +187,14 @@ constexpr const char* disc_manifest = R"({
   "defaults": {"family": "disc", "source": "Nobody 1901"},
   "techniques": [
     {"name": "disc", "title": "Disc", "graph": "disc"},
-    {"name": "disc-12", "title": "Disc of 12", "graph": "disc", "values": {"taps": 12}},
-    {"name": "preset-low", "title": "Preset Low", "filter": {"file": "Ring.hlsl", "function": "FilterRing",
+    {"name": "preset-low", "title": "Preset Low: Disc of 12", "graph": "disc", "values": {"taps": 12}},
+    {"name": "rings-12", "title": "Ring of 12", "filter": {"file": "Ring.hlsl", "function": "FilterRing",
      "arguments": ["shadowMap", "pointSampler"], "parameters": "RingParameters"}, "keywords": ["_PENUMBRA_RING"],
      "values": {"taps": 12}}],
   "selections": [
     {"name": "Disc", "value": 2, "technique": "disc", "fallback": "Ring",
      "title": "Disc", "doc": "A disc.", "options": {"ringTaps": "taps"}}],
-  "presets": [{"preset": "preset-low", "technique": "disc-12"}]
+  "presets": [{"preset": "preset-low", "fallback": "rings-12"}]
 })";
 
 // Selections of passes that draw the visibility, after those of the ring.
@@ -262,15 +262,15 @@ TEST_F(VisibilitySelectionTest, ItsGraphAtHalfResolutionIsBesideIt) {
      "passes": [{"name": "Disc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
                  "parameters": ["RingParameters"]}], "visibility": "visibility"},
     )");
-  put(R"({"name": "disc-12")", R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, )");
+  put(R"({"name": "preset-low")", R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, )");
   EXPECT_THAT(emit_selections_csharp(read_with(manifest)),
               HasSubstr("HalfGraphs =\n        {\n            null,\n            null,\n"
                         "            DiscGraphs.DiscHalf,\n        };\n"));
 }
 
-TEST_F(VisibilitySelectionTest, APresetDrawsItAndKeepsItsOwnOptions) {
+TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
   const std::string text = emit_presets_csharp(read_with(disc_manifest));
-  EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Disc of 12; else Preset Low\n"));
+  EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Preset Low: Disc of 12; else Ring of 12\n"));
   EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
   EXPECT_THAT(text, HasSubstr("ringTaps = 12,\n"))
       << "as what it draws is measured, not as the first with it";
@@ -285,8 +285,9 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
   EXPECT_THAT(disc_problem(R"("value": 2, )", ""), AllOf(at("15"), HasSubstr("give it a value")));
   EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Disc")"),
               AllOf(at("15"), HasSubstr("unknown selection 'Disc'")));
-  EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "disc-12")"),
-              AllOf(at("15"), HasSubstr("'disc-12' is not the filter")));
+  EXPECT_THAT(
+      disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "preset-low")"),
+      AllOf(at("15"), HasSubstr("'preset-low' is not the filter")));
   EXPECT_THAT(
       disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "ring")"),
       AllOf(at("15"), HasSubstr("'ring' does not end in a texture, as 'disc' does")));
@@ -294,15 +295,25 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
               AllOf(at("17"), HasSubstr("'plain' is not a preset")));
   EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "preset-lower")"),
               AllOf(at("17"), HasSubstr("unknown technique 'preset-lower'")));
-  EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "ring"})"),
-              AllOf(at("17"), HasSubstr("no selection has the passes of 'ring'")));
-  EXPECT_THAT(disc_problem(R"("technique": "disc-12"})", R"("technique": "disc"})"),
-              AllOf(at("17"), HasSubstr("'disc' and 'preset-low' differ in 'taps'")));
-  EXPECT_THAT(disc_problem(R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])"),
-              AllOf(at("17"), HasSubstr("'preset-low' has not the keyword of 'Ring'")));
+  EXPECT_THAT(disc_problem(R"("fallback": "rings-12"})", R"("fallback": "rings-13"})"),
+              AllOf(at("17"), HasSubstr("unknown technique 'rings-13'")));
+  EXPECT_THAT(disc_problem(R"("graph": "disc", "values": {"taps": 12})",
+                           R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],)"
+                           R"( "parameters": "RingParameters"}, "values": {"taps": 12})"),
+              AllOf(at("17"), HasSubstr("no selection has the passes of 'preset-low'")));
   EXPECT_THAT(
-      disc_problem(R"("presets": [)", R"("presets": [{"preset": "preset-low", "technique": "disc-12"}, )"),
-      AllOf(at("17"), HasSubstr("there are two choices for 'preset-low'")));
+      disc_problem(R"("graph": "disc", "values": {"taps": 12})", R"("graph": "disc", "values": {"taps": 8})"),
+      AllOf(at("17"), HasSubstr("'preset-low' and 'rings-12' differ in 'taps'")));
+  EXPECT_THAT(disc_problem(R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])"),
+              AllOf(at("17"), HasSubstr("'rings-12' has not the keyword of 'Ring'")));
+  EXPECT_THAT(
+      disc_problem(R"("presets": [)", R"("presets": [{"preset": "preset-low", "fallback": "rings-12"}, )"),
+      AllOf(at("17"), HasSubstr("there are two fallbacks of 'preset-low'")));
+  EXPECT_THAT(disc_problem(R"(  "presets": [{"preset": "preset-low", "fallback": "rings-12"}])",
+                           R"(  "presets": [])"),
+              HasSubstr("no technique for the keywords of 'preset-low'"));
+  EXPECT_THAT(disc_problem(R"("passes": [{"name": "Disc")", R"("passes": [{"name": "Upsample")"),
+              AllOf(at("17"), HasSubstr("of 'preset-low' and 'rings-12', one is at half resolution")));
 }
 
 TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {

@@ -525,7 +525,7 @@ TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {
 TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {
   TechniqueList list = library();
   for (Technique& technique : list.techniques)
-    if (technique.name == "preset-high") technique.keywords = {"_PENUMBRA_OTHER"};
+    if (technique.name == "preset-reference") technique.keywords = {"_PENUMBRA_OTHER"};
   EXPECT_THROW((void)emit_presets_csharp(list), InputError);
 }
 

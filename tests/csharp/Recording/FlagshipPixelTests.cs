@@ -8,11 +8,15 @@ using UnityEngine.Rendering;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// The flagship per pixel: draws into two maps at once, level by level, which its filter and forward shaders read.
+    /// The flagship per pixel: draws into two maps at once, level by level, which its filter and forward shaders read; and the
+    /// same maps of the flagship.
     /// </summary>
     public sealed class FlagshipPixelTests : FlagshipFrames
     {
-        private static readonly string[] Maps = { "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture" };
+        private const int CoarseBlock = 8;  // texels of the shadow map in a texel of the coarse levels, each way
+        private static readonly string[] FirstMaps = { "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture" };
+        private static readonly string[] CoarseMaps = { "_PenumbraCoarsePlanesTexture", "_PenumbraCoarseSpreadsTexture" };
+        private static readonly string[] Maps = FirstMaps.Concat(CoarseMaps).ToArray();
         private static readonly string[] Sources = { "_PenumbraSourcePlanes", "_PenumbraSourceSpreads" };
 
         protected override ShadowTechnique Technique => ShadowTechnique.FlagshipPixel;
@@ -31,26 +35,34 @@ namespace Penumbra.Tests
         private static int Levels(int cascades)
         {
             int levels = 1;
-            while (Tiles(cascades, FirstBlock << levels).First().width >= 1.0f) ++levels;
+            while (Tiles(cascades, CoarseBlock << levels).First().width >= 1.0f) ++levels;
             return levels;
         }
 
-        private string Both => string.Join(" + ", Maps.Select(map => urp.Device.Textures[map]));
+        private string Both(string[] maps) => string.Join(" + ", maps.Select(map => urp.Device.Textures[map]));
+
+        private void ExpectTiles(FakeDevice.DrawCall[] calls, int cascades, int block, string[] maps)
+        {
+            Assert.That(calls.Select(call => call.Viewport.Value), Is.EqualTo(Tiles(cascades, block)));
+            Assert.That(calls.Select(call => call.Uniforms["_PenumbraCascade"]), Is.EqualTo(Enumerable.Range(0, cascades)));
+            Assert.That(calls.Select(call => call.Target), Is.All.EqualTo(Both(maps)));
+            Assert.That(calls.Select(call => call.Load), Is.All.EqualTo(RenderBufferLoadAction.Load),
+                        "the other cascades' tiles are kept");
+        }
 
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(3)]
         [TestCase(4)]
-        public void TheFirstLevelOfBothMapsIsDrawnInTheTileOfEachCascade(int cascades)
+        public void TheFirstLevelsAreDrawnInTheTileOfEachCascade(int cascades)
         {
             scene.Cascades = cascades;
-            FakeDevice.DrawCall[] calls = Calls("QuarterDepthBlocks");
+            ExpectTiles(Calls("QuarterDepthBlocks"), cascades, FirstBlock, FirstMaps);
             Assert.That(feature.Replaced, Is.Null);
-            Assert.That(calls.Select(call => call.Viewport.Value), Is.EqualTo(Tiles(cascades, FirstBlock)));
-            Assert.That(calls.Select(call => call.Uniforms["_PenumbraCascade"]), Is.EqualTo(Enumerable.Range(0, cascades)));
-            Assert.That(calls.Select(call => call.Target), Is.All.EqualTo(Both));
-            Assert.That(calls.Select(call => call.Load), Is.All.EqualTo(RenderBufferLoadAction.Load),
-                        "the other cascades' tiles are kept");
+            FakeDevice.DrawCall[] next = Calls("EighthDepthBlocks");
+            ExpectTiles(next, cascades, CoarseBlock, CoarseMaps);
+            for (int i = 0; i < 2; ++i)
+                Assert.That(next.Select(call => call.Textures[Sources[i]]), Is.All.EqualTo(urp.Device.Textures[FirstMaps[i]]));
         }
 
         [TestCase(1)]
@@ -63,17 +75,17 @@ namespace Penumbra.Tests
             FakeDevice.DrawCall[] calls = Calls("DepthBlocksMip");
             var expected = new List<(int, Rect)>();
             for (int level = 1; level < Levels(cascades); ++level)
-                expected.AddRange(Tiles(cascades, FirstBlock << level).Select(tile => (level, tile)));
+                expected.AddRange(Tiles(cascades, CoarseBlock << level).Select(tile => (level, tile)));
             Assert.That(calls.Select(call => ((int)call.Uniforms["_PenumbraMip"], call.Viewport.Value)),
                         Is.EqualTo(expected));
             foreach (FakeDevice.DrawCall call in calls)
             {
                 int level = (int)call.Uniforms["_PenumbraMip"];
-                Assert.That(call.Target, Is.EqualTo(Both + " mip " + level));
+                Assert.That(call.Target, Is.EqualTo(Both(CoarseMaps) + " mip " + level));
                 Assert.That(call.Load, Is.EqualTo(RenderBufferLoadAction.Load));
                 for (int i = 0; i < 2; ++i)
                 {
-                    string map = urp.Device.Textures[Maps[i]];
+                    string map = urp.Device.Textures[CoarseMaps[i]];
                     Assert.That(call.Textures[Sources[i]], Is.Not.EqualTo(map));
                     Assert.That(urp.Device.Copies.Count(copy => copy.StartsWith(map + " slice 0 mip " + (level - 1) + " 0 0 ") &&
                                                                 copy.EndsWith(" to " + call.Textures[Sources[i]] +
@@ -92,10 +104,11 @@ namespace Penumbra.Tests
             Assert.That(maps.Select(map => map.format), Is.EqualTo(new[]
             {
                 GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R32G32B32A32_UInt,
+                GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R32G32B32A32_UInt,
             }));
             Assert.That(maps.Select(map => map.kept), Is.All.True);
             Assert.That(maps.Select(map => map.randomWrite || map.filtered), Is.All.False);
-            Assert.That(maps.Select(map => map.mips), Is.All.Zero, "all levels");
+            Assert.That(maps.Select(map => map.mips), Is.EqualTo(new[] { 1, 1, 0, 0 }), "0: all levels");
             foreach (ChainTexture slot in chain.Slots.Skip(1).Where(slot => !slot.kept))
                 Assert.That(maps.Select(map => map.format), Contains.Item(slot.format), "copies have their map's format");
         }
@@ -111,7 +124,7 @@ namespace Penumbra.Tests
             Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_FLAGSHIP_PIXEL" }));
             foreach (string map in Maps)
                 Assert.That(urp.Device.Textures[map], Is.EqualTo(resolve.Textures[map]), map);
-            Assert.That(Maps.Select(map => urp.Device.Textures[map]).Distinct().Count(), Is.EqualTo(2));
+            Assert.That(Maps.Select(map => urp.Device.Textures[map]).Distinct().Count(), Is.EqualTo(4));
             PcssAngularParameters told = new ShadowUniforms(feature.Settings.Options().Parameters(),
                                                             new AtlasLayout(2048, 4), 0).PcssAngular;
             Assert.That((told.maxPenumbraMetres, told.minFilterTexels), Is.EqualTo((3.0f, 2.0f)));
@@ -125,6 +138,22 @@ namespace Penumbra.Tests
                 Assert.That(resolve.Uniforms[vector.Key], Is.EqualTo(vector.Value), vector.Key);
                 Assert.That(urp.Device.Uniforms[vector.Key], Is.EqualTo(vector.Value), vector.Key);
             }
+        }
+
+        /// <summary>Of the flagship, for the same forward shaders: what its kernels have written.</summary>
+        [Test]
+        public void TheFlagshipsMapsStayBoundForForwardShaders()
+        {
+            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            FakeDevice.DrawCall first = Calls("FirstLevels").Last();
+            Assert.That(feature.Replaced, Is.Null);
+            string[] targets =
+            {
+                "_PenumbraDepthPlaneTarget", "_PenumbraSpreadTarget", "_PenumbraCoarseDepthPlaneTarget",
+                "_PenumbraCoarseSpreadTarget",
+            };
+            Assert.That(Maps.Select(map => urp.Device.Textures[map] + " mip 0"),
+                        Is.EqualTo(targets.Select(target => first.Textures[target])));
         }
 
         /// <summary>The maps are the light's, one for both; kernels are not needed.</summary>

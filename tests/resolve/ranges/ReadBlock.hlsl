@@ -17,21 +17,19 @@ float HalfOfCell(uint4 cells, int half)
 {
     return float((cells[half >> 1] >> (16 * (half & 1))) & 0xFFFFu);
 }
-float ReadBlock(TEXTURE2D(planes), TYPED_TEXTURE2D(uint4, spreads), ShadowReceiver receiver, ShadowTile tile,
+// The first level is a texture of its own.
+float ReadBlock(TEXTURE2D(planes), TYPED_TEXTURE2D(uint4, spreads), TEXTURE2D(coarsePlanes),
+                TYPED_TEXTURE2D(uint4, coarseSpreads), ShadowReceiver receiver, ShadowTile tile,
                 ReadBlockParameters parameters)
 {
     const int2 block = BlockOf(receiver, tile, parameters.level);
-    if (parameters.channel < 4) return LOAD_TEXTURE2D_LOD(planes, block, parameters.level)[parameters.channel];
-    return HalfOfCell(LOAD_TEXTURE2D_LOD(spreads, block, parameters.level), parameters.channel - 4);
-}
-// The same where the first level is a texture of its own.
-float ReadBlockOfKernels(TEXTURE2D(planes), TYPED_TEXTURE2D(uint4, spreads), TEXTURE2D(coarsePlanes),
-                         TYPED_TEXTURE2D(uint4, coarseSpreads), ShadowReceiver receiver, ShadowTile tile,
-                         ReadBlockParameters parameters)
-{
-    if (parameters.level == 0) return ReadBlock(planes, spreads, receiver, tile, parameters);
-    const int2 block = BlockOf(receiver, tile, parameters.level);
+    const int channel = parameters.channel;
+    if (parameters.level == 0)
+    {
+        if (channel < 4) return LOAD_TEXTURE2D(planes, block)[channel];
+        return HalfOfCell(LOAD_TEXTURE2D(spreads, block), channel - 4);
+    }
     const int level = parameters.level - 1;
-    if (parameters.channel < 4) return LOAD_TEXTURE2D_LOD(coarsePlanes, block, level)[parameters.channel];
-    return HalfOfCell(LOAD_TEXTURE2D_LOD(coarseSpreads, block, level), parameters.channel - 4);
+    if (channel < 4) return LOAD_TEXTURE2D_LOD(coarsePlanes, block, level)[channel];
+    return HalfOfCell(LOAD_TEXTURE2D_LOD(coarseSpreads, block, level), channel - 4);
 }

@@ -95,6 +95,9 @@ Found unknown_name(const PassGraph& graph) {
   for (const std::string& name : {graph.visibility, graph.mask, graph.source})
     if (!name.empty() && graph.texture(name) == nullptr)
       return GraphProblem{"", "there is no texture '" + name + "'", known_names(graph)};
+  for (const std::string& name : graph.published)
+    if (graph.texture(name) == nullptr)
+      return GraphProblem{"", "there is no texture '" + name + "' to be published", known_names(graph)};
   return std::nullopt;
 }
 
@@ -322,6 +325,26 @@ Found wrong_image(const GraphTexture& texture, const std::string& what) {
   return std::nullopt;
 }
 
+// Of one that a filter reads.
+Found wrong_argument(const GraphTexture& texture, const std::string& where, const std::string& what) {
+  const bool deep = texture.extent == ExtentOf::fixed && texture.size[2] > 1;
+  if (deep || texture.layers > 1 || texture.samples > 1 || texture.extent == ExtentOf::tile)
+    return GraphProblem{where, what + " '" + texture.name + "' is no plain 2D texture",
+                        "of the map or a fixed size, with one layer and one sample"};
+  return std::nullopt;
+}
+
+Found wrong_published(const PassGraph& graph) {
+  for (const std::string& name : graph.published) {
+    const GraphTexture& texture = *graph.texture(name);
+    if (texture.extent == ExtentOf::screen)
+      return GraphProblem{texture.where, "the published '" + name + "' is of the screen",
+                          "shaders after the passes read maps of the light"};
+    if (Found found = wrong_argument(texture, texture.where, "the published")) return found;
+  }
+  return std::nullopt;
+}
+
 // A filter is called for surfaces that are known exactly: there is no screen to draw over.
 Found wrong_filter_graph(const PassGraph& graph, const GraphPass& filter) {
   for (const GraphTexture& texture : graph.textures)
@@ -330,13 +353,13 @@ Found wrong_filter_graph(const PassGraph& graph, const GraphPass& filter) {
                           "'" + texture.name + "' is of the screen, and the graph ends in a filter",
                           "let a pass over the screen call the filter, and name its target \"visibility\""};
   if (!graph.mask.empty()) return GraphProblem{filter.where, "a graph that ends in a filter has no mask", ""};
+  if (!graph.published.empty())
+    return GraphProblem{filter.where, "a graph that ends in a filter publishes what the filter takes",
+                        "leave \"published\" out"};
   for (const std::string& argument : filter.filter->arguments) {
     const GraphTexture* texture = graph.texture(argument);
     if (texture == nullptr) continue;
-    const bool deep = texture->extent == ExtentOf::fixed && texture->size[2] > 1;
-    if (deep || texture->layers > 1 || texture->samples > 1 || texture->extent == ExtentOf::tile)
-      return GraphProblem{filter.where, "the filter's argument '" + argument + "' is no plain 2D texture",
-                          "of the map or a fixed size, with one layer and one sample"};
+    if (Found found = wrong_argument(*texture, filter.where, "the filter's argument")) return found;
   }
   return std::nullopt;
 }
@@ -364,6 +387,7 @@ Found wrong_result(const PassGraph& graph) {
   }
   if (!graph.source.empty())
     if (Found found = wrong_image(*graph.texture(graph.source), "the source")) return found;
+  if (Found found = wrong_published(graph)) return found;
   return graph.mask.empty() ? std::nullopt : wrong_image(*graph.texture(graph.mask), "the mask");
 }
 

@@ -157,14 +157,13 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
   return text + item_indent + "},\n";
 }
 
-// What the filter at the end takes, each under its name.
+// What the filter at the end takes, or filters of shaders after the passes, each under its name.
 std::vector<std::string> filter_textures(const PassGraph& graph) {
   std::vector<std::string> items;
   const GraphPass* last = graph.filter_pass();
-  if (last == nullptr) return items;
-  for (const std::string& argument : last->filter->arguments)
-    if (graph.texture(argument) != nullptr)
-      items.push_back(binding(graph, "_Penumbra" + csharp_name(argument) + "Texture", argument));
+  for (const std::string& name : last == nullptr ? graph.published : last->filter->arguments)
+    if (graph.texture(name) != nullptr)
+      items.push_back(binding(graph, "_Penumbra" + csharp_name(name) + "Texture", name));
   return items;
 }
 

@@ -208,6 +208,7 @@ void add(PassGraph& graph, const PassGraph& part) {
   append(graph.buffers, part.buffers);
   append(graph.passes, part.passes);
   append(graph.keywords, part.keywords);
+  append(graph.published, part.published);
   for (const Need need : part.needs) add_once(graph.needs, need);
   if (!part.visibility.empty()) graph.visibility = part.visibility;
   if (!part.mask.empty()) graph.mask = part.mask;
@@ -285,6 +286,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   read_needs(object, graph.needs);
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
+  append(graph.published, object.texts("published"));
   graph.source = object.text("source", graph.source);
   object.finish();
   return graph;

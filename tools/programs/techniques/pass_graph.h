@@ -151,6 +151,9 @@ struct PassGraph {
   std::string visibility;             // the texture that holds it; empty: a filter's
   std::string source;                 // the texture that holds that of a graph before; may be empty
   std::string mask;                   // the texture that is below 0.5 where no penumbra is; may be empty
+  // Textures that shaders after the passes read as a filter would, by argument_name; none where a filter
+  // does.
+  std::vector<std::string> published{};
 
   const GraphTexture* texture(const std::string& name) const;
   const GraphBuffer* buffer(const std::string& name) const;

@@ -15,7 +15,7 @@ constexpr const char* preset_table_begin =
     R"(namespace Penumbra
 {
     // The options of the quality presets, in QualityPreset's order.
-    // Written by `penumbra validate --emit-presets` from Shaders/PenumbraShadows.technique.json; do not edit.
+    // Written by `penumbra validate --emit-presets` from the technique list; do not edit.
     internal static class PresetTable
     {
         internal static readonly ShadowOptions[] Rows =
@@ -35,38 +35,50 @@ const PresetChoice* choice_of(const TechniqueList& list, const Technique& preset
 }
 
 std::string technique_of(const TechniqueList& list, const Technique& preset) {
+  if (const PresetChoice* choice = choice_of(list, preset)) return choice->selection;
   const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
   const auto found =
       std::find_if(list.selections.begin(), list.selections.end(), [&](const Selection& selection) {
         return selection.value && !selection.draws_visibility && selection.keyword == keyword;
       });
-  if (found == list.selections.end() || preset.keywords.size() > 1)
+  if (found == list.selections.end() || preset.keywords.size() > 1 || preset.graph.filter() == nullptr)
     throw InputError(preset.where,
-                     "the renderer feature has no technique for the keywords of '" + preset.name + "'");
-  const PresetChoice* choice = choice_of(list, preset);
-  return choice == nullptr ? found->name : choice->selection;
+                     "the renderer feature has no technique for the keywords of '" + preset.name + "'",
+                     "a preset of a selection's passes has an entry in \"presets\"");
+  return found->name;
 }
 
-// "Flagship; else Preset High: PCSS 12+24".
+// Null: the preset needs none.
+const Technique* fallback_of(const TechniqueList& list, const Technique& preset) {
+  const PresetChoice* choice = choice_of(list, preset);
+  return choice == nullptr ? nullptr : &list.find(choice->fallback);
+}
+
+// "Preset High: Flagship; else Fallback of High: PCSS 12+24".
 std::string title_of(const TechniqueList& list, const Technique& preset) {
-  const PresetChoice* choice = choice_of(list, preset);
-  return choice == nullptr ? preset.title : list.find(choice->technique).title + "; else " + preset.title;
+  const Technique* fallback = fallback_of(list, preset);
+  return fallback == nullptr ? preset.title : preset.title + "; else " + fallback->title;
 }
 
-std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
-  const auto found = preset.values.find(field);
-  if (found == preset.values.end()) return otherwise;
+// Of the preset, or of what it falls back to.
+std::string value_or(const TechniqueList& list, const Technique& preset, const char* field,
+                     const std::string& otherwise) {
+  const Technique* fallback = fallback_of(list, preset);
+  const auto& values =
+      fallback != nullptr && fallback->values.contains(field) ? fallback->values : preset.values;
+  const auto found = values.find(field);
+  if (found == values.end()) return otherwise;
   const double value = found->second.front();
   return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
-// Of the field that the option sets, as what the preset draws is measured; null where that has no such
-// option.
-const double* drawn_value(const TechniqueList& list, const PresetChoice* choice, const std::string& option) {
+// Of the field that the option sets; null where the preset's selection has no such option.
+const double* drawn_value(const TechniqueList& list, const Technique& preset, const std::string& option) {
+  const PresetChoice* choice = choice_of(list, preset);
   if (choice == nullptr) return nullptr;
   for (const Selection& selection : list.selections)
     if (selection.name == choice->selection && selection.options.contains(option))
-      return &list.find(choice->technique).values.at(selection.options.at(option)).front();
+      return &preset.values.at(selection.options.at(option)).front();
   return nullptr;
 }
 
@@ -82,7 +94,7 @@ std::vector<std::pair<std::string, std::string>> of_other_techniques(const Techn
         std::find_if(list.selections.begin(), list.selections.end(),
                      [&](const Selection& selection) { return selection.options.contains(option.name); });
     if (found == list.selections.end()) continue;
-    const double* drawn = drawn_value(list, choice_of(list, preset), option.name);
+    const double* drawn = drawn_value(list, preset, option.name);
     const double value = drawn != nullptr
                              ? *drawn
                              : list.find(found->technique).values.at(found->options.at(option.name)).front();
@@ -100,25 +112,25 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   };
   set("technique", "ShadowTechnique." + technique_of(list, preset));
   set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
-  set("blockerSamples", value_or(preset, "blockerSamples", "1"));
-  set("filterSamples", value_or(preset, "filterSamples", "1"));
-  set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
-  set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
+  set("blockerSamples", value_or(list, preset, "blockerSamples", "1"));
+  set("filterSamples", value_or(list, preset, "filterSamples", "1"));
+  set("softnessCapMetres", value_or(list, preset, "maxPenumbraMetres", "100.0f"));
+  set("minFilterTexels", value_or(list, preset, "minFilterTexels", "1.25f"));
   for (const auto& [option, value] : of_other_techniques(list, preset)) set(option, value);
   set("mapFormat", "MapFormat.Bits32");
-  const auto has_pass = [&](const std::string& program) {
+  const auto has_pass = [&](const char* program) {
     const auto in = [&](const Technique& technique) {
       const std::vector<GraphPass>& passes = technique.graph.passes;
       return std::any_of(passes.begin(), passes.end(),
                          [&](const GraphPass& pass) { return pass.program == program; });
     };
-    const PresetChoice* choice = choice_of(list, preset);
-    return in(preset) || (choice != nullptr && in(list.find(choice->technique)));
+    const Technique* fallback = fallback_of(list, preset);
+    return in(preset) || (fallback != nullptr && in(*fallback));
   };
   const bool conservative = has_pass("ConservativeMask");
   set("mask", flag(conservative || has_pass("PenumbraMask")));
   set("conservativeMask", flag(conservative));
-  set("halfResolution", flag(has_pass("Upsample")));
+  set("halfResolution", flag(has_pass(upsampling_pass)));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
   return text + "            },\n";
 }

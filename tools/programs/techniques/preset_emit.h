@@ -9,6 +9,8 @@
 namespace penumbra::techniques {
 
 inline constexpr const char* preset_prefix = "preset-";
+// Which halves the resolution of a graph.
+inline constexpr const char* upsampling_pass = "Upsample";
 
 // The row order is the list's; QualityPreset names the rows in that order. Throws InputError for a preset
 // that ShadowOptions cannot express: a chain or a technique that the feature does not have.

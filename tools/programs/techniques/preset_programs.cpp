@@ -1,15 +1,28 @@
 #include "techniques/preset_programs.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "techniques/preset_emit.h"
 
 namespace penumbra::techniques {
 
-std::vector<PresetProgram> programs_of(const Technique& preset, const shaders::PackageShader& shader) {
+std::vector<PresetProgram> programs_of(const TechniqueList& list, const Technique& preset,
+                                       const shaders::PackageShader& shader) {
   std::vector<PresetProgram> programs;
-  for (const GraphPass& pass : preset.graph.passes)
-    programs.push_back({pass.program, shader.declared(pass.program, preset.all_keywords())});
+  const std::vector<std::string> passes = shader.pass_names();
+  const auto add = [&](const Technique& technique) {
+    for (const GraphPass& pass : technique.graph.passes) {
+      if (pass.kind == PassKind::compute ||
+          std::find(passes.begin(), passes.end(), pass.program) == passes.end())
+        continue;
+      const PresetProgram program{pass.program, shader.declared(pass.program, technique.all_keywords())};
+      if (std::find(programs.begin(), programs.end(), program) == programs.end()) programs.push_back(program);
+    }
+  };
+  add(preset);
+  for (const PresetChoice& choice : list.presets)
+    if (choice.preset == preset.name) add(list.find(choice.fallback));
   return programs;
 }
 
@@ -21,7 +34,7 @@ std::string preset_programs_json(const TechniqueList& list, const shaders::Packa
   for (const Technique& technique : list.techniques) {
     if (!technique.name.starts_with(preset_prefix)) continue;
     nlohmann::ordered_json programs = nlohmann::ordered_json::array();
-    for (const PresetProgram& program : programs_of(technique, shader))
+    for (const PresetProgram& program : programs_of(list, technique, shader))
       programs.push_back({{"pass", program.pass}, {"keywords", program.keywords}});
     json["presets"].push_back(
         {{"name", technique.name}, {"title", technique.title}, {"programs", std::move(programs)}});

@@ -14,10 +14,13 @@ namespace penumbra::techniques {
 struct PresetProgram {
   std::string pass;
   std::vector<std::string> keywords;
+
+  bool operator==(const PresetProgram& other) const = default;
 };
 
-// In the order they are drawn.
-std::vector<PresetProgram> programs_of(const Technique& preset, const shaders::PackageShader& shader);
+// In the order they are drawn, and then those of what the preset falls back to.
+std::vector<PresetProgram> programs_of(const TechniqueList& list, const Technique& preset,
+                                       const shaders::PackageShader& shader);
 
 // {shader, programs: how many it has unstripped, presets: [{name, title, programs: [{pass, keywords}]}]}, of
 // the presets in the list's order.

@@ -47,12 +47,12 @@ struct Selection {
   bool reads_raw_depth() const;  // the filter reads the shadow map through the point sampler
 };
 
-// What a quality preset draws where the device can run it: `technique`, whose passes a selection offers. It
-// falls back to the technique that the preset is named after, and has that one's options.
+// A quality preset that draws passes of a selection, and what it draws where a device cannot run them. Both
+// have the same options.
 struct PresetChoice {
   std::string preset;     // a technique, preset-high for example
-  std::string technique;  // that measurements of what is drawn have
-  std::string selection;  // whose passes these are
+  std::string fallback;   // a technique, by the filter of the selection's fallback
+  std::string selection;  // whose passes the preset has
 };
 
 }  // namespace penumbra::techniques

@@ -24,7 +24,7 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 //             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
-//             these passes, while the feature's technique is the keyword's.
+//             these passes, while the feature's technique is the keyword's or one that publishes the same maps.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.

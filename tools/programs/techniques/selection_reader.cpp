@@ -186,18 +186,25 @@ const Selection* selection_with_passes(const TechniqueList& list, const Techniqu
   return nullptr;
 }
 
+bool is_at_half_resolution(const Technique& technique) {
+  return std::any_of(technique.graph.passes.begin(), technique.graph.passes.end(),
+                     [](const GraphPass& pass) { return pass.program == upsampling_pass; });
+}
+
 // A preset's options set both what it draws and what it falls back to: what is measured must have them, too.
 void require_same_options(JsonObject& object, const TechniqueList& list, const PresetChoice& choice,
                           const Selection& selection) {
   const Technique& preset = list.find(choice.preset);
-  const Technique& technique = list.find(choice.technique);
+  const Technique& fallback = list.find(choice.fallback);
   for (const auto& [option, field] : selection.options) {
-    const auto own = preset.values.find(field);
-    if (own != preset.values.end() && own->second != technique.values.at(field))
-      object.fail(
-          "technique", "'" + technique.name + "' and '" + preset.name + "' differ in '" + field + "'",
-          "the preset has one value of the option '" + option + "' for both: add a technique that has it");
+    const auto other = fallback.values.find(field);
+    if (other != fallback.values.end() && other->second != preset.values.at(field))
+      object.fail("fallback", "'" + preset.name + "' and '" + fallback.name + "' differ in '" + field + "'",
+                  "the preset has one value of the option '" + option + "' for both");
   }
+  if (is_at_half_resolution(preset) != is_at_half_resolution(fallback))
+    object.fail("fallback", "of '" + preset.name + "' and '" + fallback.name + "', one is at half resolution",
+                "a preset has it for both or for neither");
 }
 
 }  // namespace
@@ -220,22 +227,22 @@ void add_presets(JsonObject& root, TechniqueList& list) {
   std::vector<std::string> names;
   for (const Technique& technique : list.techniques) names.push_back(technique.name);
   for (JsonObject& object : root.objects("presets")) {
-    PresetChoice choice{required_text(object, "preset"), required_text(object, "technique"), {}};
+    PresetChoice choice{required_text(object, "preset"), required_text(object, "fallback"), {}};
     require_known(object, "preset", "technique", choice.preset, names);
-    require_known(object, "technique", "technique", choice.technique, names);
+    require_known(object, "fallback", "technique", choice.fallback, names);
     if (!choice.preset.starts_with(preset_prefix))
       object.fail("preset", "'" + choice.preset + "' is not a preset",
                   std::string("their names begin with ") + preset_prefix);
     for (const PresetChoice& other : list.presets)
       if (other.preset == choice.preset)
-        object.fail("preset", "there are two choices for '" + choice.preset + "'");
-    const Selection* selection = selection_with_passes(list, list.find(choice.technique));
+        object.fail("preset", "there are two fallbacks of '" + choice.preset + "'");
+    const Selection* selection = selection_with_passes(list, list.find(choice.preset));
     if (selection == nullptr)
-      object.fail("technique", "no selection has the passes of '" + choice.technique + "'",
+      object.fail("preset", "no selection has the passes of '" + choice.preset + "'",
                   "add one to \"selections\" of its manifest");
-    if (list.find(choice.preset).keywords != std::vector<std::string>{selection->keyword})
-      object.fail("preset", "'" + choice.preset + "' has not the keyword of '" + selection->fallback +
-                                "', which '" + selection->name + "' falls back to");
+    if (list.find(choice.fallback).keywords != std::vector<std::string>{selection->keyword})
+      object.fail("fallback", "'" + choice.fallback + "' has not the keyword of '" + selection->fallback +
+                                  "', which '" + selection->name + "' falls back to");
     require_same_options(object, list, choice, *selection);
     choice.selection = selection->name;
     object.finish();
