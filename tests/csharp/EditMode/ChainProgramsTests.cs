@@ -68,8 +68,9 @@ namespace Penumbra.Tests
         private static string Asset(string program) =>
             ChainGraphs.All.SelectMany(graph => graph.passes).First(pass => pass.program == program).asset;
 
-        private static string Text(string pass, IEnumerable<string> keywords) =>
-            string.Join(" ", keywords.Prepend(pass));
+        // A kernel may have the name of a pass.
+        private static string Text(string asset, string pass, IEnumerable<string> keywords) =>
+            string.Join(" ", keywords.Prepend(asset.EndsWith(".compute") ? "kernel " + pass : pass));
 
         private static IReadOnlyCollection<string> Declared(string pass) =>
             pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().Append("_PENUMBRA_MASK")
@@ -79,13 +80,14 @@ namespace Penumbra.Tests
         private static string[] Kept(ChainPrograms programs) =>
             EveryProgram().Where(program => programs.Has(program.asset, program.pass,
                                                          Declared(program.pass), program.keywords.Contains))
-                .Select(program => Text(program.pass, program.keywords)).ToArray();
+                .Select(program => Text(program.asset, program.pass, program.keywords)).ToArray();
 
         private static IEnumerable<string> Asked(in ShadowOptions options)
         {
             ShadowChain chain = ShadowChain.Of(options);
-            IEnumerable<string> asked = chain.Steps.Select(step => step.pass.program)
-                .Select(pass => Text(pass, chain.Keywords.Where(Declared(pass).Contains)));
+            IEnumerable<string> asked = chain.Steps.Select(
+                step => Text(step.pass.asset, step.pass.program,
+                             chain.Keywords.Where(Declared(step.pass.program).Contains)));
             // What some devices draw instead, and what scenes without ground do.
             if (ChainSubstitute.TryGet(options, out ShadowOptions instead)) asked = asked.Union(Asked(instead));
             if (options.farShadows == FarShadowMode.Off) return asked;
@@ -94,15 +96,26 @@ namespace Penumbra.Tests
             return asked.Union(Asked(instead));
         }
 
+        private static readonly string[] FlagshipKernels =
+        {
+            "kernel FirstLevels", "kernel NextLevel", "kernel ResetTiles", "kernel ClassifyTiles", "kernel ResolveTiles",
+            "kernel ResolveRest",
+        };
+
+        /// <summary>And those of what is drawn where the device cannot run them.</summary>
         [Test]
         public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
         {
-            string[] mask = { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" };
-            string[] masked = mask.Append("Resolve _PENUMBRA_PCSS _PENUMBRA_MASK").ToArray();
-            foreach (QualityPreset one in new[] { QualityPreset.Low, QualityPreset.Medium, QualityPreset.Reference })
-                Assert.That(Kept(Of(one)), Is.EqualTo(new[] { "Resolve _PENUMBRA_PCSS" }), one.ToString());
-            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked));
-            Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked));
+            string[] filter = { "Resolve _PENUMBRA_PCSS" };
+            string[] masked =
+            {
+                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
+            };
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Append("Upsample").Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.Reference)), Is.EqualTo(filter));
         }
 
         [Test]
@@ -163,7 +176,7 @@ namespace Penumbra.Tests
             {
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
                 "Resolve _PENUMBRA_PCSS", "Upsample",
-            }));
+            }.Concat(FlagshipKernels)));
             ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
             met.halfResolution = true;
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.SupersetOf(Asked(met)));
@@ -232,7 +245,7 @@ namespace Penumbra.Tests
         [Test]
         public void AConservativeMaskHasPassesOfTwoShaders()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.High);
             options.conservativeMask = true;
             Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
             {

@@ -67,7 +67,7 @@ namespace Penumbra.Tests
 
         internal static ShadowOptions Options()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Medium);
             options.technique = Place;
             return options;
         }

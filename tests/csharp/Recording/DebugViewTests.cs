@@ -23,7 +23,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            feature.Settings.preset = QualityPreset.High;
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);
             urp = new FakeUrp();
         }
 
@@ -31,15 +31,19 @@ namespace Penumbra.Tests
         public void TearDown()
         {
             Debug.isDebugBuild = true;
+            SystemInfo.supportsComputeShaders = true;
             VolumeManager.instance.stack.Components.Clear();
             feature.Dispose();
         }
 
         private string[] Passes() => urp.Device.Draws.Select(draw => draw.Pass).ToArray();
 
-        [Test]
-        public void EachIsDrawnOverTheCamerasPictureAfterTheChain()
+        [TestCase(QualityPreset.Custom)]
+        [TestCase(QualityPreset.Low)]
+        [TestCase(QualityPreset.High)]
+        public void EachIsDrawnOverTheCamerasPictureAfterTheChain(QualityPreset preset)
         {
+            feature.Settings.preset = preset;
             urp.Render(new FakeScene(), feature);
             string[] chain = Passes();
             foreach (DebugView view in Views)
@@ -69,20 +73,36 @@ namespace Penumbra.Tests
         [Test]
         public void TheMaskIsShownWhereThereIsOne()
         {
-            foreach (QualityPreset preset in new[] { QualityPreset.High, QualityPreset.Reference })
+            foreach (bool masked in new[] { true, false })
             {
                 urp = new FakeUrp();
-                feature.Settings.preset = preset;
+                feature.Settings.custom.mask = masked;
                 feature.Settings.debugView = DebugView.PenumbraMask;
                 urp.Render(new FakeScene(), feature);
                 FakeDevice.DrawCall draw = urp.Device.Draws.Last();
-                bool masked = ShadowPresets.Options(preset).mask;
                 Assert.That(((Vector4)draw.Uniforms["_PenumbraDebugParams"]).x, Is.EqualTo(masked ? 1.0f : 0.0f));
                 if (!masked) continue;
                 FakeDevice.DrawCall mask = urp.Device.Draws.Single(call => call.Pass == "MaskBlurVertical");
                 Assert.That(draw.Textures["_PenumbraMaskTexture"], Is.EqualTo(mask.Target));
                 Assert.That(urp.Device.Draws.SkipWhile(call => call != mask).Skip(1).Select(call => call.Target),
                             Has.None.EqualTo(mask.Target), "overwritten before it is shown");
+            }
+        }
+
+        /// <summary>Its kernels read no mask, whose option is there for what is drawn in its place.</summary>
+        [Test]
+        public void TheFlagshipHasNoMaskAndItsFallbackHas()
+        {
+            feature.Settings.preset = QualityPreset.High;
+            feature.Settings.debugView = DebugView.PenumbraMask;
+            foreach (bool kernels in new[] { true, false })
+            {
+                SystemInfo.supportsComputeShaders = kernels;
+                feature.Create();
+                urp = new FakeUrp();
+                urp.Render(new FakeScene(), feature);
+                var shown = (Vector4)urp.Device.Draws.Last().Uniforms["_PenumbraDebugParams"];
+                Assert.That(shown.x, Is.EqualTo(kernels ? 0.0f : 1.0f));
             }
         }
 
@@ -130,6 +150,7 @@ namespace Penumbra.Tests
             Shader.Known.Remove(DebugViewDraw.ShaderName);
             feature = new PenumbraShadows();
             feature.Create();
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);
             feature.Settings.debugView = DebugView.Cascades;
             FrameKeywords keywords = urp.Render(new FakeScene(), feature);
             Assert.That(Passes().Last(), Is.EqualTo("Resolve"));

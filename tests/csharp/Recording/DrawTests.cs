@@ -22,7 +22,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            feature.Settings.preset = QualityPreset.High;  // with a mask: four draws
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask: four draws
             urp = new FakeUrp();
             SystemInfo.graphicsUVStartsAtTop = true;
             SystemInfo.usesReversedZBuffer = true;
@@ -37,8 +37,7 @@ namespace Penumbra.Tests
         {
             feature.Dispose();
             SetUp();
-            feature.Settings.preset = QualityPreset.Custom;
-            feature.Settings.custom.mask = feature.Settings.custom.conservativeMask = true;
+            feature.Settings.custom.conservativeMask = true;
             urp.Render(new FakeScene(), feature);
             return urp.Device.Draws.Select(draw => draw.Pass).Distinct().ToArray();
         }
@@ -93,7 +92,7 @@ namespace Penumbra.Tests
         [Test]
         public void EachDrawFindsItsTexturesAndSizes()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Ultra);
             options.halfResolution = true;
             options.denoise = true;
             Use(options);
@@ -139,7 +138,7 @@ namespace Penumbra.Tests
         {
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
             volume.preset.overrideState = true;
-            volume.preset.value = QualityPreset.Low;
+            volume.preset.value = QualityPreset.Reference;
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             urp.Render(new FakeScene(), feature);
             Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
@@ -190,6 +189,7 @@ namespace Penumbra.Tests
             Assert.That(Border(), Is.EqualTo(0.25f));
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
             volume.preset.overrideState = true;  // has none of its own
+            volume.preset.value = QualityPreset.Reference;
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             Assert.That(Border(), Is.EqualTo(0.25f));
             volume.cascadeBlend.overrideState = true;
@@ -221,7 +221,7 @@ namespace Penumbra.Tests
             Assert.That(Trace().z, Is.EqualTo(12.0f));
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
             volume.preset.overrideState = true;  // has none of its own
-            volume.preset.value = QualityPreset.Low;
+            volume.preset.value = QualityPreset.Reference;
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             Assert.That(Trace().x, Is.EqualTo(0.5f));
             volume.contactShadowMetres.overrideState = volume.contactShadowSteps.overrideState = true;
@@ -264,7 +264,7 @@ namespace Penumbra.Tests
         [Test]
         public void MaskAndDenoiseHaveTheirParameters()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Ultra);
             options.softnessCapMetres = 0.75f;
             options.denoise = true;
             Use(options);
@@ -277,7 +277,7 @@ namespace Penumbra.Tests
 
         private static RenderTextureDescriptor[] Textures(int samples)
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Ultra);
             options.halfResolution = true;
             options.denoise = true;
             RenderTextureDescriptor target = new FakeScene().Target();
@@ -347,7 +347,6 @@ namespace Penumbra.Tests
             const string name = "_PenumbraPcssAngularParameters0From2";
             CascadeVector[][] table = TechniqueTable.Cascades;
             CascadeVector[] none = table[(int)ShadowTechnique.Pcss];
-            feature.Settings.preset = QualityPreset.High;
             feature.Create();
             urp.Render(new FakeScene(), feature);
             Assert.That(urp.Device.Uniforms.Keys, Has.None.EqualTo(name));

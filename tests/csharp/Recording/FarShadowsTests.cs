@@ -22,7 +22,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            feature.Settings.preset = QualityPreset.Low;  // one draw
+            PresetFallback.Choose(feature.Settings, QualityPreset.Medium);  // one draw
             urp = new FakeUrp();
             scene = new FakeScene();
         }
@@ -102,7 +102,7 @@ namespace Penumbra.Tests
             Ground(ground => ground.Terrain = Valley());
             feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
             feature.Settings.farShadows.parameters.heightSteps = 48;
-            feature.Settings.angularDiameterDegrees = 2.0f;
+            feature.Settings.custom.angularDiameterDegrees = 2.0f;
             Assert.That(Render(), Is.EqualTo(new[] { "Resolve", "FarShadows" }));
             FakeDevice.DrawCall far = Draw("FarShadows");
             Assert.That(far.Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"));

@@ -30,13 +30,18 @@ namespace Penumbra.Tests
             Time.frameCount = 0;
         }
 
-        private static ShadowOptions Screen(QualityPreset preset) => ShadowPresets.Options(preset);
+        private static ShadowOptions Screen(QualityPreset preset) => PresetFallback.Options(preset);
 
         // Each camera's options, as Volumes give them. Chains of other lengths, of owned textures and of lent ones.
         private static readonly object[] Turns =
         {
             new object[] { (Action)(() => { }), new[] { Screen(QualityPreset.Low) } },
             new object[] { (Action)(() => { }), new[] { Screen(QualityPreset.Low), Screen(QualityPreset.Ultra) } },
+            new object[]
+            {
+                (Action)(() => { }),
+                new[] { ShadowPresets.Options(QualityPreset.Low), ShadowPresets.Options(QualityPreset.Ultra) },
+            },
             new object[]
             {
                 (Action)(() => AddedTechniques.AddMeans()), new[] { AddedTechniques.Options(), Screen(QualityPreset.High) },

@@ -18,7 +18,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            feature.Settings.preset = QualityPreset.High;  // with a mask: four draws
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask: four draws
             CommandBuffer.FailAt = -1;
         }
 

@@ -87,7 +87,7 @@ namespace Penumbra.Tests
         [TestCase(ShadowTechnique.VssmMips, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_UNorm)]
         public void TheFormatOfTheMapsIsChosen(ShadowTechnique technique, GraphicsFormat of32, GraphicsFormat of16)
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Medium);
             options.technique = technique;
             foreach (MapFormat format in new[] { MapFormat.Bits32, MapFormat.Bits16 })
             {

@@ -6,6 +6,7 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Penumbra.Editor;
+using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra.Tests
@@ -61,14 +62,14 @@ namespace Penumbra.Tests
 
         private static float Value(string technique, string field) => Values(technique).GetProperty(field).GetSingle();
 
-        [TestCase("preset-high")]
-        [TestCase("preset-ultra")]
-        public void TheMaskIsTheStudys(string preset)
+        [TestCase("fallback-high")]
+        [TestCase("fallback-ultra")]
+        public void TheMaskIsTheStudys(string masked)
         {
-            Assert.That(MaskParameters.Default.maskFilterTexels, Is.EqualTo(Value(preset, "maskFilterTexels")));
-            Assert.That((float)MaskParameters.Default.maskLargestRadius, Is.EqualTo(Value(preset, "maskLargestRadius")));
+            Assert.That(MaskParameters.Default.maskFilterTexels, Is.EqualTo(Value(masked, "maskFilterTexels")));
+            Assert.That((float)MaskParameters.Default.maskLargestRadius, Is.EqualTo(Value(masked, "maskLargestRadius")));
             // The pass takes the cap of the filter for it.
-            Assert.That(Value(preset, "maskPenumbraMetres"), Is.EqualTo(Value(preset, "maxPenumbraMetres")));
+            Assert.That(Value(masked, "maskPenumbraMetres"), Is.EqualTo(Value(masked, "maxPenumbraMetres")));
         }
 
         [Test]
@@ -123,34 +124,117 @@ namespace Penumbra.Tests
         private static IEnumerable<QualityPreset> Presets() =>
             Enum.GetValues(typeof(QualityPreset)).Cast<QualityPreset>().Where(preset => preset != QualityPreset.Custom);
 
+        private static string Named(string kind, QualityPreset preset) => kind + "-" + preset.ToString().ToLowerInvariant();
+
         /// <summary>What is drawn is the graph that was measured: its passes, their targets and what they read.</summary>
         [TestCaseSource(nameof(Presets))]
-        public void APresetsPassesAreTheStudys(QualityPreset preset)
+        public void APresetsPassesAreTheStudys(QualityPreset preset) =>
+            HasPassesOf(Named("preset", preset), ShadowPresets.Options(preset));
+
+        private static readonly Dictionary<string, GraphicsFormat> Formats = new Dictionary<string, GraphicsFormat>
         {
-            JsonElement technique = Technique("preset-" + preset.ToString().ToLowerInvariant());
+            ["r8"] = GraphicsFormat.R8_UNorm, ["r32f"] = GraphicsFormat.R32_SFloat,
+            ["rgba32f"] = GraphicsFormat.R32G32B32A32_SFloat, ["rgba32ui"] = GraphicsFormat.R32G32B32A32_UInt,
+        };
+
+        private static string[] Programs(string technique) =>
+            Technique(technique).GetProperty("passes").EnumerateArray()
+                .Select(pass => pass.GetProperty("program").GetString()).ToArray();
+
+        private static void HasPassesOf(string name, in ShadowOptions options)
+        {
+            JsonElement technique = Technique(name);
             JsonElement[] passes = technique.GetProperty("passes").EnumerateArray().ToArray();
             var textures = technique.GetProperty("textures").EnumerateArray()
                 .ToDictionary(texture => texture.GetProperty("name").GetString());
-            ShadowChain chain = ShadowChain.Of(ShadowPresets.Options(preset));
-            Assert.That(chain.Steps.Select(step => step.pass.program),
-                        Is.EqualTo(passes.Select(pass => pass.GetProperty("program").GetString())));
+            ShadowChain chain = ShadowChain.Of(options);
+            IEnumerable<string> keywords =
+                technique.GetProperty("keywords").EnumerateArray().Select(keyword => keyword.GetString());
+            // Programs of kernels declare no technique's.
+            if (options.DrawsVisibility) keywords = keywords.Append(TechniqueTable.Keywords[(int)options.technique]);
+            Assert.That(chain.Keywords, Is.EquivalentTo(keywords), name);
+            Assert.That(chain.Steps.Select(step => step.pass.program), Is.EqualTo(Programs(name)), name);
+            var placed = new Dictionary<string, int>();
             for (int i = 0; i < passes.Length; ++i)
             {
-                string target = passes[i].GetProperty("writes")[0].GetString();
-                ChainTexture slot = chain.Slots[chain.Steps[i].Target];
+                ChainStep step = chain.Steps[i];
+                Assert.That(step.pass.asset, Is.EqualTo(passes[i].GetProperty("file").GetString()));
+                Assert.That(step.pass.runs.ToString().ToLowerInvariant(), Is.EqualTo(passes[i].GetProperty("runs").GetString()));
+                JsonProperty[] reads = passes[i].GetProperty("reads").EnumerateObject().ToArray();
+                Assert.That(step.pass.reads.Select(read => read.property), Is.EqualTo(reads.Select(read => read.Name)));
+                for (int read = 0; read < reads.Length; ++read)
+                    IsAt(reads[read].Value.GetString(), step.reads[read]);
+                string[] writes = passes[i].GetProperty("writes").EnumerateArray().Select(write => write.GetString())
+                    .ToArray();
+                Assert.That(step.writes.Length, Is.EqualTo(writes.Length), step.pass.program);
+                for (int write = 0; write < writes.Length; ++write) IsAt(writes[write], step.writes[write]);
+            }
+            Assert.That(textures.Keys, Is.SubsetOf(placed.Keys));
+
+            void IsAt(string target, in ChainBinding bound)
+            {
+                Assert.That(bound.isBuffer, Is.EqualTo(!textures.ContainsKey(target)), target);
+                if (placed.TryGetValue(target, out int before)) Assert.That(bound.index, Is.EqualTo(before), target);
+                placed[target] = bound.index;
+                if (bound.isBuffer) return;
+                ChainTexture slot = chain.Slots[bound.index];
                 Assert.That(slot.divisor, Is.EqualTo(textures[target].GetProperty("divisor").GetInt32()), target);
                 Assert.That(slot.extent.ToString().ToLowerInvariant(),
                             Is.EqualTo(textures[target].GetProperty("extent").GetString()), target);
-                Assert.That(slot.format, Is.EqualTo(GraphicsFormat.R8_UNorm), target);
-                Assert.That(textures[target].GetProperty("format").GetString(), Is.EqualTo("r8"), target);
-                JsonProperty[] reads = passes[i].GetProperty("reads").EnumerateObject().ToArray();
-                Assert.That(chain.Steps[i].pass.reads.Select(read => read.property),
-                            Is.EqualTo(reads.Select(read => read.Name)), target);
-                IEnumerable<int> writers = reads.Select(read => Array.FindIndex(
-                    passes, pass => pass.GetProperty("writes")[0].GetString() == read.Value.GetString()));
-                Assert.That(chain.Steps[i].reads.Select(read => read.index),
-                            Is.EqualTo(writers.Select(writer => chain.Steps[writer].Target)), target);
+                Assert.That(slot.format, Is.EqualTo(Formats[textures[target].GetProperty("format").GetString()]), target);
             }
+        }
+
+        /// <summary>What is set for the kernels is what they were measured with.</summary>
+        [TestCaseSource(nameof(Presets))]
+        public void APresetsOptionsAreTheStudys(QualityPreset preset)
+        {
+            ShadowOptions options = ShadowPresets.Options(preset);
+            string name = Named("preset", preset);
+            if (options.technique == ShadowTechnique.Flagship)
+                Assert.That((float)options.filterCells, Is.EqualTo(Value(name, "filterCells")));
+            else
+                HasSamplesOf(name, options);
+            HasWidthsOf(name, options);
+        }
+
+        private static void HasSamplesOf(string name, in ShadowOptions options)
+        {
+            Assert.That((float)options.Parameters().BlockerSamples, Is.EqualTo(Value(name, "blockerSamples")));
+            Assert.That((float)options.Parameters().FilterSamples, Is.EqualTo(Value(name, "filterSamples")));
+        }
+
+        private static void HasWidthsOf(string name, in ShadowOptions options)
+        {
+            Assert.That(options.Parameters().MaxPenumbraMetres, Is.EqualTo(Value(name, "maxPenumbraMetres")));
+            Assert.That(options.Parameters().MinFilterTexels, Is.EqualTo(Value(name, "minFilterTexels")));
+        }
+
+        /// <summary>Without compute shaders, a preset draws what was measured as its fallback.</summary>
+        [TestCaseSource(nameof(Presets))]
+        public void WhatAPresetFallsBackToIsTheStudys(QualityPreset preset)
+        {
+            string name = Named(preset == QualityPreset.Reference ? "preset" : "fallback", preset);
+            FakeShader.Install();
+            var feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = preset;
+            var urp = new FakeUrp();
+            SystemInfo.supportsComputeShaders = false;
+            try
+            {
+                urp.Render(new FakeScene(), feature);
+            }
+            finally
+            {
+                SystemInfo.supportsComputeShaders = true;
+                feature.Dispose();
+            }
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(Programs(name)));
+            Assert.That(feature.Replaced != null, Is.EqualTo(name.StartsWith("fallback")));
+            HasPassesOf(name, feature.Drawn);
+            HasSamplesOf(name, feature.Drawn);
+            HasWidthsOf(name, feature.Drawn);
         }
 
         [Test]
@@ -158,7 +242,7 @@ namespace Penumbra.Tests
         {
             string shader = File.ReadAllText(
                 Path.Combine(FakeShader.PackageRoot(), "Shaders", "PenumbraShadows.shader"));
-            var options = ShadowPresets.Options(QualityPreset.Ultra);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.Ultra);
             options.halfResolution = true;
             foreach (ChainStep step in ShadowChain.Of(options).Steps)
                 Assert.That(shader, Does.Contain("Name \"" + step.pass.program + "\""));
