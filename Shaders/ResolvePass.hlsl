@@ -9,7 +9,7 @@
 // Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's. With a mask 1 more; where it skips the
 //             filter 1 in all, 3 with a comparison.
 // Guarantees: [0, 1], 1 on the sky. It includes the shadow strength, but not the distance fade, which receivers apply.
-// Use it:     as the one pass that every preset has.
+// Use it:     as the pass of every technique that no kernels draw.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL
 #define PENUMBRA_RESOLVE_PASS_HLSL
 

@@ -23,7 +23,8 @@ namespace Penumbra.Editor
 
         /// <summary>
         /// If the technique of Custom has just changed, its own options become those that it is measured with, as the
-        /// same number means something else to another technique. The look stays.
+        /// same number means something else to another technique; and so do those of what stands in for its passes, which
+        /// the inspector does not show. The look stays.
         /// </summary>
         /// <param name="edited">The feature's settings before they are applied.</param>
         /// <param name="inForce">The feature's current settings.</param>
@@ -34,6 +35,8 @@ namespace Penumbra.Editor
             if (inForce.preset != QualityPreset.Custom || technique == inForce.custom.technique) return;
             ShadowOptions options = inForce.custom;
             options.technique = technique;
+            if (ChainSubstitute.TryGetSampled(options, out ShadowOptions instead))
+                instead.technique.SetMeasured(ref options);
             technique.SetMeasured(ref options);
             options.softnessCapMetres = inForce.custom.softnessCapMetres;
             Write(custom, options);

@@ -106,8 +106,8 @@ namespace Penumbra.Editor
             string skip = Skipped(state);
             if (skip != null) Say(MessageType.Info, "The last camera was skipped and has URP's shadows: " + skip);
             if (state.settings.noise == NoiseMode.PerFrame)
-                Say(MessageType.Info, "The noise changes every frame. Use that only where temporal antialiasing or an " +
-                                      "upscaler averages frames; elsewhere penumbrae flicker.");
+                Say(MessageType.Info, "The noise of samples changes every frame. Use that only where temporal antialiasing or " +
+                                      "an upscaler averages frames; elsewhere sampled penumbrae flicker.");
             ShadowOptions options = state.settings.Options();
             string technique = TechniqueName.Of(options.technique);
             if (state.openGl && !options.HasPasses && ChainSubstitute.Has(options.technique))
@@ -124,6 +124,11 @@ namespace Penumbra.Editor
                                       "Off are included.");
             if (showsView && state.debugShaderFound)
                 Say(MessageType.Info, "A debug view is drawn over the image, here and in development builds.");
+            ShadowOptions drawn = state.replaced != null ? state.drawn : options;
+            if (state.settings.debugView == DebugView.PenumbraMask && state.debugShaderFound && !drawn.HasMask)
+                Say(MessageType.Info, "The view Penumbra Mask is yellow everywhere: " +
+                                      (drawn.SamplesPenumbrae ? "Mask is off" : PresetText.Technique(drawn) + " has no mask") +
+                                      ".");
             if (!state.deferred && !state.depthPriming && !state.tileOnly)
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");

@@ -9,11 +9,20 @@ namespace Penumbra.Editor
     {
         internal static string Describe(in ShadowOptions options)
         {
+            string text = DescribeOne(options);
+            return ChainSubstitute.TryGetSampled(options, out ShadowOptions instead)
+                       ? text + "; on devices that cannot run it " + DescribeOne(instead) + "."
+                       : text + ".";
+        }
+
+        // Without what stands in for it on some devices.
+        private static string DescribeOne(in ShadowOptions options)
+        {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
             if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
             if (options.HalvesResolution) text += ", at half resolution";
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
-            return text + ".";
+            return text;
         }
 
         /// <summary>"Error 0.08 in penumbrae, 35.3 fetches per pixel, measured under 2 degrees."</summary>
@@ -52,9 +61,7 @@ namespace Penumbra.Editor
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
                 case ShadowTechnique.Flagship:
-                    return "all texels around a pixel in place of samples; where the device cannot run it " +
-                           TechniqueName.Of(ShadowTechnique.Pcss) + ", " +
-                           options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
+                    return options.filterCells + " filter cells";
                 case ShadowTechnique.FlagshipPixel: return "all texels around a pixel in place of samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }

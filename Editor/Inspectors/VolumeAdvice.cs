@@ -76,22 +76,42 @@ namespace Penumbra.Editor
         {
             PenumbraShadowsVolume volume = state.volume;
             List<string> idle = Idle(volume, Possible(volume).ToArray());
-            if (idle.Count > 0)
-                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(new[] { Decided(volume) }) +
-                                      ". Clear the checkbox, or change the technique or preset.");
+            SayOf(idle, new[] { Decided(volume) }, "", "Clear the checkbox, or change the technique or preset.");
 
             ShadowOptions[] features = state.features.Select(feature => volume.Over(feature.Options())).ToArray();
             if (features.Length == 0) return;
-            idle = Idle(volume, features).Except(idle).ToList();
-            if (idle.Count > 0)
-                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(features) + ", which " +
-                                      "the feature selects. Override the technique or preset too.");
+            SayOf(Idle(volume, features).Except(idle).ToList(), features, ", which the feature selects",
+                  "Override the technique or preset too.");
+
+            // Some of these options have an effect on what stands in for the technique.
+            void SayOf(List<string> options, ShadowOptions[] inForce, string whose, string remedy)
+            {
+                ShadowOptions[] replaced = inForce.Where(one => ChainSubstitute.TryGetSampled(one, out _)).ToArray();
+                ShadowOptions[] instead = replaced.Select(Substitute).ToArray();
+                List<string> onlyInstead = options.Except(Idle(volume, instead)).ToList();
+                options = options.Except(onlyInstead).ToList();
+                string without = " no effect with " + Techniques(inForce) + whose;
+                if (options.Count > 0) say(MessageType.Info, Join(options, "has", "have") + without + ". " + remedy);
+                if (onlyInstead.Count > 0)
+                    say(MessageType.Info, Join(onlyInstead, "has", "have") + without + ", only with " + Techniques(instead) +
+                                          " on devices that cannot run " + Techniques(replaced) + ".");
+            }
+        }
+
+        private static ShadowOptions Substitute(ShadowOptions options)
+        {
+            ChainSubstitute.TryGetSampled(options, out ShadowOptions instead);
+            return instead;
         }
 
         // Everything but the technique that a Volume does not override can have any value; with these options all fields
-        // of the technique have an effect.
-        private static ShadowOptions Decided(PenumbraShadowsVolume volume) =>
-            volume.Over(ShadowPresets.Options(QualityPreset.High));
+        // of the technique have an effect. Of the techniques it is the one that most options have an effect on.
+        private static ShadowOptions Decided(PenumbraShadowsVolume volume)
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.technique = ShadowTechnique.Pcss;
+            return volume.Over(options);
+        }
 
         // The same for every technique that the Volume leaves to the feature.
         private static IEnumerable<ShadowOptions> Possible(PenumbraShadowsVolume volume)

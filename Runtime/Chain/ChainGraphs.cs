@@ -74,9 +74,9 @@ namespace Penumbra
             (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
             FarShadows * (int)options.farShadows | ScreenBits(options);
 
-        // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
+        // A filter without samples has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
-            (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.HalvesResolution ? Half : 0) |
+            (options.HasMask ? Mask : 0) | (options.HalvesResolution ? Half : 0) |
             (options.denoise && options.SamplesPenumbrae ? Denoise : 0) |
             (options.MasksConservatively ? Conservative : 0);
     }

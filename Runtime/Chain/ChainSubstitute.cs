@@ -3,6 +3,17 @@ namespace Penumbra
     /// <summary>What is drawn instead where a device cannot run the passes that options need.</summary>
     internal static class ChainSubstitute
     {
+        /// <summary>
+        /// `instead`: the same options with what is drawn in the place of the technique's own passes, if that takes
+        /// samples, so that options without an effect on those passes have one on it: PCSS for the flagship. Else false.
+        /// </summary>
+        internal static bool TryGetSampled(in ShadowOptions options, out ShadowOptions instead)
+        {
+            instead = options;
+            instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
+            return options.HasPasses && Has(options.technique) && instead.technique.TakesSamples();
+        }
+
         /// <summary>A filter of the shadow map alone stands in for the technique's passes.</summary>
         internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
 

@@ -26,7 +26,10 @@ namespace Penumbra
         /// </summary>
         PenumbraWidth,
 
-        /// <summary>Yellow where the filter runs, grey where the penumbra mask skips it.</summary>
+        /// <summary>
+        /// Yellow where the penumbra mask lets the filter run, grey where it skips it; all yellow without a mask. The
+        /// flagship has none: what it decides without its filter is not shown.
+        /// </summary>
         PenumbraMask,
     }
 }

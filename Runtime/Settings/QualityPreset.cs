@@ -1,7 +1,7 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The cost per pixel. Error and fetches of each preset are measured against ray tracing and shown in
+    /// The cost per pixel. Low to Ultra draw the flagship, and PCSS where a device cannot run it. Error and fetches of each preset are measured against ray tracing and shown in
     /// the inspector (PresetFigures).
     /// </summary>
     public enum QualityPreset

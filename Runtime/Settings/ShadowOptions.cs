@@ -205,8 +205,11 @@ namespace Penumbra
         /// </summary>
         internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
 
+        /// <summary>A mask costs as much as a filter without samples.</summary>
+        internal bool HasMask => mask && SamplesPenumbrae;
+
         /// <summary>The conservative mask decides by the cones of PCSS's filter, of no other's.</summary>
-        internal bool CanMaskConservatively => mask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
+        internal bool CanMaskConservatively => HasMask && technique == ShadowTechnique.Pcss;
 
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
 

@@ -1,8 +1,9 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The options of each preset (PresetTable). Their cost and error are listed in Documentation~/presets.md and in
-    /// the feature's inspector.
+    /// The options of each preset (PresetTable). The numbers of samples and the mask of a preset that draws the flagship
+    /// are for PCSS, which stands in for it on devices that cannot run it. The presets' cost and error are listed in
+    /// Documentation~/presets.md and in the feature's inspector.
     /// </summary>
     public static class ShadowPresets
     {

@@ -119,6 +119,21 @@ namespace Penumbra.Tests
             Assert.That(Settings.custom.minFilterTexels, Is.EqualTo(1.0f));
         }
 
+        /// <summary>Its numbers of samples are not the flagship's, and not shown.</summary>
+        [Test]
+        public void WhatStandsInForTheFlagshipBeginsAsItIsMeasuredToo()
+        {
+            Settings.preset = QualityPreset.Custom;
+            ShadowOptions expected = Settings.custom;
+            Choose(ShadowTechnique.Flagship);
+            expected.technique = ShadowTechnique.Flagship;
+            expected.blockerSamples = 24;
+            expected.filterSamples = 16;
+            expected.minFilterTexels = 1.25f;
+            expected.filterCells = 5;
+            Assert.That(Settings.custom, Is.EqualTo(expected), "the others stay");
+        }
+
         [Test]
         public void WhatIsSetAfterTheTechniqueStays()
         {

@@ -81,6 +81,38 @@ namespace Penumbra.Tests
             Assert.That(advice.text, Does.Contain(DebugViewDraw.ShaderName));
         }
 
+        private static string OfTheMask(FeatureState state)
+        {
+            state.settings.debugView = DebugView.PenumbraMask;
+            return Texts(state, MessageType.Info).SingleOrDefault(text => text.StartsWith("The view Penumbra Mask "));
+        }
+
+        [Test]
+        public void WhyTheViewOfTheMaskIsYellowIsSaid()
+        {
+            const string yellow = "The view Penumbra Mask is yellow everywhere: ";
+            FeatureState state = Sound();
+            state.settings.preset = QualityPreset.High;
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Flagship has no mask."));
+            state.asked = state.drawn = state.settings.Options();
+            state.replaced = "this device has no kernels";
+            state.drawn.technique = ShadowTechnique.Pcss;
+            Assert.That(OfTheMask(state), Is.Null, "what is drawn instead has one");
+            state = Sound();
+            PresetFallback.Choose(state.settings, QualityPreset.High);
+            Assert.That(OfTheMask(state), Is.Null);
+            state.settings.custom.mask = false;
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Mask is off."));
+            state.settings.custom.mask = true;
+            state.settings.custom.angularDiameterDegrees = 0.0f;
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "PCSS at 0 degrees has no mask."));
+            state.debugShaderFound = false;
+            Assert.That(OfTheMask(state), Is.Null);
+            state.debugShaderFound = true;
+            state.settings.debugView = DebugView.Cascades;
+            Assert.That(Texts(state, MessageType.Info), Has.None.StartsWith(yellow));
+        }
+
         private static string[] Skipped(SkipReason reason)
         {
             FeatureState state = Sound();
@@ -132,6 +164,8 @@ namespace Penumbra.Tests
         {
             FeatureState state = Sound();
             state.openGl = true;
+            Assert.That(FeatureAdvice.For(state), Is.Empty, "of a preset it is said once it has been drawn, with the reason");
+            state.settings.preset = QualityPreset.Reference;
             Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Tent 7x7").And.Contain("Vulkan"));
             state.settings.preset = QualityPreset.Custom;
             state.settings.custom.technique = ShadowTechnique.Tent5x5;

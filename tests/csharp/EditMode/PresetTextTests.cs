@@ -27,8 +27,12 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "PCSS, 6 blocker and 8 filter samples.")]
-        [TestCase(QualityPreset.Ultra, "PCSS, 16 blocker and 32 filter samples, where the mask finds a penumbra.")]
+        [TestCase(QualityPreset.Low, "Flagship, 3 filter cells, at half resolution; on devices that cannot run it PCSS, " +
+                                     "6 blocker and 8 filter samples, at half resolution.")]
+        [TestCase(QualityPreset.Medium, "Flagship, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
+                                        "16 filter samples.")]
+        [TestCase(QualityPreset.Ultra, "Flagship, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +
+                                       "32 filter samples, where the mask finds a penumbra.")]
         [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]
         public void APresetIsSaidInWords(QualityPreset preset, string words) =>
             Assert.That(PresetText.Describe(ShadowPresets.Options(preset)), Is.EqualTo(words));
@@ -36,21 +40,19 @@ namespace Penumbra.Tests
         [Test]
         public void OptionsOfOnesOwnAreSaidInWords()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            ShadowOptions options = PresetFallback.Options(QualityPreset.High);
             options.denoise = true;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("PCSS, 12 blocker and 24 filter samples, where the mask finds a penumbra, denoised."));
-            options = ShadowPresets.Options(QualityPreset.Low);
             options.technique = ShadowTechnique.Tent5x5;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Tent 5x5, 9 fetches of the shadow map, no contact hardening."));
             options = ShadowPresets.Options(QualityPreset.Ultra);
-            options.technique = ShadowTechnique.Flagship;
+            options.denoise = options.halfResolution = true;
+            options.mask = false;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Flagship, all texels around a pixel in place of samples; where the device cannot run " +
-                                   "it PCSS, 16 blocker and 32 filter samples."));
-            options.halfResolution = true;
-            Assert.That(PresetText.Describe(options), Does.EndWith("32 filter samples, at half resolution."));
+                        Is.EqualTo("Flagship, 5 filter cells, at half resolution; on devices that cannot run it PCSS, " +
+                                   "16 blocker and 32 filter samples, at half resolution, denoised."));
             options.technique = ShadowTechnique.FlagshipPixel;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Flagship, per pixel, all texels around a pixel in place of samples, at half resolution."));

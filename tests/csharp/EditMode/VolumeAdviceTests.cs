@@ -48,6 +48,10 @@ namespace Penumbra.Tests
 
         private static void Denoise(PenumbraShadowsVolume volume) => volume.denoise.overrideState = true;
 
+        private static void HalfResolution(PenumbraShadowsVolume volume) => volume.halfResolution.overrideState = true;
+
+        private static void LightBleeding(PenumbraShadowsVolume volume) => volume.lightBleeding.overrideState = true;
+
         private static void Samples(PenumbraShadowsVolume volume) => volume.filterSamples.overrideState = true;
 
         private static string[] Texts(VolumeState state) => VolumeAdvice.For(state).Select(advice => advice.text).ToArray();
@@ -71,7 +75,12 @@ namespace Penumbra.Tests
         {
             string[] ofTents = { "Technique", "Half Resolution" };
             Assert.That(Shown(State(Technique(ShadowTechnique.Tent7x7))), Is.EqualTo(ofTents));
-            Assert.That(Shown(State(Preset(QualityPreset.Low))), Does.Contain("Filter Samples"));
+            Assert.That(Shown(State(Preset(QualityPreset.Low))),
+                        Is.EqualTo(new[]
+                        {
+                            "Technique", "Angular Diameter", "Filter Cells", "Softness Cap", "Half Resolution",
+                        }));
+            Assert.That(Shown(State(Preset(QualityPreset.Reference))), Does.Contain("Filter Samples"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssHdrp))), Does.Not.Contain("Softness Cap"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssPoisson))), Does.Not.Contain("Filter Samples"));
             Assert.That(Shown(State(Angle(0.0f))), Does.Not.Contain("Denoise"));
@@ -100,7 +109,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void TheTechniqueComesAfterThePreset() =>
-            Assert.That(Shown(State(Preset(QualityPreset.Low) + Technique(ShadowTechnique.Tent7x7))),
+            Assert.That(Shown(State(Preset(QualityPreset.Reference) + Technique(ShadowTechnique.Tent7x7))),
                         Does.Not.Contain("Filter Samples"));
 
         [Test]
@@ -154,10 +163,31 @@ namespace Penumbra.Tests
         public void OptionsBesideAPresetEndItsFigures()
         {
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
-            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise, feature)).Single(),
+            Assert.That(Texts(State(Preset(QualityPreset.High) + HalfResolution, feature)).Single(),
+                        Does.StartWith("Half Resolution overrides the preset"));
+            Assert.That(Texts(State(Preset(QualityPreset.Reference) + Denoise, feature)).Single(),
                         Does.StartWith("Denoise overrides the preset"));
-            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
+            Assert.That(Texts(State(Preset(QualityPreset.Reference) + Denoise + Samples, feature)).Single(),
                         Does.StartWith("Filter Samples and Denoise override the preset"));
+        }
+
+        /// <summary>They do not end its figures, which are the flagship's.</summary>
+        [Test]
+        public void OptionsOfWhatStandsInForAPresetAreNamed()
+        {
+            PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
+                        Is.EqualTo("Filter Samples and Denoise have no effect with Flagship, only with PCSS on devices that " +
+                                   "cannot run Flagship."));
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + LightBleeding, feature)),
+                        Is.EqualTo(new[]
+                        {
+                            "Light Bleeding Reduction has no effect with Flagship. Clear the checkbox, or change the " +
+                            "technique or preset.",
+                            "Denoise has no effect with Flagship, only with PCSS on devices that cannot run Flagship.",
+                        }));
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Angle(0.0f), feature)).Single(),
+                        Does.StartWith("Denoise has no effect with Flagship. "), "nor with PCSS at 0 degrees");
         }
 
         [Test]
@@ -166,7 +196,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void OptionsWithoutAPresetAreNobodysFigures() =>
-            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Medium))), Is.Empty);
+            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Reference))), Is.Empty);
 
         [Test]
         public void WhatHasNoEffectIsNamedWithTheTechnique()
@@ -185,7 +215,10 @@ namespace Penumbra.Tests
         {
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5))).Single(),
                         Does.StartWith("Denoise has no effect with Tent 5x5, which the feature selects."));
-            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.High))), Is.Empty);
+            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.Reference))), Is.Empty);
+            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.High))).Single(),
+                        Is.EqualTo("Denoise has no effect with Tent 5x5 or Flagship, which the feature selects, only with " +
+                                   "PCSS on devices that cannot run Flagship."));
         }
 
         [Test]
