@@ -1,8 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The cost per pixel. Low to Ultra draw the flagship, and PCSS where a device cannot run it. Error and fetches of each preset are measured against ray tracing and shown in
-    /// the inspector (PresetFigures).
+    /// The cost per pixel. Low to Ultra draw the flagship, and PCSS on devices that cannot run it. Error and fetches of
+    /// each preset are measured against ray tracing and shown in the inspector (PresetFigures).
     /// </summary>
     public enum QualityPreset
     {

@@ -159,7 +159,8 @@ namespace Penumbra.Tests
             {
                 ChainStep step = chain.Steps[i];
                 Assert.That(step.pass.asset, Is.EqualTo(passes[i].GetProperty("file").GetString()));
-                Assert.That(step.pass.runs.ToString().ToLowerInvariant(), Is.EqualTo(passes[i].GetProperty("runs").GetString()));
+                Assert.That(step.pass.runs.ToString().ToLowerInvariant(),
+                            Is.EqualTo(passes[i].GetProperty("runs").GetString()));
                 JsonProperty[] reads = passes[i].GetProperty("reads").EnumerateObject().ToArray();
                 Assert.That(step.pass.reads.Select(read => read.property), Is.EqualTo(reads.Select(read => read.Name)));
                 for (int read = 0; read < reads.Length; ++read)
