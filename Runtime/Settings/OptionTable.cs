@@ -183,8 +183,8 @@ namespace Penumbra
             internal const string Label = "Cascade Blend";
             internal const string Tooltip =
                 "Width of the border in which a cascade is dithered with the next, as a share of the cascade's " +
-                "radius, 0 to 0.5. It hides the line between cascades; its noise needs Denoise or temporal " +
-                "antialiasing. 0: none.";
+                "radius, 0 to 0.5. It hides the line between cascades; its noise needs temporal antialiasing, or " +
+                "Denoise with a technique that takes samples. 0: none.";
             internal const float Min = 0.0f;
             internal const float Max = 0.5f;
         }
