@@ -32,6 +32,12 @@ float PenumbraMainLightVisibility(float3 positionWS, float3 normalWS, float2 pix
 {
     const PenumbraMainLight shadow = PreparePenumbraMainLight(positionWS, normalWS, pixel);
     if (!shadow.covered) return 1.0;
+#if defined(PENUMBRA_USES_EXITS)
+    // Here, so that compilers see the same from the filter to the end as without exits, and round alike.
+    const float decided = DecideByKeyword(shadow.receiver, shadow.tile);
+    UNITY_BRANCH
+    if (decided >= 0.0) return ApplyPenumbraStrength(decided);
+#endif
     const float visibility =
         FilterByKeyword(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_PenumbraLinearClampCompare),
                         sampler_PenumbraPointClamp, shadow.receiver, shadow.tile, shadow.cascade);

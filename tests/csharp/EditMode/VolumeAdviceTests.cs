@@ -69,7 +69,7 @@ namespace Penumbra.Tests
         [Test]
         public void OnlyWhatCountsForTheTechniqueIsShown()
         {
-            string[] ofTents = { "Technique", "Half Resolution" };
+            string[] ofTents = { "Technique", "Exits", "Half Resolution" };
             Assert.That(Shown(State(Technique(ShadowTechnique.Tent7x7))), Is.EqualTo(ofTents));
             Assert.That(Shown(State(Preset(QualityPreset.Low))), Does.Contain("Filter Samples"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssHdrp))), Does.Not.Contain("Softness Cap"));
@@ -93,7 +93,7 @@ namespace Penumbra.Tests
             Assert.That(Shown(State(Technique(ShadowTechnique.Smrt))),
                         Is.EqualTo(new[]
                         {
-                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask",
+                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask", "Exits",
                             "Half Resolution", "Denoise",
                         }));
         }
