@@ -16,6 +16,8 @@
 //             _PENUMBRA_PCSS_GODOT, _PENUMBRA_DPCF_FILAMENT, _PENUMBRA_PCSS_FILAMENT; without a keyword, tent 5 x 5.
 //             Pipelines/TechniqueByKeyword.hlsl has those of filters that read maps, for the renderer feature's passes. With
 //             PENUMBRA_MAPS_BOUND, your shader may have that of the feature's own technique: _PENUMBRA_FLAGSHIP_PIXEL above all.
+//             With _PENUMBRA_EXITS besides, a filter of the map alone runs only where the planes do not decide it that the
+//             feature makes while its option Exits is on.
 // Source:     see each filter's file.
 // Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. The uniforms of
 //             Pipelines/Urp.hlsl and, of PCSS, of Pipelines/TechniqueByKeyword.hlsl.
