@@ -4,10 +4,10 @@
 //             comparison, where it says that no penumbra is near.
 // Source:     Shadows.hlsl; see the technique's file.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskTexture: of MaskPass.hlsl or
-//             ConservativeMaskPass.hlsl; the maps of a filter that reads some, of PenumbraMaps.shader. Target: the
-//             screen's size, or half of it rounded up.
+//             ConservativeMaskPass.hlsl; the maps of a filter that reads some, or of exits with _PENUMBRA_EXITS, of
+//             PenumbraMaps.shader. Target: the screen's size, or half of it rounded up.
 // Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's. With a mask 1 more; where it skips the
-//             filter 1 in all, 3 with a comparison.
+//             filter 1 in all, 3 with a comparison. With exits up to 18 more, and none of the technique's where they decide.
 // Guarantees: [0, 1], 1 on the sky. It includes the shadow strength, but not the distance fade, which receivers apply.
 // Use it:     as the pass of every technique that no kernels draw.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL

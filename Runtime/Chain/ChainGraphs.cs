@@ -14,7 +14,8 @@ namespace Penumbra
         private const int ContactShadows = 32;
         private const int Clouds = 64;
         private const int FarShadows = 128;  // times the mode
-        private const int Bits = 9;
+        private const int Exits = 512;
+        private const int Bits = 10;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -50,7 +51,7 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
+            .Append(PenumbraShadowsGraphs.Exits).Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
             .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
@@ -63,6 +64,7 @@ namespace Penumbra
             int bits = ScreenBits(options);
             TechniqueGraph screen = (bits & Conservative) == 0
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
+            if (options.HasExits) return new[] { PenumbraShadowsGraphs.Exits, screen };
             if (!options.HasPasses) return new[] { screen };
             TechniqueGraph own = options.OwnGraph;
             return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
@@ -72,7 +74,7 @@ namespace Penumbra
         internal static int Key(in ShadowOptions options) =>
             (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
             (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
-            FarShadows * (int)options.farShadows | ScreenBits(options);
+            FarShadows * (int)options.farShadows | (options.HasExits ? Exits : 0) | ScreenBits(options);
 
         // A filter without samples has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>

@@ -22,9 +22,11 @@ namespace Penumbra
         /// </summary>
         internal static string Problem(in ShadowOptions options)
         {
-            if (!options.MasksConservatively && !(options.HasPasses && ChainSubstitute.Has(options.technique))) return null;
+            bool hasMaps = options.HasPasses && ChainSubstitute.Has(options.technique);
+            if (!options.MasksConservatively && !options.HasExits && !hasMaps) return null;
             if (IsOpenGl) return "OpenGL does not define how its passes read the shadow map";
-            return options.technique.NeedsTarget45() && SystemInfo.graphicsShaderLevel < FrameGate.Level45
+            bool needsTarget45 = options.HasExits || options.technique.NeedsTarget45();
+            return needsTarget45 && SystemInfo.graphicsShaderLevel < FrameGate.Level45
                        ? "it needs shader model 4.5" : null;
         }
 

@@ -66,6 +66,7 @@ namespace Penumbra
             drawn.technique = options.technique;
             drawn.mapFormat = options.mapFormat;
             drawn.conservativeMask = options.conservativeMask;
+            drawn.exits = options.exits;
             drawn.clouds = options.clouds;
             return drawn;
         }

@@ -163,6 +163,16 @@ namespace Penumbra
                 "For PCSS; not with OpenGL.";
         }
 
+        internal static class Exits
+        {
+            internal const string Label = "Exits";
+            internal const string Tooltip =
+                "Runs the filter only where planes around the shadow map's depths do not show that a pixel is " +
+                "wholly lit or dark: the picture is the same. It pays where the filter takes many samples. For " +
+                "filters that read the shadow map alone; not with Conservative Mask, which decides the same for " +
+                "blocks of pixels, nor with OpenGL.";
+        }
+
         internal static class HalfResolution
         {
             internal const string Label = "Half Resolution";

@@ -75,6 +75,9 @@ namespace Penumbra
         [Tooltip(OptionTable.ConservativeMask.Tooltip)]
         public BoolParameter conservativeMask = new BoolParameter(true);
 
+        [Tooltip(OptionTable.Exits.Tooltip)]
+        public BoolParameter exits = new BoolParameter(true);
+
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public BoolParameter halfResolution = new BoolParameter(false);
 
@@ -139,6 +142,7 @@ namespace Penumbra
             if (filterCells.overrideState) options.filterCells = filterCells.value;
             if (mask.overrideState) options.mask = mask.value;
             if (conservativeMask.overrideState) options.conservativeMask = conservativeMask.value;
+            if (exits.overrideState) options.exits = exits.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
             if (cascadeBlend.overrideState) options.cascadeBlend = cascadeBlend.value;

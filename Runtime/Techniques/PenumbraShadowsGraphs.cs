@@ -26,6 +26,38 @@ namespace Penumbra
             visibility = 0,
         };
 
+        internal static readonly TechniqueGraph Exits = new TechniqueGraph
+        {
+            name = "exits",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "QuarterDepthPlanes",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthPlanesMip",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+            },
+            keywords = new[] { "_PENUMBRA_EXITS" },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
+        };
+
         internal static readonly TechniqueGraph TentMasked = new TechniqueGraph
         {
             name = "tent-masked",

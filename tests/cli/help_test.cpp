@@ -97,6 +97,8 @@ TEST(Help, NamesAreListed) {
         << "a name without a description";
     EXPECT_THAT(lines_of({command, "--list-techniques"}), testing::Contains(testing::StartsWith("tent-5 ")));
   }
+  EXPECT_THAT(lines_of({"measure", "--list-techniques"}),
+              testing::Contains(testing::MatchesRegex("tent-5-exits +Tent 5x5, exits")));
   EXPECT_EQ(lines_of({"cost", "--list-techniques"}), lines_of({"measure", "--list-techniques"}));
   EXPECT_THAT(lines_of({"cost", "--list-families"}), testing::Contains(testing::StartsWith("navi21 ")));
   EXPECT_THAT(lines_of({"validate", "--list-targets"}), testing::Contains("essl310"));

@@ -52,10 +52,18 @@ TEST(StaticCycles, AddThePassesOverTheMap) {
   EXPECT_EQ(of("variance-32").others, row("variance-32", "MapRows") + row("variance-32", "MapColumns"));
 }
 
-// Those with exits are not in the list, and their programs are not compiled for the costs.
-TEST(StaticCycles, KnowEveryListedTechnique) {
-  for (const techniques::Technique& technique : techniques::read_technique_list(kRoot).techniques)
-    EXPECT_TRUE(facts().techniques.at(technique.name).cycles) << technique.name;
+TEST(StaticCycles, KnowEveryTechnique) {
+  const techniques::TechniqueList list = techniques::read_technique_list(kRoot);
+  for (const auto* techniques : {&list.techniques, &list.with_exits})
+    for (const techniques::Technique& technique : *techniques)
+      EXPECT_TRUE(facts().techniques.at(technique.name).cycles) << technique.name;
+}
+
+TEST(StaticCycles, OfExitsAddThePassesThatMakeThePlanes) {
+  EXPECT_EQ(of("tent-5-exits").visibility, row("tent-5-exits", "Fragment"));
+  EXPECT_GT(of("tent-5-exits").visibility, of("tent-5").visibility);
+  EXPECT_EQ(of("tent-5-exits").others,
+            row("tent-5-exits", "QuarterDepthPlanes") + row("tent-5-exits", "DepthPlanesMip"));
 }
 
 TEST(StaticCycles, AreOfTheFamilyThatThereIs) {

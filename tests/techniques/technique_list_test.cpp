@@ -389,6 +389,22 @@ TEST_F(TechniqueListTest, AFilterThatSaysWhatItReadsHasExits) {
   EXPECT_EQ(emit_technique_call(list, list.techniques[0]).function.find("DecideExits"), std::string::npos);
 }
 
+TEST_F(TechniqueListTest, AGraphsFilterThatTakesThePlanesRunsBehindExits) {
+  files_.write("Maps.shader", "// maps\n");
+  const auto graphs = [](const std::string& filter) {
+    return R"("graphs": [{"name": "exits", "keywords": ["_PENUMBRA_EXITS"],
+    "textures": [{"name": "depthPlanes", "extent": "map", "format": "rgba32f"}],
+    "passes": [{"name": "Planes", "kind": "raster", "shader": "Maps.shader", "runs": "cascade",
+                "writes": ["depthPlanes"]},
+               {"name": "filter", "kind": "filter", "filter": {"file": "Box.hlsl", "function": "FilterBox",
+                "arguments": ["shadowMap", "depthPlanes"])" +
+           filter + R"(}}]}], "techniques")";
+  };
+  const std::string reach = R"(, "exits": {"file": "Box.hlsl", "function": "ReachOfBox"})";
+  EXPECT_TRUE(read(with(R"("techniques")", graphs(reach))).graphs.at(0).graph.filter()->exits);
+  EXPECT_FALSE(read(with(R"("techniques")", graphs(""))).graphs.at(0).graph.filter()->exits);
+}
+
 TEST_F(TechniqueListTest, ATechniqueSaysWhyItHasNoExits) {
   const std::string why = with(R"("title": "Box",)", R"("title": "Box", "no_exits": "It is a box.",)");
   const TechniqueList list = read(why);

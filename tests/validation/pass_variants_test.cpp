@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "shaders/shader_files.h"
@@ -70,6 +71,34 @@ TEST(PassVariants, EveryPassOfAGraphIsCompiledForEveryTarget) {
 TEST(PassVariants, ResolveReadsTheMaskOnlyInAChainThatHasOne) {
   EXPECT_TRUE(resolve_has_the_masks_keyword("screen-tent-5-masked"));
   EXPECT_FALSE(resolve_has_the_masks_keyword("screen-tent-5"));
+}
+
+// Of every technique that the feature offers exits for, whose keyword may be none, in both depth directions.
+TEST(PassVariants, TheScreenPassIsCompiledWithExits) {
+  ValidationRequest request;
+  request.techniques = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
+  std::size_t offered = 0;
+  std::size_t without_keyword = 0;
+  for (const techniques::Selection& selection : request.techniques->selections)
+    offered += selection.value && selection.has_exits() ? 1 : 0;
+  const std::vector<SourceVariant> variants = screen_exits_variants(request);
+  EXPECT_EQ(variants.size(), 2 * offered);
+  for (const SourceVariant& variant : variants) {
+    EXPECT_EQ(variant.unit.pass, "Resolve");
+    EXPECT_TRUE(variant.unit.technique.ends_with("-exits")) << variant.unit.technique;
+    EXPECT_TRUE(defines(variant, "_PENUMBRA_EXITS")) << variant.unit.technique;
+    without_keyword += variant.unit.technique == "tent-5-plane-exits" ? 1 : 0;
+  }
+  EXPECT_EQ(without_keyword, 2U);
+}
+
+TEST(PassVariants, TechniquesAreCompiledWithExitsToo) {
+  ValidationRequest request;
+  request.techniques = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
+  std::set<std::string> compiled;
+  for (const SourceVariant& variant : source_variants(request)) compiled.insert(variant.unit.technique);
+  for (const techniques::Technique& technique : request.techniques->with_exits)
+    EXPECT_TRUE(compiled.contains(technique.name)) << technique.name;
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ namespace Penumbra.Tests
                 }
                 foreach (string technique in TechniqueTable.Keywords.Distinct())
                     foreach (string mask in new[] { null, "_PENUMBRA_MASK" })
-                        yield return (asset, pass, new[] { technique, mask }.Where(name => name != null).ToArray());
+                        foreach (string exits in new[] { null, "_PENUMBRA_EXITS" })
+                            yield return (asset, pass, new[] { technique, exits, mask }.Where(name => name != null).ToArray());
             }
         }
 
@@ -74,7 +75,7 @@ namespace Penumbra.Tests
 
         private static IReadOnlyCollection<string> Declared(string pass) =>
             pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().Append("_PENUMBRA_MASK")
-                                    .ToArray()
+                                    .Append("_PENUMBRA_EXITS").ToArray()
                               : new string[0];
 
         private static string[] Kept(ChainPrograms programs) =>
@@ -254,6 +255,23 @@ namespace Penumbra.Tests
             }));
         }
 
+        [Test]
+        public void ExitsAreKeptWhereAFeatureOrAVolumeHasThem()
+        {
+            string[] without = { "Resolve _PENUMBRA_PCSS" };
+            string[] with = without.Concat(new[]
+            {
+                "QuarterDepthPlanes", "DepthPlanesMip", "Resolve _PENUMBRA_PCSS _PENUMBRA_EXITS",
+            }).ToArray();
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);
+            Assert.That(Kept(Of(options)), Is.EquivalentTo(without));
+            Assert.That(Kept(Of(options, Volume(one => Override(one.exits, true)))), Is.EquivalentTo(with));
+            options.exits = true;
+            Assert.That(Kept(Of(options)), Is.EquivalentTo(with));
+            options.technique = ShadowTechnique.Vsm;
+            Assert.That(Kept(Of(options)), Has.None.Contains("EXITS"));
+        }
+
         // What VolumeOverrides leaves out must not choose.
         [Test]
         public void EveryOptionThatChangesAChainIsMinded()
@@ -314,6 +332,7 @@ namespace Penumbra.Tests
             if (random.Next(3) == 0) Override(volume.angularDiameterDegrees, random.Next(2) * 0.5f);
             if (random.Next(3) == 0) Override(volume.mask, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.conservativeMask, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.exits, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.contactShadowMetres, random.Next(2) * 0.5f);
@@ -340,6 +359,7 @@ namespace Penumbra.Tests
                 Take(stack.technique, meeting[i].technique);
                 Take(stack.mask, meeting[i].mask);
                 Take(stack.conservativeMask, meeting[i].conservativeMask);
+                Take(stack.exits, meeting[i].exits);
                 Take(stack.halfResolution, meeting[i].halfResolution);
                 Take(stack.denoise, meeting[i].denoise);
                 Blend(stack.angularDiameterDegrees, meeting[i].angularDiameterDegrees, weight);

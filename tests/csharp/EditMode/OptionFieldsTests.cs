@@ -99,7 +99,8 @@ namespace Penumbra.Tests
             foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
                 foreach (float degrees in new[] { 0.0f, 2.0f })
                     foreach (OptionField option in new[] { OptionFields.Mask, OptionFields.ConservativeMask,
-                                                           OptionFields.HalfResolution, OptionFields.Denoise })
+                                                           OptionFields.Exits, OptionFields.HalfResolution,
+                                                           OptionFields.Denoise })
                     {
                         ShadowOptions options = Options(technique, degrees);
                         bool changes = !Draws(With(options, option.name, true))

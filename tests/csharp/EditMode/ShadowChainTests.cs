@@ -31,6 +31,8 @@ namespace Penumbra.Tests
                 {
                     ShadowOptions options = Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique,
                                                     (bits & 8) != 0);
+                    // With and without each of the others: not all combinations, of which there are twice as many.
+                    options.exits = (bits + bits / 16) % 3 == 0;
                     options.contactShadowMetres = (bits & 16) != 0 ? 0.5f : 0.0f;
                     options.clouds = (bits & 32) != 0;
                     options.farShadows = (FarShadowMode)(bits / 64);
@@ -137,6 +139,45 @@ namespace Penumbra.Tests
             foreach (ShadowTechnique other in new[] { ShadowTechnique.PcssPoisson, ShadowTechnique.PcssHdrp })
                 Assert.That(Names(Options(true, false, false, other, conservative: true)),
                             Is.EqualTo(Mask.Append("Resolve")), other.ToString());
+        }
+
+        private static readonly string[] Planes = { "QuarterDepthPlanes", "DepthPlanesMip" };
+
+        [Test]
+        public void ExitsReadPlanesThatAreMadeFirst()
+        {
+            foreach (ShadowTechnique technique in System.Enum.GetValues(typeof(ShadowTechnique)))
+            {
+                ShadowOptions options = Options(true, true, true, technique);
+                string[] without = Names(options);
+                options.exits = true;
+                Assert.That(options.HasExits, Is.EqualTo(technique.HasExits()), technique.ToString());
+                ShadowChain chain = ShadowChain.Of(options);
+                if (!technique.HasExits())
+                {
+                    Assert.That(Names(options), Is.EqualTo(without), technique.ToString());
+                    Assert.That(chain.Keywords, Has.None.EqualTo("_PENUMBRA_EXITS"));
+                    continue;
+                }
+                Assert.That(Names(options), Is.EqualTo(Planes.Concat(without)), technique.ToString());
+                Assert.That(chain.Keywords, Has.Member("_PENUMBRA_EXITS"));
+                ChainGlobal planes = chain.Globals.Single();
+                Assert.That(planes.afterStep, Is.EqualTo(1));
+                Assert.That(planes.texture.property, Is.EqualTo(Shader.PropertyToID("_PenumbraDepthPlanesTexture")));
+                Assert.That(planes.texture.index, Is.EqualTo(chain.Steps[1].Target));
+                Assert.That(chain.Slots[planes.texture.index].kept, "a cascade that is not drawn anew keeps its tile");
+            }
+        }
+
+        [Test]
+        public void AConservativeMaskDecidesInThePlaceOfExits()
+        {
+            ShadowOptions options = Options(true, false, false, ShadowTechnique.Pcss, conservative: true);
+            options.exits = true;
+            Assert.That(Names(options), Is.EqualTo(ConservativeMask.Append("Resolve")));
+            Assert.That(ShadowChain.Of(options).Keywords, Has.None.EqualTo("_PENUMBRA_EXITS"));
+            options.mask = false;
+            Assert.That(Names(options), Is.EqualTo(Planes.Append("Resolve")));
         }
 
         [Test]
@@ -294,7 +335,7 @@ namespace Penumbra.Tests
         [Test]
         public void TheKeywordsAreTheTechniquesAndTheGraphs() =>
             Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null).Distinct()
-                                                               .Append("_PENUMBRA_MASK").Append("_PENUMBRA_CLOUDS")
+                                                               .Append("_PENUMBRA_MASK").Append("_PENUMBRA_EXITS").Append("_PENUMBRA_CLOUDS")
                                                                .Append("_PENUMBRA_HALF_RESOLUTION")
                                                                .Append("_PENUMBRA_BOTH_EYES")
                                                                .Append("_PENUMBRA_FAR_HEIGHTS")

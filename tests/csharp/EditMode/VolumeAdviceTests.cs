@@ -73,7 +73,7 @@ namespace Penumbra.Tests
         [Test]
         public void OnlyWhatCountsForTheTechniqueIsShown()
         {
-            string[] ofTents = { "Technique", "Half Resolution" };
+            string[] ofTents = { "Technique", "Exits", "Half Resolution" };
             Assert.That(Shown(State(Technique(ShadowTechnique.Tent7x7))), Is.EqualTo(ofTents));
             Assert.That(Shown(State(Preset(QualityPreset.Low))),
                         Is.EqualTo(new[]
@@ -102,7 +102,7 @@ namespace Penumbra.Tests
             Assert.That(Shown(State(Technique(ShadowTechnique.Smrt))),
                         Is.EqualTo(new[]
                         {
-                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask",
+                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask", "Exits",
                             "Half Resolution", "Denoise",
                         }));
         }

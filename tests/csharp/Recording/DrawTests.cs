@@ -63,6 +63,81 @@ namespace Penumbra.Tests
             Assert.That(DrawnWithConservativeMask(), Is.EqualTo(FourTaps));
         }
 
+        private FakeDevice.DrawCall ResolvedWithExits(ShadowTechnique technique)
+        {
+            feature.Dispose();
+            SetUp();
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom.technique = technique;
+            feature.Settings.custom.mask = false;
+            feature.Settings.custom.exits = true;
+            urp.Render(new FakeScene(), feature);
+            return urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
+        }
+
+        private string[] DrawnPasses => urp.Device.Draws.Select(draw => draw.Pass).Distinct().ToArray();
+
+        [Test]
+        public void ExitsReadThePlanesOfTheMap([Values(true, false)] bool reversedZ)
+        {
+            foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
+            {
+                if (!technique.HasExits()) continue;
+                SystemInfo.usesReversedZBuffer = reversedZ;
+                FakeDevice.DrawCall resolve = ResolvedWithExits(technique);
+                Assert.That(DrawnPasses, Is.EqualTo(new[] { "QuarterDepthPlanes", "DepthPlanesMip", "Resolve" }),
+                            technique.ToString());
+                string keyword = TechniqueTable.Keywords[(int)technique];
+                Assert.That(resolve.Keywords, Is.EquivalentTo(new[] { keyword, "_PENUMBRA_EXITS" }.Where(name => name != null)));
+                Assert.That(resolve.Textures["_PenumbraDepthPlanesTexture"],
+                            Is.EqualTo(urp.Device.Draws.First(draw => draw.Pass == "QuarterDepthPlanes").Target));
+                Assert.That(feature.Replaced, Is.Null);
+                Assert.That(feature.Drawn.exits);
+            }
+        }
+
+        [Test]
+        public void AFilterThatReadsMapsHasNoExits()
+        {
+            FakeDevice.DrawCall resolve = ResolvedWithExits(ShadowTechnique.Vsm);
+            Assert.That(DrawnPasses, Has.None.EqualTo("QuarterDepthPlanes"));
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_VSM" }));
+            Assert.That(feature.Replaced, Is.Null, "nothing is missing");
+        }
+
+        private void ExpectNoExits(ShadowTechnique technique, string reason)
+        {
+            FakeDevice.DrawCall resolve = ResolvedWithExits(technique);
+            Assert.That(DrawnPasses, Is.EqualTo(new[] { "Resolve" }));
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { TechniqueTable.Keywords[(int)technique] }));
+            Assert.That(feature.Replaced, Does.Contain(reason));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(technique));
+            Assert.That(feature.Asked.exits);
+            Assert.That(feature.Drawn.exits, Is.False);
+        }
+
+        [Test]
+        public void WithoutTheFormatOfThePlanesTheFilterRunsEverywhere()
+        {
+            SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_SFloat;
+            ExpectNoExits(ShadowTechnique.PcssPoisson, "R32G32B32A32_SFloat");
+        }
+
+        [TestCase(GraphicsDeviceType.OpenGLCore)]
+        [TestCase(GraphicsDeviceType.OpenGLES3)]
+        public void OnOpenGlTheFilterRunsEverywhere(GraphicsDeviceType device)
+        {
+            SystemInfo.Device = device;
+            ExpectNoExits(ShadowTechnique.Tent7x7, "OpenGL does not define");
+        }
+
+        [Test]
+        public void BelowTarget45ATentHasNoExits()
+        {
+            SystemInfo.graphicsShaderLevel = 35;
+            ExpectNoExits(ShadowTechnique.Tent3x3, "shader model 4.5");
+        }
+
         [TearDown]
         public void TearDown()
         {

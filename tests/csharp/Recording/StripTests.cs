@@ -129,7 +129,7 @@ namespace Penumbra.Tests
                 foreach (float degrees in new[] { 0.0f, AngularDiameter.SunDegrees })
                     yield return new PenumbraShadowsSettings { preset = preset, angularDiameterDegrees = degrees };
             foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
-                for (int bits = 0; bits < 32; ++bits)
+                for (int bits = 0; bits < 64; ++bits)
                 {
                     ShadowOptions options = ShadowPresets.Options(QualityPreset.Custom);
                     options.technique = technique;
@@ -137,6 +137,7 @@ namespace Penumbra.Tests
                     options.halfResolution = (bits & 2) != 0;
                     options.denoise = (bits & 4) != 0;
                     options.conservativeMask = (bits & 16) != 0;
+                    options.exits = (bits & 32) != 0;
                     if ((bits & 8) != 0) options.angularDiameterDegrees = 0.0f;
                     yield return new PenumbraShadowsSettings { preset = QualityPreset.Custom, custom = options };
                 }

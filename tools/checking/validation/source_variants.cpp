@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "shaders/package_shader.h"
 #include "techniques/technique_call.h"
 #include "validation/pass_variants.h"
 #include "validation/spirv_target.h"
@@ -10,6 +11,10 @@
 namespace penumbra::validation {
 
 namespace {
+
+// Of the renderer feature.
+constexpr const char* screen_shader = "Shaders/PenumbraShadows.shader";
+constexpr const char* screen_pass = "Resolve";
 
 constexpr const char* fragment_entry = R"(
 ShadowTile _PenumbraTile;
@@ -109,12 +114,15 @@ void add_for_targets(const ValidationRequest& request, SourceVariant variant,
 
 std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   std::vector<SourceVariant> variants;
+  const auto add = [&](const techniques::Technique& technique) {
+    for (const std::vector<std::string>& keywords : technique.keyword_sets)
+      for (SourceVariant& variant :
+           technique_variants(request, technique, with_own_keywords(technique, keywords)))
+        add_for_targets(request, std::move(variant), variants);
+  };
   if (request.techniques)
-    for (const techniques::Technique& technique : request.techniques->techniques)
-      for (const std::vector<std::string>& keywords : technique.keyword_sets)
-        for (SourceVariant& variant :
-             technique_variants(request, technique, with_own_keywords(technique, keywords)))
-          add_for_targets(request, std::move(variant), variants);
+    for (const auto* techniques : {&request.techniques->techniques, &request.techniques->with_exits})
+      for (const techniques::Technique& technique : *techniques) add(technique);
   for (const ShaderToValidate& shader : request.files) {
     for (const std::vector<std::string>& keywords : shader.keyword_sets) {
       SourceVariant variant;
@@ -125,6 +133,36 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
       variant.unit.compile.file = shader.file;
       variant.unit.compile.entry = shader.entry;
       variant.unit.compile.stage = shader.stage;
+      add_for_targets(request, std::move(variant), variants);
+    }
+  }
+  return variants;
+}
+
+std::vector<SourceVariant> screen_exits_variants(const ValidationRequest& request) {
+  std::vector<SourceVariant> variants;
+  if (!request.techniques) return variants;
+  const techniques::TechniqueList& list = *request.techniques;
+  const std::filesystem::path file = (list.package / screen_shader).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return variants;
+  const shaders::PackageShader shader(file, request.package_roots);
+  for (const techniques::Selection& selection : list.selections) {
+    if (!selection.value || !selection.has_exits()) continue;
+    for (const bool reversed_z : {false, true}) {
+      SourceVariant variant;
+      variant.technique = &list.find(selection.technique + techniques::exits_ending);
+      variant.unit.technique = variant.technique->name;
+      if (reversed_z) variant.unit.keywords.emplace_back("UNITY_REVERSED_Z");
+      if (!selection.keyword.empty()) variant.unit.keywords.push_back(selection.keyword);
+      variant.unit.keywords.emplace_back(techniques::exits_keyword);
+      variant.unit.file = file.string();
+      variant.unit.pass = screen_pass;
+      variant.unit.lint = request.lint;
+      variant.unit.compile =
+          shader.request(screen_pass, hlsl::Stage::fragment, variant.unit.keywords, reversed_z);
+      auto& defines = variant.unit.compile.defines;
+      defines.insert(defines.end(), request.defines.begin(), request.defines.end());
       add_for_targets(request, std::move(variant), variants);
     }
   }

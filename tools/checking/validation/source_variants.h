@@ -13,6 +13,11 @@ struct SourceVariant {
   CompileUnit unit;
 };
 
+// Of the techniques, each with exits where its filter has them, and of the files.
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
+
+// The renderer feature's own pass over the screen with exits, for every technique that it offers them for.
+// Those without exits are the techniques' that run over the screen.
+std::vector<SourceVariant> screen_exits_variants(const ValidationRequest& request);
 
 }  // namespace penumbra::validation

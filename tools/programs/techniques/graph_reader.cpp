@@ -260,6 +260,7 @@ FilterCall read_filter(JsonObject object, const TechniqueList& list, const Manif
     filter.exits_file = files.required(exits, "file");
     filter.exits_function = required_identifier(exits, "function");
     exits.finish();
+    filter.exits = filter.takes(exits_planes);
   }
   object.finish();
   return filter;

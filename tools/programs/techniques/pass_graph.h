@@ -46,8 +46,12 @@ inline constexpr const char* shadow_map_name = "shadowMap";
 // An argument of filters: the SpotMap of ShaderLibrary/Core/SpotLight.hlsl.
 inline constexpr const char* spot_light_name = "spotLight";
 
-// The texture of a graph that exits read: planes of the shadow map's blocks, with mip levels.
+// The texture of a graph that exits read: planes of the shadow map's blocks, with mip levels. A filter that
+// has it among its arguments, and says what it reads, runs behind exits.
 inline constexpr const char* exits_planes = "depthPlanes";
+// The keyword of the renderer feature's programs that have exits before the filter of the technique's
+// keyword.
+inline constexpr const char* exits_keyword = "_PENUMBRA_EXITS";
 
 // The keyword of materials with alpha test, as URP's own shaders declare it. Programs of casters that declare
 // it have it on for such materials alone.

@@ -213,6 +213,10 @@ bool Selection::reads_raw_depth() const {
   return filter.takes(shadow_map_name) && filter.takes("pointSampler");
 }
 
+bool Selection::has_exits() const {
+  return !filter.exits_function.empty() && !filter.exits;
+}
+
 void add_options(const Manifest& manifest, TechniqueList& list) {
   JsonObject root(manifest.document);
   for (JsonObject& object : root.objects("options")) {
