@@ -54,6 +54,19 @@ TEST(EarlierRows, AreAddedBehindTheOthersWithHowTheyWereMeasured) {
                     HasSubstr("penumbra measure --technique bilinear\n")));
 }
 
+TEST(EarlierRows, TakenASecondTimeKeepTheRunThatMeasuredThem) {
+  Results first = now();
+  first.commit = "fedcba9876543210";
+  add_earlier_rows(first, before(), kTents, "before.json");
+  Results second = synthetic::results({"moments-32"});
+  add_earlier_rows(second, first, {"tent-5x5", "pcss-64-64"}, "first.json");
+  ASSERT_EQ(second.earlier.size(), 2U);
+  EXPECT_EQ(second.earlier[0].techniques, std::vector<std::string>{"tent-5x5"});
+  EXPECT_EQ(second.earlier[0].commit, "0123456789abcdef");
+  EXPECT_EQ(second.earlier[1].techniques, std::vector<std::string>{"pcss-64-64"});
+  EXPECT_EQ(second.earlier[1].commit, "fedcba9876543210");
+}
+
 TEST(EarlierRows, OfOtherPicturesAreRefused) {
   Results other = before();
   other.frames[0].width += 1;

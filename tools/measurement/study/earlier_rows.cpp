@@ -53,6 +53,19 @@ const Record& record_beside(const Results& results, const Record& record, const 
   throw InputError(file, place_of(record.scene, record.light_degrees) + " was measured there alone", kWayOut);
 }
 
+// The runs that measured the techniques: this file's, or those that its rows were taken from.
+void add_runs(Results& results, const Results& earlier, std::vector<std::string> techniques) {
+  for (EarlierRun run : earlier.earlier) {
+    std::erase_if(run.techniques, [&](const std::string& name) { return !contains(techniques, name); });
+    if (run.techniques.empty()) continue;
+    std::erase_if(techniques, [&](const std::string& name) { return contains(run.techniques, name); });
+    results.earlier.push_back(std::move(run));
+  }
+  if (techniques.empty()) return;
+  results.earlier.push_back(
+      {std::move(techniques), earlier.library_version, earlier.commit, earlier.packages, earlier.command});
+}
+
 }  // namespace
 
 void check_earlier_rows(const Results& earlier, const std::vector<std::string>& techniques,
@@ -88,8 +101,7 @@ void add_earlier_rows(Results& results, const Results& earlier, const std::vecto
     taken.push_back(record);
   }
   results.records.insert(results.records.end(), taken.begin(), taken.end());
-  results.earlier.push_back(
-      {techniques, earlier.library_version, earlier.commit, earlier.packages, earlier.command});
+  add_runs(results, earlier, techniques);
 }
 
 }  // namespace penumbra::study
