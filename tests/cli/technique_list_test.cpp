@@ -39,6 +39,7 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   EXPECT_EQ(rows.at("fetches_per_pixel"), 5.0 * 128 * 128 / (32 * 16));
   EXPECT_EQ(rows.at("texels_written_per_pixel"), 128.0 * 128 / (32 * 16));
   EXPECT_EQ(rows.at("fetches_per_cascade"), 5.0 * 64 * 64);
+  EXPECT_EQ(rows.at("invocations_per_pixel"), 128.0 * 128 / (32 * 16));
   double operations = 0.0;
   for (const nlohmann::json& pass : record.at("passes"))
     operations += pass.at("operations_per_pixel").get<double>();

@@ -138,6 +138,7 @@ float4 Main(float4 position : SV_Position) : SV_Target
     const TexelCounts counts = drawn(text, {.size = 2});
     EXPECT_THAT(counts.fetches, ElementsAre(1U, 6U, 1U, 6U)) << statement;
     EXPECT_THAT(counts.written, ElementsAre(0U, 1U, 0U, 1U)) << statement;
+    EXPECT_EQ(counts.invocations, 4U) << statement;
   }
 }
 
@@ -241,6 +242,7 @@ void Main(uint3 id : SV_DispatchThreadID)
                                         {}, {4, 1, 1});
   // The branch and the loop's first comparison; then a sum, the next i and a comparison.
   EXPECT_THAT(counts.operations, ElementsAre(2U, 5U, 8U, 11U));
+  EXPECT_EQ(counts.invocations, 4U);
 }
 
 // Loops that the optimiser unrolls, one inside of a function and one with a break.
@@ -285,6 +287,7 @@ void Main(uint3 id : SV_DispatchThreadID)
 )",
                                         {4, 1, 1}, {});
   EXPECT_EQ(counts.operations.front(), 4 * 64 * (1 + 60000ULL * (2 + 3 * 16 * 7)));
+  EXPECT_EQ(counts.invocations, 4U * 64U);
 }
 
 constexpr const char* kAsManyAsItsNumber = R"(
@@ -332,6 +335,7 @@ TEST(TexelCounter, OnlyPixelsThatAreDrawnCount) {
       drawn(returning("_Plain.Sample(sampler_Linear, position.xy)"), {.vertex = kHalf});
   EXPECT_THAT(counts.fetches, ElementsAre(1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 0));
   EXPECT_EQ(counts.written, counts.fetches);
+  EXPECT_EQ(counts.invocations, 10U) << "helpers do not count";
 }
 
 TEST(TexelCounter, DrawsOverEachOtherAddUpUnlessHidden) {

@@ -168,10 +168,11 @@ class GraphRunner::Run {
       counts.frequency = pass.frequency;
       for (const Step& step : steps_) {
         if (step.pass != i || !step.counter.buffer) continue;
-        const auto [fetches, written, operations] = step.counter.buffer->counts();
+        const auto [fetches, written, operations, invocations] = step.counter.buffer->counts();
         counts.fetches += sum(fetches) / pixels;
         counts.texels_written += sum(written) / pixels;
         counts.operations += sum(operations) / pixels;
+        counts.invocations += invocations / pixels;
         add_per_pixel(step, fetches, pixels, result);
       }
       if (pass.frequency == techniques::Frequency::cascade)

@@ -39,6 +39,7 @@ struct PassCounts {
   double fetches = 0.0;              // per pixel of the screen
   double texels_written = 0.0;       // the same
   double operations = 0.0;           // the same; scalar operations that are executed
+  double invocations = 0.0;          // the same; threads or fragments
   double fetches_per_cascade = 0.0;  // of a pass that runs for each cascade: in one of them
 };
 

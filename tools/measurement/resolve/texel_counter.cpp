@@ -28,6 +28,7 @@ TexelCounter::TexelCounter(const gpu::Device& device, int width, int height, int
 TexelCounts TexelCounter::counts() const {
   const std::vector<std::uint32_t> words = buffer_.download<std::uint32_t>();
   TexelCounts counts;
+  counts.invocations = words[shaders::texel_counts_invocations];
   for (std::size_t i = shaders::texel_counts_header; i < words.size(); i += shaders::texel_counts_per_cell) {
     counts.fetches.push_back(words[i]);
     counts.written.push_back(words[i + 1]);

@@ -15,6 +15,7 @@ struct TexelCounts {
   std::vector<std::uint32_t> fetches;
   std::vector<std::uint32_t> written;
   std::vector<std::uint64_t> operations;  // scalar operations, executed
+  std::uint32_t invocations = 0;          // of the whole grid: threads, or fragments that are not helpers
 };
 
 class TexelCounter {

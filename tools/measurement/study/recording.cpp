@@ -199,9 +199,10 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
 }
 
 PassRecord pass_record(const resolve::PassCounts& counts) {
-  PassRecord record{counts.pass,    techniques::name_of(counts.frequency),
-                    counts.fetches, counts.texels_written,
-                    std::nullopt,   counts.operations};
+  PassRecord record{counts.pass,       techniques::name_of(counts.frequency),
+                    counts.fetches,    counts.texels_written,
+                    std::nullopt,      counts.operations,
+                    counts.invocations};
   if (counts.frequency == techniques::Frequency::cascade)
     record.fetches_per_cascade = counts.fetches_per_cascade;
   return record;

@@ -81,6 +81,7 @@ struct PassRecord {
   double texels_written_per_pixel = 0.0;
   std::optional<double> fetches_per_cascade;     // where it runs for each cascade: in one of them, all texels
   std::optional<double> operations_per_pixel{};  // executed scalar operations; absent in older files
+  std::optional<double> invocations_per_pixel{};  // threads or fragments; absent in older files
 
   bool operator==(const PassRecord&) const = default;
 };

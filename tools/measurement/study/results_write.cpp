@@ -159,6 +159,7 @@ Json json_of(const PassRecord& pass) {
             {"fetches_per_pixel", pass.fetches_per_pixel},
             {"texels_written_per_pixel", pass.texels_written_per_pixel}};
   if (pass.operations_per_pixel) json["operations_per_pixel"] = *pass.operations_per_pixel;
+  if (pass.invocations_per_pixel) json["invocations_per_pixel"] = *pass.invocations_per_pixel;
   if (pass.fetches_per_cascade) json["fetches_per_cascade"] = *pass.fetches_per_cascade;
   return json;
 }

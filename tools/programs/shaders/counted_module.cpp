@@ -461,6 +461,7 @@ class Counting {
     add_atomically(first, loaded(fetches_));
     add_atomically(place_after(first, 1), loaded(written_));
     add_operations(first);
+    add_atomically(uint(texel_counts_invocations), uint(1));
     rewrite_.code(spv::OpReturn, {});
     rewrite_.code(spv::OpFunctionEnd, {});
   }

@@ -33,13 +33,14 @@ namespace penumbra::shaders {
 
 // The storage buffer with the counts, by the name that reflection gives it: one that HLSL cannot declare.
 //
-// Its words: the width, height and depth of the grid of counts, each at least 1, and an unused word; then for
-// each cell of the grid, x first, the counts, to which every invocation adds its own: fetches, texels
-// written, and the low and the high word of operations. The cell is a fragment's pixel, or a compute shader's
-// SV_DispatchThreadID; an invocation outside of the grid adds to the nearest cell. So a grid of 1 x 1 x 1 has
-// the totals of a draw or dispatch of any size.
+// Its words: the width, height and depth of the grid of counts, each at least 1, and the number of
+// invocations; then for each cell of the grid, x first, the counts, to which every invocation adds its own:
+// fetches, texels written, and the low and the high word of operations. The cell is a fragment's pixel, or a
+// compute shader's SV_DispatchThreadID; an invocation outside of the grid adds to the nearest cell. So a grid
+// of 1 x 1 x 1 has the totals of a draw or dispatch of any size.
 inline constexpr const char* texel_counts_name = "$TexelCounts";
-inline constexpr std::size_t texel_counts_header = 4;  // words before the counts
+inline constexpr std::size_t texel_counts_header = 4;       // words before the counts
+inline constexpr std::size_t texel_counts_invocations = 3;  // the word of the header
 inline constexpr std::size_t texel_counts_per_cell = 4;
 
 // For CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute shader; the result
