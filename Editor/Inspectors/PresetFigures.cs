@@ -9,27 +9,27 @@ namespace Penumbra.Editor
         {
             new[]  // Penumbra Low
             {
-                new PresetFigure(0.53f, 0.144f, 12.6f),
-                new PresetFigure(2f, 0.101f, 13.1f),
-                new PresetFigure(5f, 0.101f, 13.5f),
+                new PresetFigure(0.53f, 0.178f, 9.8f),
+                new PresetFigure(2f, 0.111f, 15.8f),
+                new PresetFigure(5f, 0.082f, 22.4f),
             },
             new[]  // Penumbra Medium
             {
-                new PresetFigure(0.53f, 0.141f, 15.5f),
-                new PresetFigure(2f, 0.086f, 16.9f),
-                new PresetFigure(5f, 0.078f, 17.9f),
+                new PresetFigure(0.53f, 0.134f, 7.4f),
+                new PresetFigure(2f, 0.072f, 14.8f),
+                new PresetFigure(5f, 0.055f, 23.4f),
             },
             new[]  // Penumbra High
             {
-                new PresetFigure(0.53f, 0.140f, 16.5f),
-                new PresetFigure(2f, 0.081f, 23.0f),
-                new PresetFigure(5f, 0.067f, 26.9f),
+                new PresetFigure(0.53f, 0.133f, 7.6f),
+                new PresetFigure(2f, 0.071f, 15.2f),
+                new PresetFigure(5f, 0.053f, 24.2f),
             },
             new[]  // Penumbra Ultra
             {
-                new PresetFigure(0.53f, 0.140f, 19.4f),
-                new PresetFigure(2f, 0.079f, 28.1f),
-                new PresetFigure(5f, 0.062f, 33.6f),
+                new PresetFigure(0.53f, 0.133f, 7.7f),
+                new PresetFigure(2f, 0.070f, 15.6f),
+                new PresetFigure(5f, 0.052f, 25.0f),
             },
             new[]  // Penumbra Reference
             {

@@ -178,7 +178,7 @@ namespace Penumbra
             internal const string Label = "Half Resolution";
             internal const string Tooltip =
                 "Filters a quarter of the pixels, every second one along both axes, and interpolates the others " +
-                "without crossing edges.";
+                "without crossing edges. Where neighbours differ widely, each pixel is filtered.";
         }
 
         internal static class Denoise

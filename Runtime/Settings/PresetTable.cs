@@ -6,12 +6,12 @@ namespace Penumbra
     {
         internal static readonly ShadowOptions[] Rows =
         {
-            new ShadowOptions  // Preset Low: Flagship at half resolution, 3 cells; else Fallback of Low: PCSS 6+8 at half resolution
+            new ShadowOptions  // Preset Low: Flagship at half resolution, 3 cells; else Fallback of Low: PCSS 8+16 at half resolution
             {
                 technique = ShadowTechnique.Flagship,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
-                blockerSamples = 6,
-                filterSamples = 8,
+                blockerSamples = 8,
+                filterSamples = 16,
                 softnessCapMetres = 100.0f,
                 minFilterTexels = 1.25f,
                 lightBleeding = 0.2f,

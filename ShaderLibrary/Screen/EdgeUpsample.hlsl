@@ -1,15 +1,16 @@
-// Penumbra: half-resolution visibility upsampled to the screen's resolution.
+// Penumbra: half-resolution visibility upsampled to the screen's resolution, where it tells what lies between.
 //
 // Computes:   bilinear interpolation between the up to four half-resolution pixels around a pixel, each weighted by the
-//             distance of its surface to this pixel's plane.
+//             distance of its surface to this pixel's plane; nothing where they differ by more than a step, as at the edge
+//             of a narrow penumbra, or where none of them saw this pixel's surface: there the caller computes the pixel.
 // Source:     Kopf, Cohen, Lischinski and Uyttendaele, "Joint Bilateral Upsampling" (2007), with the distance to the
 //             receiver's plane as the range.
 // Inputs:     visibility, half the screen's size rounded up (at the pixels of Core/ScreenScale.hlsl); camera
 //             depth; ScreenView.
 // Cost:       1, 2 or 4 fetches of visibility; where these differ, up to 9 of camera depth for the plane and 1 per tap.
-// Guarantees: [0, 1]. A pixel at which the half image was computed is copied exactly, and so is a value on which all
-//             taps agree. A tap farther from the plane than the tolerance has weight 0; if all are, the nearest tap is
-//             used.
+// Guarantees: [0, 1], or negative where the taps do not tell. A pixel at which the half image was computed is copied
+//             exactly, and so is a value on which all taps agree. A tap farther from the plane than the tolerance has
+//             weight 0.
 // Use it:     after a resolve at half resolution, before EdgeDenoise.hlsl.
 #ifndef PENUMBRA_EDGE_UPSAMPLE_HLSL
 #define PENUMBRA_EDGE_UPSAMPLE_HLSL
@@ -19,6 +20,10 @@
 
 // Distance from the plane, in pixel widths, from which a surface counts as another one.
 static const float kUpsampleTolerance = 2.0;
+
+// Difference of taps of one surface above which they do not tell what lies between them. A smaller one computes more pixels,
+// with less error.
+static const float kUpsampleStep = 0.25;
 
 struct HalfTaps
 {
@@ -49,16 +54,35 @@ bool HasTap(HalfTaps taps, int index)
     return (index & 1) < taps.count.x && (index >> 1) < taps.count.y;
 }
 
-float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, HalfTaps taps)
+HalfTaps ReadHalfTaps(TEXTURE2D_X(visibility), int2 pixel, int2 halfSize)
 {
-    const CameraSurface here = ReadCameraSurface(cameraDepth, view, pixel);
-    if (!here.seen) return 1.0;
-    // Without a plane, the nearest tap is used.
-    const bool hasPlane = dot(here.normalWS, here.normalWS) > 0.0;
+    HalfTaps taps = HalfTapsAround(pixel, halfSize);
+    UNITY_UNROLL
+    for (int i = 0; i < 4; ++i)
+    {
+        if (!HasTap(taps, i)) continue;
+        taps.visibility[i] = SanitizeVisibility(LOAD_TEXTURE2D_X(visibility, TapOf(taps, i)).x);
+    }
+    return taps;
+}
+
+// The first tap, which there always is, is then the answer.
+bool TapsAgree(HalfTaps taps)
+{
+    bool agree = true;
+    UNITY_UNROLL
+    for (int i = 1; i < 4; ++i) agree = agree && (!HasTap(taps, i) || taps.visibility[i] == taps.visibility.x);
+    return agree;
+}
+
+// here: the pixel's surface, seen. Negative where the taps do not tell.
+float UpsampleOverPlane(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, CameraSurface here, HalfTaps taps)
+{
+    if (dot(here.normalWS, here.normalWS) <= 0.0) return -1.0;  // no plane
     float sum = 0.0;
     float weights = 0.0;
-    float nearest = 3.402823e38;
-    float ofNearest = taps.visibility.x;
+    float lowest = 1.0;
+    float highest = 0.0;
     UNITY_UNROLL
     for (int i = 0; i < 4; ++i)
     {
@@ -66,34 +90,17 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
         const int2 seenAt = FullPixel(TapOf(taps, i), 2, int2(view.size.xy));
         const CameraSurface there = ReadCameraPosition(cameraDepth, view, seenAt);
         if (!there.seen) continue;
-        const float3 offset = there.positionWS - here.positionWS;
         // A pixel between taps is equally far from all of them, so their bilinear weights are equal.
-        const float onPlane = PlaneWeight(offset, here.normalWS, kUpsampleTolerance * here.metresPerPixel);
-        const float weight = hasPlane ? onPlane : 0.0;
+        const float weight =
+            PlaneWeight(there.positionWS - here.positionWS, here.normalWS, kUpsampleTolerance * here.metresPerPixel);
+        if (!(weight > 0.0)) continue;
         sum += weight * taps.visibility[i];
         weights += weight;
-        const float beside = dot(offset, offset);
-        if (beside < nearest) ofNearest = taps.visibility[i];
-        nearest = min(nearest, beside);
-    }
-    return SanitizeVisibility(weights > 0.0 ? sum / weights : ofNearest);
-}
-
-float UpsampleEdges(TEXTURE2D_X(visibility), TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 halfSize)
-{
-    HalfTaps taps = HalfTapsAround(pixel, halfSize);
-    float lowest = 1.0;
-    float highest = 0.0;
-    UNITY_UNROLL
-    for (int i = 0; i < 4; ++i)
-    {
-        if (!HasTap(taps, i)) continue;
-        taps.visibility[i] = SanitizeVisibility(LOAD_TEXTURE2D_X(visibility, TapOf(taps, i)).x);
         lowest = min(lowest, taps.visibility[i]);
         highest = max(highest, taps.visibility[i]);
     }
-    if (lowest == highest) return lowest;
-    return UpsampleAcrossEdges(cameraDepth, view, pixel, taps);
+    if (!(weights > 0.0) || highest - lowest > kUpsampleStep) return -1.0;
+    return SanitizeVisibility(sum / weights);
 }
 
 #endif

@@ -82,8 +82,8 @@ TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
 }
 
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
-  expect_refused({"--technique", "preset-high", "--set", "blockerSample=4"},
-                 {"technique 'preset-high' has no parameter 'blockerSample'",
+  expect_refused({"--technique", "fallback-high", "--set", "blockerSample=4"},
+                 {"technique 'fallback-high' has no parameter 'blockerSample'",
                   "did you mean 'blockerSamples'?", "maskPenumbraMetres"});
   expect_refused({"--technique", "pcss-angular-24-16", "--technique", "tent-5", "--set", "blockerSamples=4"},
                  {"technique 'tent-5'", "it has no parameters"});

@@ -87,7 +87,13 @@ class PassRunner {
     const gpu::Image depth_image = uploaded(depth);
     const gpu::Image source_image = uploaded(source);
     NamedResources resources;
-    resources.images = {{"_CameraDepthTexture", {&depth_image}}, {"_PenumbraSourceTexture", {&source_image}}};
+    // No cascade covers anything, so nothing reads it.
+    const gpu::Image shadow_map(test_device(), gpu::Format::depth32, 1, 1);
+    resources.images = {{"_CameraDepthTexture", {&depth_image}},
+                        {"_PenumbraSourceTexture", {&source_image}},
+                        {"_MainLightShadowmapTexture", {&shadow_map}}};
+    const gpu::Sampler compare(test_device(), gpu::SamplerKind::compare_greater_equal);
+    resources.samplers = {{"sampler_PenumbraLinearClampCompare", &compare}};
     const gpu::Image plain(test_device(), gpu::Format::r32f, width, height);
     const gpu::Image counted(test_device(), gpu::Format::r32f, width, height);
     draw(plain_, plain, resources, values);

@@ -58,6 +58,36 @@ TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
   EXPECT_EQ(half.fetches_of_others, half.passes[0].fetches);
 }
 
+// Between pixels that differ widely the filter itself runs; few of those see too many surfaces to do so.
+TEST(ScreenTechnique, HalfResolutionComputesWhatLiesOnAnEdge) {
+  const scene::Frame& frame = drawn("trees", 4, true);
+  const FrameOnDevice on_device(test_device(), frame);
+  const CameraImage camera = camera_image(frame);
+  const auto visibility = [&](std::vector<HandPass> passes) {
+    return GraphRunner(test_device(), compile(hand_graph(std::move(passes))))
+        .run(on_device, &camera, kOnce)
+        .visibility[0];
+  };
+  const std::vector<float> full = visibility({{"Resolve"}});
+  const std::vector<float> half = visibility({{"Resolve", 2}, {"Upsample", 1, true}});
+  int edges = 0;
+  int computed = 0;
+  for (int y = 1; y + 2 < camera.height; y += 2) {
+    for (int x = 1; x + 2 < camera.width; x += 2) {
+      const auto at = [&](int right, int down) {
+        return static_cast<std::size_t>((y + down) * camera.width + x + right);
+      };
+      const auto [lowest, highest] =
+          std::minmax({full[at(0, 0)], full[at(2, 0)], full[at(0, 2)], full[at(2, 2)]});
+      if (highest - lowest < 0.5f) continue;
+      ++edges;
+      if (half[at(1, 1)] == full[at(1, 1)]) ++computed;
+    }
+  }
+  EXPECT_GT(edges, 50);
+  EXPECT_GT(computed, 0.75 * edges) << "of " << edges;
+}
+
 std::vector<std::string> screen_techniques() {
   std::vector<std::string> names;
   for (const techniques::Technique& technique : library_techniques().techniques) {

@@ -270,6 +270,36 @@ class PresetCosts(unittest.TestCase):
             "| fallback of Low | Resolve | 700 | 8 | 1400 |"), text)
 
 
+class WeightedCosts(unittest.TestCase):
+    COST = {"driver": "radv", "command": "penumbra cost", "rows": [
+        cost_row("Classify", "flagship", 320), cost_row("Resolve", "flagship", 3200), cost_row("Resolve", "flagship", 1, []),
+        cost_row("Fragment", "tent-7", 64), cost_row("Fragment", "tent-7", 128, family="gfx1100"),
+        cost_row("Classify", "flagship", 640, family="gfx1100"), cost_row("Resolve", "flagship", 0, family="gfx1100")]}
+
+    @staticmethod
+    def flagship(scene, share):
+        return record("flagship", scene, operations_per_pixel=1000.0 * share, passes=[
+            {"pass": "Classify", "invocations_per_pixel": 0.0625}, {"pass": "Resolve", "invocations_per_pixel": share}])
+
+    def test_each_pass_counts_by_its_threads(self):
+        tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
+        text = page.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
+        # 640 / 64 of a thread for 16 pixels, and 6400 / 64 of one for 0.5 and 0.7 of the pixels: 50.6 and 70.6.
+        self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
+        self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
+        self.assertIn("| cycles, gfx1100 | `flagship` | 1 ± 0 |", text)
+        self.assertIn("| operations, executed | `tent-7` | 500 ± 0 |", text)
+
+    def test_a_pass_without_a_program_is_an_error(self):
+        unknown = record("flagship", "a", operations_per_pixel=1.0, passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
+        with self.assertRaisesRegex(page.Problem, "the cost of flagship lacks Rest"):
+            page.weighted_costs(results(unknown), self.COST)
+
+    def test_threads_of_each_pass(self):
+        text = page.shares_of_passes(results(self.flagship("a", 0.5), self.flagship("b", 0.5)), "flagship")
+        self.assertIn("| `Classify` | 0.062 ± 0.000 |\n| `Resolve` | 0.500 ± 0.000 |", text)
+
+
 class DepthFetches(unittest.TestCase):
     SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0), record("pcss-angular-24-16", "b", fetches_mean=20.0),
                      record("screen-pcss-angular-24-16", fetches_mean=35.5),

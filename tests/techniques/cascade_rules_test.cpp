@@ -125,7 +125,7 @@ TEST(CascadeRules, HoldWhereAPassOfAShaderCallsTheFilter) {
   EXPECT_TRUE(compiled_rules(list, list.find("tent-5-plane")).empty());
   EXPECT_EQ(values_of(compiled_rules(list, list.find("fallback-low"))[0], list.find("fallback-low"))
                 .at("blockerSamples"),
-            std::vector<double>{6.0});
+            std::vector<double>{8.0});
 }
 
 TEST(CascadeRules, AreARowOfTheSelectionsTable) {

@@ -46,6 +46,7 @@ TEST(PresetPrograms, ArePassesOfTheChainWithTheKeywordsTheyDeclare) {
   const std::vector<PresetProgram> low = programs("preset-low");
   EXPECT_THAT(passes_of(low), ElementsAre("Upsample", "Resolve"))
       << "its own, those of its fallback, none twice";
+  EXPECT_THAT(low[0].keywords, ElementsAre("_PENUMBRA_PCSS")) << "it filters where neighbours differ widely";
   EXPECT_THAT(low[1].keywords, ElementsAre("_PENUMBRA_PCSS"));
   EXPECT_THAT(passes_of(programs("preset-reference")), ElementsAre("Resolve"));
 }

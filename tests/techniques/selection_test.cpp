@@ -308,6 +308,31 @@ TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
       << "as what it draws is measured, not as the first with it";
 }
 
+// As upsampling does.
+TEST_F(VisibilitySelectionTest, APresetWhosePassesCallTheFallbacksFilterHasItsOptions) {
+  const auto problem_of = [this](std::string manifest) {
+    const auto put = [&](const std::string& from, const std::string& to) {
+      const std::size_t at = manifest.find(from);
+      ASSERT_NE(at, std::string::npos) << from;
+      manifest.replace(at, from.size(), to);
+    };
+    put(R"("options": {"ringTaps": "taps"})", R"("options": {})");
+    put(R"("graph": "disc", "values": {"taps": 12})", R"("graph": "disc", "values": {"taps": 8})");
+    try {
+      read_with(manifest);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(problem_of(disc_manifest), "no error") << "its passes' own parameter, which no option sets";
+  EXPECT_THAT(
+      problem_of(disc_with(R"("parameters": ["RingParameters"])",
+                           R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": )"
+                           R"(["shadowMap", "pointSampler"], "parameters": "RingParameters"})")),
+      AllOf(HasSubstr("disc.technique.json:17:"), HasSubstr("'preset-low' and 'rings-12' differ in 'taps'")));
+}
+
 TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
   const auto at = [](const char* line) {
     return HasSubstr(std::string("disc.technique.json:") + line + ":");
@@ -329,10 +354,11 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
               AllOf(at("17"), HasSubstr("unknown technique 'preset-lower'")));
   EXPECT_THAT(disc_problem(R"("fallback": "rings-12"})", R"("fallback": "rings-13"})"),
               AllOf(at("17"), HasSubstr("unknown technique 'rings-13'")));
-  EXPECT_THAT(disc_problem(R"("graph": "disc", "values": {"taps": 12})",
-                           R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],)"
-                           R"( "parameters": "RingParameters"}, "values": {"taps": 12})"),
-              AllOf(at("17"), HasSubstr("no selection has the passes of 'preset-low'")));
+  EXPECT_THAT(
+      disc_problem(R"("graph": "disc", "values": {"taps": 12})",
+                   R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],)"
+                   R"( "parameters": "RingParameters"}, "values": {"taps": 12})"),
+      AllOf(at("17"), HasSubstr("no selection has the passes of 'preset-low'")));
   EXPECT_THAT(
       disc_problem(R"("graph": "disc", "values": {"taps": 12})", R"("graph": "disc", "values": {"taps": 8})"),
       AllOf(at("17"), HasSubstr("'preset-low' and 'rings-12' differ in 'taps'")));

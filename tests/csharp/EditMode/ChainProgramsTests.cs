@@ -112,7 +112,7 @@ namespace Penumbra.Tests
             {
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
             };
-            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Append("Upsample").Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Append("Upsample _PENUMBRA_PCSS").Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(FlagshipKernels)));
@@ -176,7 +176,7 @@ namespace Penumbra.Tests
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
             {
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
-                "Resolve _PENUMBRA_PCSS", "Upsample",
+                "Resolve _PENUMBRA_PCSS", "Upsample _PENUMBRA_PCSS",
             }.Concat(FlagshipKernels)));
             ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
             met.halfResolution = true;

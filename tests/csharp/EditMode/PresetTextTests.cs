@@ -28,7 +28,7 @@ namespace Penumbra.Tests
                         Does.EndWith("measured under " + measured + " degrees."));
 
         [TestCase(QualityPreset.Low, "Flagship, 3 filter cells, at half resolution; on devices that cannot run it PCSS, " +
-                                     "6 blocker and 8 filter samples, at half resolution.")]
+                                     "8 blocker and 16 filter samples, at half resolution.")]
         [TestCase(QualityPreset.Medium, "Flagship, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
                                         "16 filter samples.")]
         [TestCase(QualityPreset.Ultra, "Flagship, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +

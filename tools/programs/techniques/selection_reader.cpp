@@ -192,13 +192,19 @@ bool is_at_half_resolution(const Technique& technique) {
 }
 
 // A preset's options set both what it draws and what it falls back to: what is measured must have them, too.
+// Its passes may call the fallback's filter, as upsampling does.
 void require_same_options(JsonObject& object, const TechniqueList& list, const PresetChoice& choice,
                           const Selection& selection) {
   const Technique& preset = list.find(choice.preset);
   const Technique& fallback = list.find(choice.fallback);
-  for (const auto& [option, field] : selection.options) {
+  auto options = selection.options;
+  if (preset.graph.filter() != nullptr)
+    for (const Selection& other : list.selections)
+      if (other.name == selection.fallback) options.insert(other.options.begin(), other.options.end());
+  for (const auto& [option, field] : options) {
     const auto other = fallback.values.find(field);
-    if (other != fallback.values.end() && other->second != preset.values.at(field))
+    const auto own = preset.values.find(field);
+    if (other != fallback.values.end() && own != preset.values.end() && other->second != own->second)
       object.fail("fallback", "'" + preset.name + "' and '" + fallback.name + "' differ in '" + field + "'",
                   "the preset has one value of the option '" + option + "' for both");
   }
