@@ -32,14 +32,22 @@ struct HalfTaps
     float4 visibility; // in the order (0, 0), (1, 0), (0, 1), (1, 1)
 };
 
-HalfTaps HalfTapsAround(int2 pixel, int2 halfSize)
+// Of one axis: the first tap, and how many there are. The last pixel of an odd size was computed, too.
+int2 HalfTapsOf(int pixel, int halfSize, int size)
 {
-    const int2 before = int2(HalfPixelBefore(pixel.x), HalfPixelBefore(pixel.y));
-    const bool2 isSeen = bool2((pixel.x & 1) == 1, (pixel.y & 1) == 1);
+    const bool isSeen = (pixel & 1) == 1 || pixel == size - 1;
+    const int before = isSeen ? pixel / 2 : HalfPixelBefore(pixel);
+    const int first = min(max(before, 0), halfSize - 1);
+    return int2(first, max(min(isSeen ? before : before + 1, halfSize - 1) - first, 0) + 1);
+}
+
+HalfTaps HalfTapsAround(int2 pixel, int2 halfSize, int2 size)
+{
+    const int2 ofColumns = HalfTapsOf(pixel.x, halfSize.x, size.x);
+    const int2 ofRows = HalfTapsOf(pixel.y, halfSize.y, size.y);
     HalfTaps taps;
-    taps.first = min(max(before, 0), halfSize - 1);
-    const int2 last = min(before + int2(isSeen.x ? 0 : 1, isSeen.y ? 0 : 1), halfSize - 1);
-    taps.count = max(last - taps.first, 0) + 1;
+    taps.first = int2(ofColumns.x, ofRows.x);
+    taps.count = int2(ofColumns.y, ofRows.y);
     taps.visibility = float4(0.0, 0.0, 0.0, 0.0);
     return taps;
 }
@@ -54,9 +62,9 @@ bool HasTap(HalfTaps taps, int index)
     return (index & 1) < taps.count.x && (index >> 1) < taps.count.y;
 }
 
-HalfTaps ReadHalfTaps(TEXTURE2D_X(visibility), int2 pixel, int2 halfSize)
+HalfTaps ReadHalfTaps(TEXTURE2D_X(visibility), int2 pixel, int2 halfSize, int2 size)
 {
-    HalfTaps taps = HalfTapsAround(pixel, halfSize);
+    HalfTaps taps = HalfTapsAround(pixel, halfSize, size);
     UNITY_UNROLL
     for (int i = 0; i < 4; ++i)
     {

@@ -80,8 +80,9 @@ int seen(int pixel, int size) {
 }
 
 // On one plane every tap counts the same: the half pixels that saw the nearest places.
-std::vector<float> taps_around(const HandImage& halved, int x, int y) {
-  const auto around = [](int full, int size) {
+std::vector<float> taps_around(const HandImage& halved, int x, int y, int width, int height) {
+  const auto around = [](int full, int size, int full_size) {
+    if (full == full_size - 1) return std::vector<int>{size - 1};  // itself, or the one before it
     std::vector<int> pixels;
     for (const int pixel : {(full + 1) / 2 - 1, full / 2}) {
       const bool known = !pixels.empty() && pixels.back() == pixel;
@@ -90,8 +91,8 @@ std::vector<float> taps_around(const HandImage& halved, int x, int y) {
     return pixels;
   };
   std::vector<float> taps;
-  for (const int i : around(x, halved.width)) {
-    for (const int j : around(y, halved.height)) taps.push_back(halved.at(i, j));
+  for (const int i : around(x, halved.width, width)) {
+    for (const int j : around(y, halved.height, height)) taps.push_back(halved.at(i, j));
   }
   return taps;
 }
@@ -101,8 +102,8 @@ constexpr double kStep = 0.25;
 constexpr float kComputed = 1.0f;
 
 // The mean of the taps, or what the pass computes; nothing where rounding decides which.
-std::optional<float> on_one_plane(const HandImage& halved, int x, int y) {
-  const std::vector<float> taps = taps_around(halved, x, y);
+std::optional<float> on_one_plane(const HandImage& halved, int x, int y, int width, int height) {
+  const std::vector<float> taps = taps_around(halved, x, y, width, height);
   const auto [lowest, highest] = std::minmax_element(taps.begin(), taps.end());
   const double range = double{*highest} - *lowest;
   if (std::abs(range - kStep) < 1e-4) return std::nullopt;
@@ -122,14 +123,11 @@ TEST_F(Upsample, InterpolatesOverAPlaneWhatIsCloseAndCopiesWhatWasSeen) {
     EXPECT_THAT(answer.written, testing::Each(1));
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        if (x % 2 == 1 && y % 2 == 1) {
+        if ((x % 2 == 1 || x == width - 1) && (y % 2 == 1 || y == height - 1)) {
           ASSERT_EQ(answer.image.at(x, y), halved.at(x / 2, y / 2));
           ASSERT_EQ(answer.fetches[static_cast<std::size_t>(y * width + x)], 1);
         }
-        // The last column of an odd screen saw its own column, not the one after it.
-        const bool at_odd_end = (width % 2 == 1 && x == width - 1) || (height % 2 == 1 && y == height - 1);
-        if (at_odd_end) continue;
-        const std::optional<float> expected = on_one_plane(halved, x, y);
+        const std::optional<float> expected = on_one_plane(halved, x, y, width, height);
         if (!expected) continue;
         ++(*expected == kComputed ? computed : interpolated);
         ASSERT_NEAR(answer.image.at(x, y), *expected, 2e-3) << x << ", " << y;
