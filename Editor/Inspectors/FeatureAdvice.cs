@@ -93,7 +93,14 @@ namespace Penumbra.Editor
             if (state.layersWithoutDepth != 0)
                 Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
                                          "(Renderer > Filtering), or let Window > Rendering > Penumbra Receivers do it.");
-            if (state.replaced != null)
+            // Made for this: nothing is to be mended.
+            bool isOfPreset = state.settings.preset != QualityPreset.Custom &&
+                              state.asked.technique == ShadowPresets.Options(state.settings.preset).technique;
+            if (state.replaced != null && isOfPreset)
+                Say(MessageType.Info, "The preset " + state.settings.preset + " draws " +
+                                      TechniqueName.Of(state.asked.technique) + " where the device can. This one cannot: " +
+                                      state.replaced + ". Drawn instead: " + Substitute(state) + ".");
+            else if (state.replaced != null)
                 Say(MessageType.Warning, TechniqueName.Of(state.asked.technique) + " cannot run here as it is set: " +
                                          state.replaced + ". Drawn instead: " + Substitute(state) + ".");
             if (state.missingGround != null)

@@ -17,13 +17,19 @@ namespace Penumbra.Editor
             OptionTable.AngularDiameterDegrees.Tooltip,
             options => options.technique.WidensWithDisc(), volume => volume.angularDiameterDegrees);
 
+        // With half resolution, pixels whose neighbours differ widely are filtered: with what replaces passes that draw the
+        // visibility themselves.
+        private static bool Filters(in ShadowOptions options, string option) =>
+            options.technique.Takes(option) || options.DrawsVisibility && options.HalvesResolution &&
+            TechniqueTable.Fallbacks[(int)options.technique].Takes(option);
+
         internal static readonly OptionField BlockerSamples = new OptionField(
             nameof(ShadowOptions.blockerSamples), OptionTable.BlockerSamples.Label, OptionTable.BlockerSamples.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.blockerSamples)), volume => volume.blockerSamples);
+            options => Filters(options, nameof(ShadowOptions.blockerSamples)), volume => volume.blockerSamples);
 
         internal static readonly OptionField FilterSamples = new OptionField(
             nameof(ShadowOptions.filterSamples), OptionTable.FilterSamples.Label, OptionTable.FilterSamples.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
+            options => Filters(options, nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
 
         // A filter without a limit has a mask that is limited by the softness cap; PCSS (HDRP) has a cap of its own.
         internal static readonly OptionField SoftnessCap = new OptionField(
@@ -37,7 +43,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField MinFilter = new OptionField(
             nameof(ShadowOptions.minFilterTexels), OptionTable.MinFilterTexels.Label,
             OptionTable.MinFilterTexels.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.minFilterTexels)),
+            options => Filters(options, nameof(ShadowOptions.minFilterTexels)),
             null);
 
         internal static readonly OptionField LightBleeding = new OptionField(

@@ -10,7 +10,10 @@ namespace Penumbra.Editor
         internal static string Describe(in ShadowOptions options)
         {
             string text = DescribeOne(options);
-            return ChainSubstitute.TryGetSampled(options, out ShadowOptions instead)
+            bool isReplaced = ChainSubstitute.TryGetSampled(options, out ShadowOptions instead);
+            if (isReplaced && options.DrawsVisibility && options.HalvesResolution)
+                text += ", sharp edges by " + TechniqueName.Of(instead.technique);
+            return isReplaced
                        ? text + "; on devices that cannot run it " + DescribeOne(instead) + "."
                        : text + ".";
         }

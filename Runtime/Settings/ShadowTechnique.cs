@@ -319,12 +319,10 @@ namespace Penumbra
             new[]
             {
                 nameof(ShadowOptions.filterCells),
-                nameof(ShadowOptions.minFilterTexels),
                 nameof(ShadowOptions.softnessCapMetres),
             },
             new[]
             {
-                nameof(ShadowOptions.minFilterTexels),
                 nameof(ShadowOptions.softnessCapMetres),
             },
         };
@@ -908,12 +906,10 @@ namespace Penumbra
             (ref ShadowOptions options) =>
             {
                 options.filterCells = 5;
-                options.minFilterTexels = 1.25f;
                 options.softnessCapMetres = 100.0f;
             },
             (ref ShadowOptions options) =>
             {
-                options.minFilterTexels = 1.25f;
                 options.softnessCapMetres = 100.0f;
             },
         };

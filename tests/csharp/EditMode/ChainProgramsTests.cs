@@ -49,19 +49,20 @@ namespace Penumbra.Tests
                 .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
                            .Select(pass => (pass.asset, pass.program))).ToArray();
 
-        // "Resolve _PENUMBRA_PCSS": only Resolve declares keywords.
+        // "Resolve _PENUMBRA_PCSS": only the two that filter declare keywords.
         private static IEnumerable<(string asset, string pass, string[] keywords)> EveryProgram()
         {
             foreach ((string asset, string pass) in AllPasses)
             {
-                if (pass != "Resolve")
+                if (Declared(pass).Count == 0)
                 {
                     yield return (asset, pass, new string[0]);
                     continue;
                 }
+                bool isResolve = pass == "Resolve";
                 foreach (string technique in TechniqueTable.Keywords.Distinct())
-                    foreach (string mask in new[] { null, "_PENUMBRA_MASK" })
-                        foreach (string exits in new[] { null, "_PENUMBRA_EXITS" })
+                    foreach (string mask in isResolve ? new[] { null, "_PENUMBRA_MASK" } : new string[] { null })
+                        foreach (string exits in isResolve ? new[] { null, "_PENUMBRA_EXITS" } : new string[] { null })
                             yield return (asset, pass, new[] { technique, exits, mask }.Where(name => name != null).ToArray());
             }
         }
@@ -73,10 +74,13 @@ namespace Penumbra.Tests
         private static string Text(string asset, string pass, IEnumerable<string> keywords) =>
             string.Join(" ", keywords.Prepend(asset.EndsWith(".compute") ? "kernel " + pass : pass));
 
-        private static IReadOnlyCollection<string> Declared(string pass) =>
-            pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().Append("_PENUMBRA_MASK")
-                                    .Append("_PENUMBRA_EXITS").ToArray()
-                              : new string[0];
+        private static IReadOnlyCollection<string> Declared(string pass)
+        {
+            if (pass != "Resolve" && pass != "Upsample") return new string[0];
+            IEnumerable<string> techniques = TechniqueTable.Keywords.Where(name => name != null).Distinct();
+            return pass == "Upsample" ? techniques.ToArray()
+                                      : techniques.Append("_PENUMBRA_MASK").Append("_PENUMBRA_EXITS").ToArray();
+        }
 
         private static string[] Kept(ChainPrograms programs) =>
             EveryProgram().Where(program => programs.Has(program.asset, program.pass,

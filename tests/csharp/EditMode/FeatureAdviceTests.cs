@@ -87,6 +87,20 @@ namespace Penumbra.Tests
             return Texts(state, MessageType.Info).SingleOrDefault(text => text.StartsWith("The view Penumbra Mask "));
         }
 
+        /// <summary>A preset is made to fall back; who chose the technique may choose another.</summary>
+        [TestCase(QualityPreset.Medium, MessageType.Info, "The preset Medium draws Flagship where the device can. This one cannot: ")]
+        [TestCase(QualityPreset.Custom, MessageType.Warning, "Flagship cannot run here as it is set: ")]
+        public void WhatIsDrawnInsteadIsSaidAndWhy(QualityPreset preset, MessageType type, string before)
+        {
+            FeatureState state = Sound();
+            state.settings.preset = preset;
+            state.settings.custom.technique = ShadowTechnique.Flagship;
+            state.asked = state.drawn = state.settings.Options();
+            state.replaced = "this device has no kernels";
+            state.drawn.technique = ShadowTechnique.Pcss;
+            Assert.That(Texts(state, type), Does.Contain(before + "this device has no kernels. Drawn instead: PCSS."));
+        }
+
         [Test]
         public void WhyTheViewOfTheMaskIsYellowIsSaid()
         {

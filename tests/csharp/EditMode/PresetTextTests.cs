@@ -27,8 +27,8 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "Flagship, 3 filter cells, at half resolution; on devices that cannot run it PCSS, " +
-                                     "8 blocker and 16 filter samples, at half resolution.")]
+        [TestCase(QualityPreset.Low, "Flagship, 3 filter cells, at half resolution, sharp edges by PCSS; on devices " +
+                                     "that cannot run it PCSS, 8 blocker and 16 filter samples, at half resolution.")]
         [TestCase(QualityPreset.Medium, "Flagship, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
                                         "16 filter samples.")]
         [TestCase(QualityPreset.Ultra, "Flagship, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +
@@ -51,8 +51,8 @@ namespace Penumbra.Tests
             options.denoise = options.halfResolution = true;
             options.mask = false;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Flagship, 5 filter cells, at half resolution; on devices that cannot run it PCSS, " +
-                                   "16 blocker and 32 filter samples, at half resolution, denoised."));
+                        Is.EqualTo("Flagship, 5 filter cells, at half resolution, sharp edges by PCSS; on devices " +
+                                   "that cannot run it PCSS, 16 blocker and 32 filter samples, at half resolution, denoised."));
             options.technique = ShadowTechnique.FlagshipPixel;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Flagship, per pixel, all texels around a pixel in place of samples, at half resolution."));

@@ -78,8 +78,10 @@ namespace Penumbra.Tests
             Assert.That(Shown(State(Preset(QualityPreset.Low))),
                         Is.EqualTo(new[]
                         {
-                            "Technique", "Angular Diameter", "Filter Cells", "Softness Cap", "Half Resolution",
+                            "Technique", "Angular Diameter", "Blocker Samples", "Filter Samples", "Filter Cells",
+                            "Softness Cap", "Half Resolution",
                         }));
+            Assert.That(Shown(State(Preset(QualityPreset.Medium))), Does.Not.Contain("Blocker Samples"));
             Assert.That(Shown(State(Preset(QualityPreset.Reference))), Does.Contain("Filter Samples"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssHdrp))), Does.Not.Contain("Softness Cap"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssPoisson))), Does.Not.Contain("Filter Samples"));
