@@ -216,7 +216,7 @@ std::string map_pass_table(const Results& results) {
   if (!has_map_passes(results)) return {};
   constexpr double kFullHd = 1920.0 * 1080.0;
   MarkdownTable table({"Technique", "fetches of the passes over the map, millions", "other fetches per pixel",
-                       "fetches per pixel at 1920 x 1080"});
+                       "fetches per pixel if 1920 x 1080 pixels shared those over the map"});
   for (const Choice& choice : choices(results)) {
     double of_map = 0.0, others = 0.0;
     int scenes = 0;
