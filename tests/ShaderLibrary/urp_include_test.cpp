@@ -144,9 +144,9 @@ TEST(UrpIncludeOfMaps, BindsThoseOfTheFlagshipAndTheShadowMap) {
     const shaders::CompileResult result = compile_umbrella(defines);
     for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
-    for (const char* name : {"_MainLightShadowmapTexture", "sampler_PenumbraPointClamp",
-                             "_PenumbraDepthPlanesTexture", "_PenumbraDepthSpreadsTexture",
-                             "_PenumbraCoarsePlanesTexture", "_PenumbraCoarseSpreadsTexture"})
+    for (const char* name :
+         {"_MainLightShadowmapTexture", "sampler_PenumbraPointClamp", "_PenumbraDepthPlanesTexture",
+          "_PenumbraDepthSpreadsTexture", "_PenumbraCoarsePlanesTexture", "_PenumbraCoarseSpreadsTexture"})
       EXPECT_TRUE(binds(result, name)) << name;
   }
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {

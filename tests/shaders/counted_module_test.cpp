@@ -65,7 +65,8 @@ TEST(CountedModule, IsValidForEveryVulkan) {
 constexpr std::int64_t kUnknown = -1;
 
 // What the counters of a shader without branches grow by, which the optimiser computes: fetches, texels
-// written, operations. Last, the operations' high word: whether the low one wraps is known on the device.
+// written, operations; then the operations' high word: whether the low one wraps is known on the device;
+// last, invocations.
 std::vector<std::int64_t> counts(const std::string& statement) {
   const std::string text = R"(
 TextureCube _Cube;
@@ -102,11 +103,11 @@ TEST(CountedModule, CountsTexturesOfEveryShape) {
         "read = _Samples.Load(int2(1, 2), 3);", "read = _SampleArray.Load(int3(1, 2, 0), 3);",
         "read = _Row.Load(int2(1, 0));", "read = _Texels[3];", "read = _Volume[uint3(1, 2, 3)];",
         "_Cube.Sample(sampler_Linear, position.xyz);"})
-    EXPECT_THAT(counts(read), testing::ElementsAre(1, 1, 0, kUnknown)) << read;
+    EXPECT_THAT(counts(read), testing::ElementsAre(1, 1, 0, kUnknown, 1)) << read;
   EXPECT_THAT(counts("_Volume[uint3(1, 2, 3)] = 1; _Written[2] = 2;"),
-              testing::ElementsAre(0, 3, 0, kUnknown));
-  EXPECT_THAT(counts("_Volume[uint3(1, 2, 3)] += 1;"), testing::ElementsAre(1, 2, 4, kUnknown));
-  EXPECT_THAT(counts("_Bytes.Store(4, _Bytes.Load(8));"), testing::ElementsAre(0, 1, 2, kUnknown));
+              testing::ElementsAre(0, 3, 0, kUnknown, 1));
+  EXPECT_THAT(counts("_Volume[uint3(1, 2, 3)] += 1;"), testing::ElementsAre(1, 2, 4, kUnknown, 1));
+  EXPECT_THAT(counts("_Bytes.Store(4, _Bytes.Load(8));"), testing::ElementsAre(0, 1, 2, kUnknown, 1));
 }
 
 // No entry point may have two variables for one of them.

@@ -369,7 +369,7 @@ void add_measure(CLI::App& app, Context& context) {
   earlier->group("What to measure");
   CLI::Option* earlier_rows = as_list(command->add_option(
       "--earlier-rows", options->earlier_rows, "Techniques of --earlier, measured by adapters for example"));
-  earlier_rows->type_name("NAME")->needs(earlier)->group("What to measure");
+  earlier_rows->type_name("NAME")->default_str("none")->needs(earlier)->group("What to measure");
   earlier->needs(earlier_rows);
   CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is updated");
   command->add_option("--block", options->block, "Name of the block of --readme, as in its markers")
