@@ -9,9 +9,9 @@ namespace Penumbra.Editor
         {
             new[]  // Penumbra Low
             {
-                new PresetFigure(0.53f, 0.178f, 9.8f),
-                new PresetFigure(2f, 0.111f, 15.8f),
-                new PresetFigure(5f, 0.082f, 22.4f),
+                new PresetFigure(0.53f, 0.158f, 10.4f),
+                new PresetFigure(2f, 0.094f, 16.4f),
+                new PresetFigure(5f, 0.069f, 22.9f),
             },
             new[]  // Penumbra Medium
             {

@@ -300,6 +300,22 @@ class WeightedCosts(unittest.TestCase):
         self.assertIn("| `Classify` | 0.062 ± 0.000 |\n| `Resolve` | 0.500 ± 0.000 |", text)
 
 
+class RelativeTimes(unittest.TestCase):
+    @staticmethod
+    def timed(technique, scene, milliseconds):
+        return record(technique, scene, time_ms_median=milliseconds, time_kind="CPU time")
+
+    def test_the_ratio_is_of_each_scene(self):
+        text = page.relative_times(results(self.timed("flagship", "a", 30.0), self.timed("pcss", "a", 10.0),
+                                           self.timed("flagship", "b", 3.0), self.timed("pcss", "b", 3.0)), "pcss")
+        self.assertIn("device, CPU time, mean of 2 scenes", text)
+        self.assertIn("| `flagship` | 2.00 [0, 14.71] |\n| `pcss` | 1.00 ± 0.00 |", text)
+
+    def test_without_times_there_is_no_table(self):
+        with self.assertRaisesRegex(page.Problem, "measure with --timing-repeats"):
+            page.relative_times(results(self.timed("flagship", "a", None)), "flagship")
+
+
 class DepthFetches(unittest.TestCase):
     SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0), record("pcss-angular-24-16", "b", fetches_mean=20.0),
                      record("screen-pcss-angular-24-16", fetches_mean=35.5),
@@ -316,8 +332,8 @@ class DepthFetches(unittest.TestCase):
         self.assertTrue(text.endswith(
             "| fetches per pixel | 2° light | 5° light |\n|:--|--:|--:|\n"
             "| position and normal from the camera's depth, of the pass without a mask | 5.5 | - |\n"
-            "| High, Ultra: the passes of the mask | 2.5 | 1.0 |\n"
-            "| High, Ultra: pixels where the mask skips the filter, % | 20 | 1 |"), text)
+            "| fallbacks of High, Ultra: the passes of the mask | 2.5 | 1.0 |\n"
+            "| fallbacks of High, Ultra: pixels where the mask skips the filter, % | 20 | 1 |"), text)
 
     def test_different_masks_are_refused(self):
         with self.assertRaisesRegex(page.Problem, "different masks"):
