@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
