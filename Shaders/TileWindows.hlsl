@@ -20,11 +20,15 @@
 #include "../ShaderLibrary/Filters/DepthRingSums.hlsl"
 
 #define WINDOW_THREADS 256
-// What is left after these is filtered by each pixel alone.
-#define WINDOW_CLUSTERS 4
+// What is left after these is filtered alone: each further cluster has a group wait about as long as for that.
+#if !defined(WINDOW_CLUSTERS)
+#define WINDOW_CLUSTERS 2
+#endif
 // Texels of the first window each way; and cells of all others together: of the n-th level at most
 // ceil((2 kWindowReach + 1) / 2^n) + 2 kRingCells + 3 each way.
+#if !defined(WINDOW_TEXELS)
 #define WINDOW_TEXELS 38
+#endif
 #if !defined(WINDOW_CELLS)
 #define WINDOW_CELLS 2251
 #endif

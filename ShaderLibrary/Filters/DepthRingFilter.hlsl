@@ -91,40 +91,71 @@ float4 DepthsOfQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), int2 first, QuadR
     return SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner)).wzxy;
 }
 
-RingSearch SearchRings(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                       TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
+// Which quads of each level a thread sums: from the first, each step-th.
+struct QuadShare
 {
-    RingSearch search = BeginSearch(scales);
+    int first;
+    int step;
+};
+
+QuadShare AllQuads()
+{
+    QuadShare share;
+    share.first = 0;
+    share.step = 1;
+    return share;
+}
+
+// The texels of the first ring.
+RingSearch SearchRingTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), RingSearch found, QuadShare share, float radius,
+                            QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch search = found;
+    const QuadRange quads = QuadsAround(receiver, 0, radius, kSearchRingCells);
+    UNITY_LOOP
+    for (int i = share.first; i < CountOf(quads); i += share.step)
+    {
+        const int2 quad = QuadAt(quads, i);
+        const float4 areas = AreasInRing(quad, 0, radius, kSearchRingCells, receiver);
+        if (!AnyArea(areas)) continue;
+        search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
+                              receiver, scales);
+    }
+    return search;
+}
+
+// The cells of the rings beyond, for which the search knows the ground.
+RingSearch SearchRingCells(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), RingSearch found,
+                           QuadShare share, float radius, QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch search = found;
     const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
     UNITY_LOOP
-    for (int level = 0; level <= levels; ++level)
+    for (int level = 1; level <= levels; ++level)
     {
         const QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
         UNITY_LOOP
-        for (int i = 0; i < CountOf(quads); ++i)
+        for (int i = share.first; i < CountOf(quads); i += share.step)
         {
             const int2 quad = QuadAt(quads, i);
             const float4 areas = AreasInRing(quad, level, radius, kSearchRingCells, receiver);
             if (!AnyArea(areas)) continue;
-            if (level == 0)
-                search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad,
-                                      areas, receiver, scales);
-            else
-                search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
-                                     receiver, scales);
+            search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
+                                 receiver, scales);
         }
     }
     return search;
 }
 
-float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                     TYPED_TEXTURE2D(uint4, coarseSpreads), RingPenumbra penumbra, QuadReceiver receiver)
+// Lit and blocked areas of the disc's cells.
+float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                   TYPED_TEXTURE2D(uint4, coarseSpreads), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
     const int level = DiscLevel(penumbra.radius, kRingCells);
     const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
     UNITY_LOOP
-    for (int i = 0; i < CountOf(quads); ++i)
+    for (int i = share.first; i < CountOf(quads); i += share.step)
     {
         const int2 quad = QuadAt(quads, i);
         const float4 areas = AreasInDisc(quad, level, penumbra.radius, kRingCells, receiver);
@@ -136,36 +167,45 @@ float FilterRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(
             sums = FilterCells(sums, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas, penumbra,
                                receiver);
     }
-    return LitShare(sums.x, sums.y);
+    return sums;
 }
 
-float FilterBlockOfRings(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penumbra, QuadReceiver receiver)
+// Lit and blocked weights of the 4 x 4 texels.
+float2 SumRingBlock(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
-    for (int k = 0; k < 4; ++k)
+    for (int k = share.first; k < 4; k += share.step)
     {
         const int2 first = QuadOfBlock(receiver, k);
         sums = FilterBlockQuad(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), first, receiver), first, penumbra,
                                receiver);
     }
-    return LitShare(sums.x, sums.y);
+    return sums;
 }
 
 // radius: no blocker's penumbra is wider, texels.
 float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
                      TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
 {
+    const RingSearch nearby = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), BeginSearch(scales), AllQuads(), radius,
+                                               receiver, scales);
     const RingSearch search =
-        SearchRings(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, radius, receiver, scales);
+        SearchRingCells(depthSpreads, coarseSpreads, nearby, AllQuads(), radius, receiver, scales);
     const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
     if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
     if (penumbra.readsBlock)
-        visibility = FilterBlockOfRings(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, receiver);
+    {
+        const float2 block = SumRingBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, AllQuads(), receiver);
+        visibility = LitShare(block.x, block.y);
+    }
     if (penumbra.readsDisc && visibility > 0.0)
-        visibility = min(visibility, FilterRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads,
-                                                    penumbra, receiver));
+    {
+        const float2 disc = SumRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, penumbra,
+                                        AllQuads(), receiver);
+        visibility = min(visibility, LitShare(disc.x, disc.y));
+    }
     return SanitizeVisibility(visibility);
 }
 

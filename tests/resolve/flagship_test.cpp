@@ -36,6 +36,34 @@ class Flagship : public testing::TestWithParam<bool> {
     return *made;
   }
 
+  // The flagship's kernels with other numbers of windows.
+  static GraphRunner with_windows_of(const std::string& sample) {
+    const techniques::TechniqueList& list = library_techniques();
+    ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
+    for (techniques::GraphPass& pass : graph.graph.passes)
+      pass.file =
+          (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples" / sample).generic_string();
+    return GraphRunner(test_device(), compile(graph));
+  }
+
+  // Each pixel filtered by itself, whatever the planes say.
+  static GraphRunner computed_alone() {
+    const techniques::TechniqueList& list = library_techniques();
+    ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
+    techniques::GraphPass last = graph.graph.passes.back();
+    remove_passes_after(graph.graph, "NextLevel");
+    last.name = last.program = "ComputedOfPixels";
+    last.file = (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/RingsByTextures.compute")
+                    .generic_string();
+    last.reads = {{"_PenumbraBlockSpreads", "depthSpreads"}, {"_PenumbraCoarseSpreads", "coarseSpreads"}};
+    last.writes = {{"_PenumbraVisibility", "visibility"}};
+    last.updates.clear();
+    last.groups = {};
+    last.groups.texels_of = "visibility";
+    graph.graph.passes.push_back(last);
+    return GraphRunner(test_device(), compile(graph));
+  }
+
   struct Pictures {
     std::vector<float> filtered;    // of PCSS alone
     std::vector<float> classified;  // -1: not decided
@@ -145,7 +173,8 @@ void fill_tile(scene::Frame& frame, int cascade, float depth) {
 }
 
 // Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
-// change, and little, since what they share with their neighbours changes.
+// change, and little, since what they share with their neighbours changes, or to what they are alone or in a
+// window, since which of both they get depends on their neighbours.
 TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
   constexpr int kCascades = 4;
   const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
@@ -154,6 +183,11 @@ TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
     return chain("flagship").run(FrameOnDevice(test_device(), seen), &camera, kFlagshipOnce).visibility[0];
   };
   const std::vector<float> before = picture(frame);
+  const auto picture_of = [&](GraphRunner chain) {
+    return chain.run(FrameOnDevice(test_device(), frame), &camera, kFlagshipOnce).visibility[0];
+  };
+  const std::vector<float> alone = picture_of(computed_alone());
+  const std::vector<float> shared = picture_of(with_windows_of("MoreWindows.compute"));
   std::vector<std::array<float, kCascades>> change(before.size());
   for (std::size_t cascade = 0; cascade < kCascades; ++cascade) {
     for (const float poison : {0.0f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
@@ -162,7 +196,9 @@ TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
       const std::vector<float> after = picture(poisoned);
       for (std::size_t i = 0; i < before.size(); ++i) {
         EXPECT_TRUE(after[i] >= 0.0f && after[i] <= 1.0f) << "pixel " << i << ": " << after[i];
-        change[i][cascade] = std::max(change[i][cascade], std::abs(after[i] - before[i]));
+        const float apart = std::min(
+            {std::abs(after[i] - before[i]), std::abs(after[i] - alone[i]), std::abs(after[i] - shared[i])});
+        change[i][cascade] = std::max(change[i][cascade], apart);
       }
     }
   }
@@ -176,6 +212,33 @@ TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
   // Whose search a pixel shares depends on the other pixels of its part, and so do the roundings of sums.
   EXPECT_LT(touched, static_cast<int>(change.size()) / 200);
   EXPECT_LT(most, 0.005f) << "a texel of another cascade taken for a blocker changes it by up to 1";
+}
+
+// What no window takes, the threads of a part filter as one thread does: of all pixels that are not decided.
+TEST_P(Flagship, FiltersAloneWhatNoWindowTakes) {
+  for (const int cascades : {1, 4}) {
+    const scene::Frame frame = under_disc(drawn("street", cascades, GetParam()), 2.0);
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const auto picture_of = [&](GraphRunner chain) {
+      return chain.run(FrameOnDevice(test_device(), frame), &camera, kFlagshipOnce).visibility[0];
+    };
+    const std::vector<float> classified = pictures_of(frame).classified;
+    const std::vector<float> by_parts = picture_of(with_windows_of("NoWindows.compute"));
+    const std::vector<float> alone = picture_of(computed_alone());
+    int compared = 0, apart = 0;
+    float most = 0.0F;
+    for (std::size_t i = 0; i < classified.size(); ++i) {
+      if (classified[i] >= 0.0F) continue;
+      ++compared;
+      if (std::abs(by_parts[i] - alone[i]) > 0.001F) ++apart;
+      most = std::max(most, std::abs(by_parts[i] - alone[i]));
+    }
+    EXPECT_GT(compared, 2000) << cascades;
+    // A part's search is no wider than the penumbrae that its planes allow; a wider one may find blockers
+    // beyond.
+    EXPECT_LT(apart, compared / 100) << cascades;
+    EXPECT_LT(most, 0.1F) << cascades;
+  }
 }
 
 // At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its

@@ -36,7 +36,9 @@ class ForwardFilter : public testing::TestWithParam<bool> {
       graph.graph.textures.push_back(*flagship.texture(name));
     graph.graph.passes.clear();
     for (const techniques::GraphPass& pass : flagship.passes)
-      if (pass.frequency == techniques::Frequency::cascade) graph.graph.passes.push_back(pass);
+      if (techniques::writes_to(pass, flagship.published.front()) ||
+          techniques::writes_to(pass, flagship.published.back()))
+        graph.graph.passes.push_back(pass);
     graph.graph.passes.push_back(filter);
     return graph;
   }

@@ -100,7 +100,7 @@ class RandomResults {
     if (coin()) record.shimmer = Shimmer{static_cast<int>(random_() % 9), figure(), figure()};
     if (coin())
       record.passes = {{"Rows", "cascade", share(), share(), 64.0 * share()},
-                       {"Resolve", "frame", share(), share(), {}, 100.0 * share(), share()}};
+                       {"Resolve", "frame", share(), share(), {}, 100.0 * share(), share(), share()}};
     if (coin()) record.operations_per_pixel = 1000.0 * share();
     if (coin()) record.time = std::nullopt;
     if (coin()) record.parameters.clear();

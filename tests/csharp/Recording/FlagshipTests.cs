@@ -60,16 +60,17 @@ namespace Penumbra.Tests
         [TestCase(2)]
         [TestCase(3)]
         [TestCase(4)]
-        public void CoarserLevelsEndWithATexelPerCascade(int cascades)
+        public void CoarserLevelsAreMadeOfTheWholeMapAtOnce(int cascades)
         {
             scene.Cascades = cascades;
             FakeDevice.DrawCall[] calls = Calls("NextLevel");
-            int levels = 0;
-            while (Tiles(cascades, CoarseBlock << levels + 1).First().width >= 1.0f) ++levels;
-            var expected = new List<(int, Rect)>();
-            for (int level = 1; level <= levels; ++level)
-                expected.AddRange(Tiles(cascades, CoarseBlock << level).Select(tile => (level, tile)));
-            Assert.That(calls.Select(call => ((int)call.Uniforms["_PenumbraMip"], Tile(call))), Is.EqualTo(expected));
+            ComputeShader.Kernel kernel = FakeShader.Flagship.Kernels.Single(one => one.Name == "NextLevel");
+            Rect[] tiles = Tiles(cascades, CoarseBlock).ToArray();
+            var size = new Vector2Int((int)tiles.Max(tile => tile.xMax), (int)tiles.Max(tile => tile.yMax));
+            var expected = new List<(int, string)>();
+            for (int level = 1; Mathf.Max(size.x, size.y) >> level >= 1; ++level)
+                expected.Add((level, GroupsOf(size.x >> level, kernel.X) + " " + GroupsOf(size.y >> level, kernel.Y) + " 1"));
+            Assert.That(calls.Select(call => ((int)call.Uniforms["_PenumbraMip"], call.Groups)), Is.EqualTo(expected));
             foreach (FakeDevice.DrawCall call in calls)
                 foreach (string map in new[] { "_PenumbraCoarseSpread", "_PenumbraCoarseDepthPlane" })
                 {
@@ -80,7 +81,8 @@ namespace Penumbra.Tests
         }
 
         private static int Tiles(int pixels) => (pixels + TilePixels - 1) / TilePixels;
-        private static int GroupsOf(int pixels) => (pixels + GroupPixels - 1) / GroupPixels;
+        private static int GroupsOf(int pixels) => GroupsOf(pixels, GroupPixels);
+        private static int GroupsOf(int texels, int side) => (Mathf.Max(texels, 1) + side - 1) / side;
 
         // With a render scale, the camera's target has another size.
         [TestCase(321, 181, 1.0f)]

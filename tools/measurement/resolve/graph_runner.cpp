@@ -111,11 +111,14 @@ class GraphRunner::Run {
       depth_->upload(camera->depth);
       if (second_eye != nullptr) depth_->upload(second_eye->depth, {.layer = 1});
     }
-    for (std::size_t i = 0; i < runner.graph().passes.size(); ++i) add_pass(i);
+    for (std::size_t i = 0; i < runner.graph().passes.size(); ++i) {
+      add_pass(i);
+      pass_of_step_.resize(sequence_.size(), i);
+    }
   }
 
-  // The sum of the steps' times in nanoseconds.
-  double run(int seed) {
+  // The time of each pass in nanoseconds, as Sequence::run() gives it for its steps.
+  std::vector<double> run(int seed) {
     UniformValues values = frame_.uniforms(seed);
     values.merge(runner_.own_.uniforms());
     values.merge(runner_.graph_.source.parameters);
@@ -131,8 +134,7 @@ class GraphRunner::Run {
                .set_uniforms(step.bindings, all, is_filter ? numbers() : UniformNumbers{}))
         unset_.insert(name);
     }
-    const std::vector<double> times = sequence_.run();
-    return std::accumulate(times.begin(), times.end(), 0.0);
+    return times_of_passes(sequence_.run());
   }
 
   // That a run has found: read as zero because nobody provides them.
@@ -175,7 +177,7 @@ class GraphRunner::Run {
         counts.invocations += invocations / pixels;
         add_per_pixel(step, fetches, pixels, result);
       }
-      if (pass.frequency == techniques::Frequency::cascade)
+      if (pass.frequency == techniques::Frequency::cascade || writes_over_map(pass))
         counts.fetches_per_cascade =
             counts.fetches * pixels / static_cast<double>(extents_.map.origins.size());
       result.passes.push_back(std::move(counts));
@@ -196,6 +198,12 @@ class GraphRunner::Run {
     const CastersOnDevice::Part* part = nullptr;  // of casters
   };
 
+  std::vector<double> times_of_passes(const std::vector<double>& times) const {
+    std::vector<double> of_pass(runner_.graph().passes.size(), 0.0);
+    for (std::size_t i = 0; i < times.size(); ++i) of_pass[pass_of_step_[i]] += times[i];
+    return of_pass;
+  }
+
   ProgramOnDevice& program(std::size_t pass, const CastersOnDevice::Part* part = nullptr) {
     Programs& programs = counting_ ? runner_.counting_[pass] : runner_.plain_[pass];
     const bool alpha_tested = part != nullptr && part->alpha_test && programs.alpha_tested;
@@ -211,6 +219,14 @@ class GraphRunner::Run {
       throw InputError(runner_.graph().texture(name)->where,
                        "'" + name + "' is read back as visibility or mask, which are of format r8 or r32f");
     return resources_.texture(name).download<float>({.layer = layer});
+  }
+
+  static bool over_map(const GraphTexture& texture) {
+    return texture.extent == techniques::ExtentOf::map || texture.extent == techniques::ExtentOf::tile;
+  }
+  bool writes_over_map(const GraphPass& pass) const {
+    const GraphTexture* written = geometry_.first_written_texture(pass);
+    return written != nullptr && over_map(*written);
   }
 
   void add_per_pixel(const Step& step, const std::vector<std::uint32_t>& fetches, double pixels,
@@ -427,6 +443,7 @@ class GraphRunner::Run {
   gpu::Sequence sequence_;
   bool counting_;
   std::vector<Step> steps_;
+  std::vector<std::size_t> pass_of_step_;  // of the sequence's, which has clears too
   std::set<std::string> unset_;
 };
 
@@ -451,6 +468,13 @@ GraphRunner::Programs GraphRunner::made(std::size_t pass, ProgramOnDevice::Modul
   return programs;
 }
 
+void GraphRunner::add_times(const std::vector<double>& of_passes, GraphResult& result) const {
+  result.time_ns.push_back(std::accumulate(of_passes.begin(), of_passes.end(), 0.0));
+  if (!device_->info().has_timestamps) return;
+  result.pass_times_ns.resize(of_passes.size());
+  for (std::size_t i = 0; i < of_passes.size(); ++i) result.pass_times_ns[i].push_back(of_passes[i]);
+}
+
 void GraphRunner::fit_to(gpu::Format shadow_map) {
   if (shadow_map == shadow_map_) return;
   shadow_map_ = shadow_map;
@@ -469,16 +493,16 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   const int seeds = graph_.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
-    const double time = plain.run(options.first_seed + seed);
+    const std::vector<double> times = plain.run(options.first_seed + seed);
     const bool kept = seed > 0 && options.warm_up_seconds == 0.0;  // in the first run the driver may compile
-    if (kept && timed()) result.time_ns.push_back(time);
+    if (kept && timed()) add_times(times, result);
     result.visibility.push_back(plain.visibility());
   }
   const std::chrono::duration<double> warm_up(timed() ? options.warm_up_seconds : 0.0);
   for (const auto start = std::chrono::steady_clock::now();
        std::chrono::steady_clock::now() - start < warm_up;)
     plain.run(0);
-  while (timed()) result.time_ns.push_back(plain.run(0));
+  while (timed()) add_times(plain.run(0), result);
   result.masked_out = plain.masked_out();
   result.unset_uniforms.assign(plain.unset_uniforms().begin(), plain.unset_uniforms().end());
   if (!options.count_fetches) return result;

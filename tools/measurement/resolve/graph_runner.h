@@ -36,11 +36,12 @@ struct RunOptions {
 struct PassCounts {
   std::string pass;
   techniques::Frequency frequency = techniques::Frequency::frame;
-  double fetches = 0.0;              // per pixel of the screen
-  double texels_written = 0.0;       // the same
-  double operations = 0.0;           // the same; scalar operations that are executed
-  double invocations = 0.0;          // the same; threads or fragments
-  double fetches_per_cascade = 0.0;  // of a pass that runs for each cascade: in one of them
+  double fetches = 0.0;         // per pixel of the screen
+  double texels_written = 0.0;  // the same
+  double operations = 0.0;      // the same; scalar operations that are executed
+  double invocations = 0.0;     // the same; threads or fragments
+  std::optional<double>
+      fetches_per_cascade;  // of a pass over the map, or that runs for each cascade: in one of them
 };
 
 // Images have one value per receiver, row 0 at the top.
@@ -51,7 +52,9 @@ struct GraphResult {
   std::vector<float> fetches_of_others_at;  // the same at each pixel: its share; empty without such passes
   std::vector<PassCounts> passes;           // in the order in which they run
   std::vector<std::uint8_t> masked_out;     // the mask is below 0.5; empty without one
-  std::vector<double> time_ns;              // of the graph as it ships, without counting
+  std::vector<double> time_ns;              // of the graph as it ships, without counting; per timed run
+  std::vector<std::vector<double>>
+      pass_times_ns;                        // the same of each pass; empty where the device has no timestamps
   std::vector<std::string> unset_uniforms;  // read as zero because nobody provides them
 };
 
@@ -82,6 +85,7 @@ class GraphRunner {
     std::optional<ProgramOnDevice> alpha_tested;
   };
   Programs made(std::size_t pass, ProgramOnDevice::Module module) const;
+  void add_times(const std::vector<double>& of_passes, GraphResult& result) const;
   // Passes that are tested against the shadow map are made for its format.
   void fit_to(gpu::Format shadow_map);
 

@@ -199,13 +199,18 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
 }
 
 PassRecord pass_record(const resolve::PassCounts& counts) {
-  PassRecord record{counts.pass,       techniques::name_of(counts.frequency),
-                    counts.fetches,    counts.texels_written,
-                    std::nullopt,      counts.operations,
-                    counts.invocations};
-  if (counts.frequency == techniques::Frequency::cascade)
-    record.fetches_per_cascade = counts.fetches_per_cascade;
-  return record;
+  return {counts.pass,
+          techniques::name_of(counts.frequency),
+          counts.fetches,
+          counts.texels_written,
+          counts.fetches_per_cascade,
+          counts.operations,
+          counts.invocations};
+}
+
+std::optional<Timing> timing_of(std::vector<double> nanoseconds) {
+  for (double& time : nanoseconds) time *= 1e-6;
+  return summarise(std::move(nanoseconds));
 }
 
 // Also what says of a record that its light is a spot light.
@@ -270,9 +275,11 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
                         [](double sum, const resolve::PassCounts& pass) { return sum + pass.operations; });
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
-  std::vector<double> milliseconds = answer.time_ns;
-  for (double& time : milliseconds) time *= 1e-6;
-  record.time = summarise(std::move(milliseconds));
+  if (answer.pass_times_ns.size() == record.passes.size())
+    for (std::size_t i = 0; i < record.passes.size(); ++i)
+      if (const std::optional<Timing> time = timing_of(answer.pass_times_ns[i]))
+        record.passes[i].time_ms_median = time->median_ms;
+  record.time = timing_of(answer.time_ns);
   record.reference = {reference_kind(view.frame, setup.edge_samples), setup.t1.samples, setup.t1.noise_floor};
   return record;
 }

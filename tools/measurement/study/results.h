@@ -79,9 +79,11 @@ struct PassRecord {
   std::string runs;                // frame, cascade or bake
   double fetches_per_pixel = 0.0;  // of the picture
   double texels_written_per_pixel = 0.0;
-  std::optional<double> fetches_per_cascade;     // where it runs for each cascade: in one of them, all texels
-  std::optional<double> operations_per_pixel{};  // executed scalar operations; absent in older files
+  std::optional<double>
+      fetches_per_cascade;  // of a pass over the shadow map: in one cascade of it, all texels
+  std::optional<double> operations_per_pixel{};   // executed scalar operations; absent in older files
   std::optional<double> invocations_per_pixel{};  // threads or fragments; absent in older files
+  std::optional<double> time_ms_median{};  // waits before it included; absent without a GPU's timestamps
 
   bool operator==(const PassRecord&) const = default;
 };

@@ -274,6 +274,7 @@ std::vector<PassRecord> read_passes(StrictObject& record) {
       result.operations_per_pixel = pass.number("operations_per_pixel", 0.0, kAnything);
     if (pass.has("invocations_per_pixel"))
       result.invocations_per_pixel = pass.number("invocations_per_pixel", 0.0, kAnything);
+    if (pass.has("time_ms_median")) result.time_ms_median = pass.number("time_ms_median", 0.0, kAnything);
     if (pass.has("fetches_per_cascade"))
       result.fetches_per_cascade = pass.number("fetches_per_cascade", 0.0, kAnything);
     pass.finish();

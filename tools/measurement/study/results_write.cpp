@@ -160,6 +160,7 @@ Json json_of(const PassRecord& pass) {
             {"texels_written_per_pixel", pass.texels_written_per_pixel}};
   if (pass.operations_per_pixel) json["operations_per_pixel"] = *pass.operations_per_pixel;
   if (pass.invocations_per_pixel) json["invocations_per_pixel"] = *pass.invocations_per_pixel;
+  if (pass.time_ms_median) json["time_ms_median"] = *pass.time_ms_median;
   if (pass.fetches_per_cascade) json["fetches_per_cascade"] = *pass.fetches_per_cascade;
   return json;
 }

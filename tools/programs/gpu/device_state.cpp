@@ -1,5 +1,6 @@
 #include "gpu/device_state.h"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -69,9 +70,12 @@ std::vector<double> DeviceState::times(std::uint32_t steps) const {
       0, std::uint32_t(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
   std::vector<double> nanoseconds;
-  for (std::size_t step = 0; step < steps; ++step)
-    nanoseconds.push_back(double((ticks[2 * step + 1] - ticks[2 * step]) & timestamp_mask) *
-                          double(limits.timestampPeriod));
+  std::uint64_t ended = 0;  // since the first step's begin: when all earlier steps had ended
+  for (std::size_t step = 0; step < steps; ++step) {
+    const std::uint64_t end = (ticks[2 * step + 1] - ticks[0]) & timestamp_mask;
+    nanoseconds.push_back(double(end - std::min(ended, end)) * double(limits.timestampPeriod));
+    ended = std::max(ended, end);
+  }
   return nanoseconds;
 }
 

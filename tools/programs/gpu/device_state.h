@@ -58,8 +58,10 @@ struct DeviceState {
   std::shared_ptr<void> stuck;  // what a submission that ran out of time may still be using
 
   // Records, submits and waits. `used` is kept alive should the wait time out. Of each of the `marked` steps
-  // that `record` encloses with mark_begin and mark_end the time between its timestamps, in nanoseconds;
-  // without timestamps the first has the wall-clock time of the whole submission and the others 0.
+  // that `record` encloses with mark_begin and mark_end the time in nanoseconds, from the end of all steps
+  // before it to its own end, so that waits count and steps that run at once count once: the sum is the time
+  // from the first step's begin to the last one's end. Without timestamps the first has the wall-clock time
+  // of the whole submission and the others 0.
   std::vector<double> submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
                              const std::shared_ptr<void>& used, std::uint32_t marked = 0);
   void mark_begin(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step = 0) const;

@@ -126,6 +126,10 @@ std::vector<double> Sequence::run() {
   });
 }
 
+std::size_t Sequence::size() const {
+  return state_->steps.size();
+}
+
 const std::vector<bool>& Sequence::waited() const {
   return state_->waited;
 }

@@ -38,9 +38,12 @@ class Sequence {
   // Every texel of every level and layer: each channel, or the depth. Of integer formats 0 alone.
   void clear(const Image& image, float value);
 
-  // One submission. The time of each step on the device in nanoseconds; without timestamps the first has the
+  // One submission. The time of each step on the device in nanoseconds, from the end of all before it, waits
+  // included, to its own: the sum is the time of the whole sequence. Without timestamps the first has the
   // wall-clock time of all and the others 0. Throws EnvironmentError on timeout or device loss.
   std::vector<double> run();
+
+  std::size_t size() const;  // steps
 
   // Of the last run: for each step, whether it had to wait for an earlier one or for an image's layout.
   const std::vector<bool>& waited() const;
