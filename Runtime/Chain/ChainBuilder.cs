@@ -46,7 +46,12 @@ namespace Penumbra
             foreach (GraphBuffer buffer in graph.buffers)
                 buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,
                                             Place(buffer.texture, placed), buffer.divisor, buffer.indirect));
-            foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, placed, firstBuffer));
+            foreach (GraphPass pass in graph.passes)
+            {
+                ChainStep step = Step(pass, placed, firstBuffer);
+                step.followsCascades = FollowsCascades(graph, pass);
+                steps.Add(step);
+            }
             foreach (GraphBinding texture in graph.filterTextures)
                 globals.Add(new ChainGlobal
                 {
@@ -83,6 +88,11 @@ namespace Penumbra
             return byFilter && written < PassFrequency.Frame ||
                    graph.passes.Any(pass => pass.Reads(false, texture) && pass.runs > written);
         }
+
+        private static bool FollowsCascades(TechniqueGraph graph, GraphPass pass) =>
+            pass.eachMip && pass.runs == PassFrequency.Frame &&
+            graph.passes.Any(other => other.runs == PassFrequency.Cascade &&
+                                      pass.writes.Any(write => !write.isBuffer && other.Writes(false, write.index)));
 
         private ChainStep Step(GraphPass pass, int[] placed, int firstBuffer)
         {

@@ -47,6 +47,12 @@ namespace Penumbra
         internal bool ByCascade => pass.runs == PassFrequency.Cascade;
 
         /// <summary>
+        /// The pass makes mip levels, of all cascades at once, of a texture whose first level is made per cascade: it has
+        /// nothing to do where no cascade was redrawn.
+        /// </summary>
+        internal bool followsCascades;
+
+        /// <summary>
         /// The kernel has no thread per texel and so may not write all texels, which are cleared first. Not for
         /// passes per cascade, which must keep the other cascades' texels.
         /// </summary>

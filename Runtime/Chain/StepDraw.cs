@@ -33,7 +33,7 @@ namespace Penumbra
         internal void Draw(CommandBuffer commands, in ShadowFrame frame)
         {
             if (step.pass.runs == PassFrequency.Bake && !frame.storeIsEmpty) return;
-            if (step.ByCascade && !frame.UpdatesAny) return;
+            if ((step.ByCascade || step.followsCascades) && !frame.UpdatesAny) return;
             if (!step.pass.eachMip)
             {
                 DrawCascades(commands, frame, 0);

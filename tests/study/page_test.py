@@ -316,6 +316,30 @@ class RelativeTimes(unittest.TestCase):
             page.relative_times(results(self.timed("flagship", "a", None)), "flagship")
 
 
+class TimesOfGpu(unittest.TestCase):
+    @staticmethod
+    def timed(scene, milliseconds, kind="GPU time"):
+        return record("flagship", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25, false_shadow_rate=0.01,
+                      passes=[{"pass": "Classify", "time_ms_median": 0.25 * milliseconds},
+                              {"pass": "Resolve", "time_ms_median": 0.75 * milliseconds}])
+
+    def test_times_stand_beside_errors(self):
+        text = page.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
+        self.assertIn("device, GPU time, mean of 2 scenes", text)
+        self.assertIn("| `flagship` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
+        self.assertIn("device, GPU time, a.", page.times_of_gpu(results(self.timed("a", 1.0))))
+
+    def test_times_of_a_cpu_are_refused(self):
+        with self.assertRaisesRegex(page.Problem, "not times of a GPU"):
+            page.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
+        with self.assertRaisesRegex(page.Problem, "not times of a GPU"):
+            page.times_of_gpu(results(record("flagship", time_ms_median=None, time_kind="GPU time")))
+
+    def test_passes_add_up(self):
+        text = page.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "flagship")
+        self.assertIn("| `Classify` | 0.500 ± 0.000 |\n| `Resolve` | 1.500 ± 0.000 |", text)
+
+
 class DepthFetches(unittest.TestCase):
     SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0), record("pcss-angular-24-16", "b", fetches_mean=20.0),
                      record("screen-pcss-angular-24-16", fetches_mean=35.5),

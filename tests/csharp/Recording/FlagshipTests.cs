@@ -66,10 +66,11 @@ namespace Penumbra.Tests
             FakeDevice.DrawCall[] calls = Calls("NextLevel");
             ComputeShader.Kernel kernel = FakeShader.Flagship.Kernels.Single(one => one.Name == "NextLevel");
             Rect[] tiles = Tiles(cascades, CoarseBlock).ToArray();
-            var size = new Vector2Int((int)tiles.Max(tile => tile.xMax), (int)tiles.Max(tile => tile.yMax));
+            int width = (int)tiles.Max(tile => tile.x + tile.width);
+            int height = (int)tiles.Max(tile => tile.y + tile.height);
             var expected = new List<(int, string)>();
-            for (int level = 1; Mathf.Max(size.x, size.y) >> level >= 1; ++level)
-                expected.Add((level, GroupsOf(size.x >> level, kernel.X) + " " + GroupsOf(size.y >> level, kernel.Y) + " 1"));
+            for (int level = 1; Mathf.Max(width, height) >> level >= 1; ++level)
+                expected.Add((level, GroupsOf(width >> level, (int)kernel.X) + " " + GroupsOf(height >> level, (int)kernel.Y) + " 1"));
             Assert.That(calls.Select(call => ((int)call.Uniforms["_PenumbraMip"], call.Groups)), Is.EqualTo(expected));
             foreach (FakeDevice.DrawCall call in calls)
                 foreach (string map in new[] { "_PenumbraCoarseSpread", "_PenumbraCoarseDepthPlane" })
