@@ -31,7 +31,7 @@ void MessageLog::add(const char* message) {
 
 void DeviceState::make_timestamps(std::uint32_t steps) {
   if (steps <= timestamp_steps) return;
-  timestamps = vk::raii::QueryPool(device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * steps));
+  timestamps = vk::raii::QueryPool(device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, steps + 1));
   timestamp_steps = steps;
 }
 
@@ -47,7 +47,7 @@ std::vector<double> DeviceState::submit(const std::function<void(const vk::raii:
   if (timed) make_timestamps(marked);
   commands.reset();
   commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-  if (timed) commands.resetQueryPool(*timestamps, 0, 2 * marked);
+  if (timed) commands.resetQueryPool(*timestamps, 0, marked + 1);
   full_barrier(commands, everything, vk::PipelineStageFlagBits::eAllCommands);
   record(commands);
   full_barrier(commands, vk::PipelineStageFlagBits::eAllCommands, everything);
@@ -65,14 +65,14 @@ std::vector<double> DeviceState::submit(const std::function<void(const vk::raii:
 }
 
 std::vector<double> DeviceState::times(std::uint32_t steps) const {
-  const std::size_t count = std::size_t(2) * steps;
+  const std::size_t count = std::size_t(steps) + 1;
   const auto [result, ticks] = timestamps.getResults<std::uint64_t>(
       0, std::uint32_t(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
   std::vector<double> nanoseconds;
   std::uint64_t ended = 0;  // since the first step's begin: when all earlier steps had ended
   for (std::size_t step = 0; step < steps; ++step) {
-    const std::uint64_t end = (ticks[2 * step + 1] - ticks[0]) & timestamp_mask;
+    const std::uint64_t end = (ticks[step + 1] - ticks.front()) & timestamp_mask;
     nanoseconds.push_back(double(end - std::min(ended, end)) * double(limits.timestampPeriod));
     ended = std::max(ended, end);
   }
@@ -93,14 +93,14 @@ void DeviceState::release_stuck() {
   if (device.waitForFences(*fence, VK_TRUE, last_wait_nanoseconds) == vk::Result::eSuccess) stuck.reset();
 }
 
-void DeviceState::mark_begin(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step) const {
+void DeviceState::mark_begin(const vk::raii::CommandBuffer& commands_in_use) const {
   if (!info.has_timestamps) return;
-  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *timestamps, 2 * step);
+  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *timestamps, 0);
 }
 
 void DeviceState::mark_end(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step) const {
   if (!info.has_timestamps) return;
-  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *timestamps, 2 * step + 1);
+  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *timestamps, step + 1);
 }
 
 vk::raii::DeviceMemory DeviceState::allocate(const vk::MemoryRequirements& requirements,

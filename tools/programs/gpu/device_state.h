@@ -52,20 +52,20 @@ struct DeviceState {
   vk::raii::CommandBuffer commands = nullptr;
   vk::raii::Fence fence = nullptr;
   std::uint64_t timestamp_mask = 0;          // the bits that count
-  vk::raii::QueryPool timestamps = nullptr;  // two for each marked step; grows
+  vk::raii::QueryPool timestamps = nullptr;  // the first begin, and the end of each marked step; grows
   std::uint32_t timestamp_steps = 0;
   Allocation staging;           // grows to the largest copy so far
   std::shared_ptr<void> stuck;  // what a submission that ran out of time may still be using
 
-  // Records, submits and waits. `used` is kept alive should the wait time out. Of each of the `marked` steps
-  // that `record` encloses with mark_begin and mark_end the time in nanoseconds, from the end of all steps
-  // before it to its own end, so that waits count and steps that run at once count once: the sum is the time
-  // from the first step's begin to the last one's end. Without timestamps the first has the wall-clock time
-  // of the whole submission and the others 0.
+  // Records, submits and waits. `used` is kept alive should the wait time out. Of each of the `marked` steps,
+  // the first of which `record` begins with mark_begin and each of which it ends with mark_end, the time in
+  // nanoseconds, from the end of all steps before it to its own end, so that waits count and steps that run
+  // at once count once: the sum is the time from the first step's begin to the last one's end. Without
+  // timestamps the first has the wall-clock time of the whole submission and the others 0.
   std::vector<double> submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
                              const std::shared_ptr<void>& used, std::uint32_t marked = 0);
-  void mark_begin(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step = 0) const;
-  void mark_end(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step = 0) const;
+  void mark_begin(const vk::raii::CommandBuffer& commands_in_use) const;
+  void mark_end(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step) const;
 
   vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& requirements,
                                   vk::MemoryPropertyFlags wanted) const;

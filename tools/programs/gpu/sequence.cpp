@@ -113,7 +113,7 @@ std::vector<double> Sequence::run() {
     for (const SequenceStep& step : state_->steps) {
       state_->waited[number] = barriers.before(step.uses, commands);
       if (step.bindings) step.bindings->use(step.point, commands);
-      device.mark_begin(commands, number);
+      if (number == 0) device.mark_begin(commands);
       step.record(commands);
       device.mark_end(commands, number);
       ++number;
