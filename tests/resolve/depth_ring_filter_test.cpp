@@ -28,18 +28,7 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
   static ShadowGraph of_pixels(const std::string& kernel) {
     ShadowGraph graph = graph_of("flagship");
     const techniques::PassGraph drawn = library_techniques().find("flagship-pixel").graph;
-    techniques::GraphPass last = graph.graph.passes.back();
-    last.name = last.program = kernel;
-    last.file = (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/RingsByTextures.compute")
-                    .generic_string();
-    last.reads = {{"_PenumbraBlockPlanes", "depthPlanes"},
-                  {"_PenumbraBlockSpreads", "depthSpreads"},
-                  {"_PenumbraCoarsePlanes", "coarsePlanes"},
-                  {"_PenumbraCoarseSpreads", "coarseSpreads"}};
-    last.writes = {{"_PenumbraVisibility", "visibility"}};
-    last.updates.clear();
-    last.groups = {};
-    last.groups.texels_of = "visibility";
+    const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), kernel);
     graph.graph.textures = drawn.textures;
     graph.graph.textures.push_back(*library_techniques().find("flagship").graph.texture("visibility"));
     graph.graph.buffers.clear();

@@ -21,6 +21,20 @@ namespace {
 
 constexpr RunOptions kFlagshipOnce{.noise_seeds = 1, .timing_repeats = 0};
 
+// Of a map of 32 bits.
+void fill_tile(scene::Frame& frame, int cascade, float depth) {
+  const int side = frame.cascades.tile_resolution;
+  const int tiles_across = frame.atlas.width / side;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int row = cascade / tiles_across * side + y;
+      const int column = cascade % tiles_across * side + x;
+      const auto texel = static_cast<std::size_t>(row * frame.atlas.width + column);
+      frame.atlas.depth[texel] = depth;
+      std::memcpy(&frame.atlas.texels[texel * sizeof depth], &depth, sizeof depth);
+    }
+}
+
 class Flagship : public testing::TestWithParam<bool> {
  protected:
   static GraphRunner& chain(const std::string& name, bool classified = false) {
@@ -36,32 +50,68 @@ class Flagship : public testing::TestWithParam<bool> {
     return *made;
   }
 
+  static ShadowGraph flagship() {
+    const techniques::TechniqueList& list = library_techniques();
+    return technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
+  }
+
   // The flagship's kernels with other numbers of windows.
   static GraphRunner with_windows_of(const std::string& sample) {
-    const techniques::TechniqueList& list = library_techniques();
-    ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
-    for (techniques::GraphPass& pass : graph.graph.passes)
-      pass.file =
-          (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples" / sample).generic_string();
+    ShadowGraph graph = flagship();
+    for (techniques::GraphPass& pass : graph.graph.passes) pass.file = sample_file(sample);
     return GraphRunner(test_device(), compile(graph));
   }
 
   // Each pixel filtered by itself, whatever the planes say.
   static GraphRunner computed_alone() {
-    const techniques::TechniqueList& list = library_techniques();
-    ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
-    techniques::GraphPass last = graph.graph.passes.back();
+    ShadowGraph graph = flagship();
+    const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), "ComputedOfPixels");
     remove_passes_after(graph.graph, "NextLevel");
-    last.name = last.program = "ComputedOfPixels";
-    last.file = (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/RingsByTextures.compute")
-                    .generic_string();
-    last.reads = {{"_PenumbraBlockSpreads", "depthSpreads"}, {"_PenumbraCoarseSpreads", "coarseSpreads"}};
-    last.writes = {{"_PenumbraVisibility", "visibility"}};
-    last.updates.clear();
-    last.groups = {};
-    last.groups.texels_of = "visibility";
     graph.graph.passes.push_back(last);
     return GraphRunner(test_device(), compile(graph));
+  }
+
+  static std::vector<float> picture_of(GraphRunner& chain, const scene::Frame& frame) {
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    return chain.run(FrameOnDevice(test_device(), frame), &camera, kFlagshipOnce).visibility[0];
+  }
+
+  static constexpr std::size_t kCascades = 4;
+
+  // What the texels of each cascade's tile, whatever they are, change at each pixel: from the nearest of the
+  // pictures, of which the first is the chain's own.
+  static std::vector<std::array<float, kCascades>> changes_by_cascade(
+      GraphRunner& chain, const scene::Frame& frame, const std::vector<std::vector<float>>& pictures) {
+    std::vector<std::array<float, kCascades>> change(pictures.front().size());
+    for (std::size_t cascade = 0; cascade < kCascades; ++cascade) {
+      for (const float poison : {0.0f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        scene::Frame poisoned = frame;
+        fill_tile(poisoned, static_cast<int>(cascade), poison);
+        const std::vector<float> after = picture_of(chain, poisoned);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          EXPECT_TRUE(after[i] >= 0.0f && after[i] <= 1.0f) << "pixel " << i << ": " << after[i];
+          float apart = 1.0f;
+          for (const std::vector<float>& picture : pictures)
+            apart = std::min(apart, std::abs(after[i] - picture[i]));
+          change[i][cascade] = std::max(change[i][cascade], apart);
+        }
+      }
+    }
+    return change;
+  }
+
+  // Of the pixels that read another cascade.
+  static void expect_little(std::vector<std::array<float, kCascades>> change) {
+    int touched = 0;
+    float most = 0.0f;
+    for (std::array<float, kCascades>& of_pixel : change) {
+      std::sort(of_pixel.begin(), of_pixel.end(), std::greater<float>());
+      touched += of_pixel[1] > 0.0f ? 1 : 0;
+      most = std::max(most, of_pixel[1]);
+    }
+    // Whose search a pixel shares depends on the other pixels of its part, and so do the roundings of sums.
+    EXPECT_LT(touched, static_cast<int>(change.size()) / 200);
+    EXPECT_LT(most, 0.005f) << "a texel of another cascade taken for a blocker changes it by up to 1";
   }
 
   struct Pictures {
@@ -158,73 +208,34 @@ TEST_P(Flagship, DrawsTheSamePictureAgain) {
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
 }
 
-// Of a map of 32 bits.
-void fill_tile(scene::Frame& frame, int cascade, float depth) {
-  const int side = frame.cascades.tile_resolution;
-  const int tiles_across = frame.atlas.width / side;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const int row = cascade / tiles_across * side + y;
-      const int column = cascade % tiles_across * side + x;
-      const auto texel = static_cast<std::size_t>(row * frame.atlas.width + column);
-      frame.atlas.depth[texel] = depth;
-      std::memcpy(&frame.atlas.texels[texel * sizeof depth], &depth, sizeof depth);
-    }
+// Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
+// change, and little, since what they share with their neighbours changes.
+TEST_P(Flagship, ReadsNoTexelOfOtherCascadesWhereWindowsTakeAll) {
+  const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
+  GraphRunner chain = with_windows_of("MoreWindows.compute");
+  expect_little(changes_by_cascade(chain, frame, {picture_of(chain, frame)}));
 }
 
-// Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
-// change, and little, since what they share with their neighbours changes, or to what they are alone or in a
-// window, since which of both they get depends on their neighbours.
+// With fewer windows, neighbours also decide whether a window takes a pixel: it may change to what it is
+// alone, or in a window.
 TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
-  constexpr int kCascades = 4;
   const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
-  const CameraImage camera = camera_image(frame, RowOrder::top_first);
-  const auto picture = [&](const scene::Frame& seen) {
-    return chain("flagship").run(FrameOnDevice(test_device(), seen), &camera, kFlagshipOnce).visibility[0];
-  };
-  const std::vector<float> before = picture(frame);
-  const auto picture_of = [&](GraphRunner chain) {
-    return chain.run(FrameOnDevice(test_device(), frame), &camera, kFlagshipOnce).visibility[0];
-  };
-  const std::vector<float> alone = picture_of(computed_alone());
-  const std::vector<float> shared = picture_of(with_windows_of("MoreWindows.compute"));
-  std::vector<std::array<float, kCascades>> change(before.size());
-  for (std::size_t cascade = 0; cascade < kCascades; ++cascade) {
-    for (const float poison : {0.0f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
-      scene::Frame poisoned = frame;
-      fill_tile(poisoned, static_cast<int>(cascade), poison);
-      const std::vector<float> after = picture(poisoned);
-      for (std::size_t i = 0; i < before.size(); ++i) {
-        EXPECT_TRUE(after[i] >= 0.0f && after[i] <= 1.0f) << "pixel " << i << ": " << after[i];
-        const float apart = std::min(
-            {std::abs(after[i] - before[i]), std::abs(after[i] - alone[i]), std::abs(after[i] - shared[i])});
-        change[i][cascade] = std::max(change[i][cascade], apart);
-      }
-    }
-  }
-  int touched = 0;
-  float most = 0.0f;
-  for (std::array<float, kCascades>& of_pixel : change) {
-    std::sort(of_pixel.begin(), of_pixel.end(), std::greater<float>());
-    touched += of_pixel[1] > 0.0f ? 1 : 0;
-    most = std::max(most, of_pixel[1]);
-  }
-  // Whose search a pixel shares depends on the other pixels of its part, and so do the roundings of sums.
-  EXPECT_LT(touched, static_cast<int>(change.size()) / 200);
-  EXPECT_LT(most, 0.005f) << "a texel of another cascade taken for a blocker changes it by up to 1";
+  GraphRunner alone = computed_alone();
+  GraphRunner shared = with_windows_of("MoreWindows.compute");
+  GraphRunner& flagship = chain("flagship");
+  expect_little(changes_by_cascade(
+      flagship, frame, {picture_of(flagship, frame), picture_of(alone, frame), picture_of(shared, frame)}));
 }
 
 // What no window takes, the threads of a part filter as one thread does: of all pixels that are not decided.
 TEST_P(Flagship, FiltersAloneWhatNoWindowTakes) {
   for (const int cascades : {1, 4}) {
     const scene::Frame frame = under_disc(drawn("street", cascades, GetParam()), 2.0);
-    const CameraImage camera = camera_image(frame, RowOrder::top_first);
-    const auto picture_of = [&](GraphRunner chain) {
-      return chain.run(FrameOnDevice(test_device(), frame), &camera, kFlagshipOnce).visibility[0];
-    };
-    const std::vector<float> classified = pictures_of(frame).classified;
-    const std::vector<float> by_parts = picture_of(with_windows_of("NoWindows.compute"));
-    const std::vector<float> alone = picture_of(computed_alone());
+    GraphRunner without_windows = with_windows_of("NoWindows.compute");
+    GraphRunner one_by_one = computed_alone();
+    const std::vector<float> classified = picture_of(chain("flagship", true), frame);
+    const std::vector<float> by_parts = picture_of(without_windows, frame);
+    const std::vector<float> alone = picture_of(one_by_one, frame);
     int compared = 0, apart = 0;
     float most = 0.0F;
     for (std::size_t i = 0; i < classified.size(); ++i) {

@@ -116,7 +116,7 @@ namespace Penumbra.Tests
             string[] ofLevels = passes.Where(pass => pass.eachMip).Select(pass => pass.program).Except(ofMaps).ToArray();
             string[] ofFrame = frame.options.DrawsVisibility
                                    ? passes.Select(pass => pass.program).Except(ofMaps).Except(ofLevels).ToArray()
-                                                             : new[] { "Resolve" };
+                                   : new[] { "Resolve" };
             int all = Draws(0).Length;
             Assert.That(Draws(0), Is.EqualTo(ofFrame));
             string[] one = Draws(0b0100);

@@ -221,12 +221,10 @@ class GraphRunner::Run {
     return resources_.texture(name).download<float>({.layer = layer});
   }
 
-  static bool over_map(const GraphTexture& texture) {
-    return texture.extent == techniques::ExtentOf::map || texture.extent == techniques::ExtentOf::tile;
-  }
   bool writes_over_map(const GraphPass& pass) const {
     const GraphTexture* written = geometry_.first_written_texture(pass);
-    return written != nullptr && over_map(*written);
+    return written != nullptr &&
+           (written->extent == techniques::ExtentOf::map || written->extent == techniques::ExtentOf::tile);
   }
 
   void add_per_pixel(const Step& step, const std::vector<std::uint32_t>& fetches, double pixels,
