@@ -79,6 +79,37 @@ TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
   EXPECT_EQ(scenes.size(), scene::scene_names().size());
 }
 
+TEST_F(TechniqueListCommand, ExitsThatChangeThePictureAreFindings) {
+  const std::vector<std::string> common = {"--scene",
+                                           "trees",
+                                           "--light",
+                                           "2",
+                                           "--map-size",
+                                           "512",
+                                           "--size",
+                                           "64x36",
+                                           "--reference-samples",
+                                           "32",
+                                           "--timing-repeats",
+                                           "0",
+                                           "--no-split"};
+  const auto measure = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "measure");
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    return run(arguments);
+  };
+  const auto wrong = measure({"--technique-list", added("FarTap"), "--technique", "far-tap,far-tap-exits"});
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.errors;
+  EXPECT_THAT(wrong.errors,
+              AllOf(HasSubstr("far-tap-exits: RMSE "), HasSubstr("(scene trees, light 2°, device "),
+                    HasSubstr("exits must not change the picture"), HasSubstr("use far-tap there")));
+  EXPECT_EQ(nlohmann::json::parse(wrong.output).at("records").size(), 2U) << "nothing is lost";
+
+  const auto right =
+      measure({"--technique", "tent-5,tent-5-exits,pcss-angular-24-16,pcss-angular-24-16-exits"});
+  EXPECT_EQ(right.exit_code, 0) << right.errors;
+}
+
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {
   const auto variance = run({"measure", "--technique", "vsm"});
   EXPECT_EQ(variance.exit_code, 2);

@@ -287,6 +287,7 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
     measured = measure(command, options, context);
     if (!options.earlier.empty())
       study::add_earlier_rows(measured.results, earlier, options.earlier_rows, options.earlier);
+    tell_differing_exits(measured.results, context);
   } else {
     measured.results = study::read_results(options.from);
   }

@@ -1,0 +1,63 @@
+// Exits must leave a technique's error as it is; where a device draws something else, its results say so.
+#include "study/exits_difference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "study/synthetic_study.h"
+
+namespace penumbra::study {
+namespace {
+
+// Both of the same error, in the order of the synthetic study: by scene, light and technique.
+Results results_with_exits() {
+  Results results = synthetic::results({"tent-5", "tent-5-exits"});
+  for (std::size_t i = 0; i < results.records.size(); ++i)
+    if (results.records[i].technique == "tent-5-exits")
+      for (const Record& other : results.records)
+        if (other.technique == "tent-5" && other.scene == results.records[i].scene &&
+            other.light_degrees == results.records[i].light_degrees) {
+          results.records[i].metrics = other.metrics;
+          results.records[i].parameters = other.parameters;
+        }
+  return results;
+}
+
+Record& first_exits(Results& results) {
+  return *std::find_if(results.records.begin(), results.records.end(),
+                       [](const Record& record) { return record.technique == "tent-5-exits"; });
+}
+
+TEST(DifferingExits, NoneWhereErrorsAreTheSame) {
+  Results results = results_with_exits();
+  EXPECT_TRUE(differing_exits(results).empty());
+  *first_exits(results).metrics.rmse_all += 0.9 * kExitsTolerance;
+  EXPECT_TRUE(differing_exits(results).empty()) << "rounding";
+}
+
+TEST(DifferingExits, AreThoseWithAnotherErrorInEitherSample) {
+  for (std::optional<double> Metrics::*figure : {&Metrics::rmse_all, &Metrics::rmse_penumbra}) {
+    Results results = results_with_exits();
+    Record& exits = first_exits(results);
+    *(exits.metrics.*figure) += 1.1 * kExitsTolerance;
+    const std::vector<ExitsDifference> found = differing_exits(results);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].exits, &exits);
+    EXPECT_EQ(found[0].plain->technique, "tent-5");
+    EXPECT_EQ(found[0].plain->scene, exits.scene);
+    EXPECT_EQ(found[0].plain->light_degrees, exits.light_degrees);
+    exits.metrics.*figure = std::nullopt;
+    EXPECT_EQ(differing_exits(results).size(), 1U) << "only one of both has penumbra pixels";
+  }
+}
+
+TEST(DifferingExits, OtherSettingsAreOtherCases) {
+  Results results = results_with_exits();
+  *first_exits(results).metrics.rmse_all += 0.5;
+  first_exits(results).settings.normal_bias += 1.0;
+  EXPECT_TRUE(differing_exits(results).empty());
+}
+
+}  // namespace
+}  // namespace penumbra::study
