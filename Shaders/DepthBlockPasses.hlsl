@@ -62,7 +62,7 @@ BlockTargets EighthDepthBlocks(ScreenVaryings input)
 
 BlockTargets DepthBlocksMip(ScreenVaryings input)
 {
-    return JoinedBlocks(int2(input.positionCS.xy), kRangeBlock * exp2(float(_PenumbraMip)));
+    return JoinedBlocks(int2(input.positionCS.xy), kRangeBlock * PowerOfTwo(_PenumbraMip));
 }
 
 #endif

@@ -30,7 +30,7 @@ float4 DepthPlanesMip(ScreenVaryings input) : SV_Target
     UNITY_UNROLL
     for (int i = 0; i < 4; ++i)
         parts[i] = UnpackPlanes(LOAD_TEXTURE2D_X(_PenumbraSourceTexture, first + int2(i & 1, i >> 1)));
-    return PackPlanes(JoinPlanes(parts, kRangeBlock * exp2(float(_PenumbraMip) - 1.0)));
+    return PackPlanes(JoinPlanes(parts, kRangeBlock * PowerOfTwo(_PenumbraMip - 1)));
 }
 
 #endif

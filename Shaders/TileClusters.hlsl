@@ -218,7 +218,7 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
         const float clusterReach = radius + kSampleReachTexels;
         const DiscBlocks blocks = BlocksOfBox(clusterLow - clusterReach, clusterHigh + clusterReach,
                                               i == 0 ? kFirstBlocksAcross : MOST_BLOCKS_ACROSS, bounds);
-        const float blockTexels = kRangeBlock * exp2(float(blocks.level));
+        const float blockTexels = kRangeBlock * PowerOfTwo(blocks.level);
         const int2 size = blocks.whole && !settled ? blocks.high - blocks.low + 1 : int2(0, 0);
         const uint firstBlock = thread.tile * MOST_BLOCKS_ACROSS * MOST_BLOCKS_ACROSS;
         UNITY_LOOP

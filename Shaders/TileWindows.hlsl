@@ -99,7 +99,7 @@ struct WindowBounds
 
 DepthWindow WindowOf(WindowBounds bounds, int level)
 {
-    const float cell = exp2(float(level));
+    const float cell = PowerOfTwo(level);
     const float reach = min(bounds.ringCells * cell, bounds.radius) + cell;
     const int2 low = int2(floor((float2(bounds.low) - reach) / cell));
     const int2 high = int2(floor((float2(bounds.high) + 1.0 + reach) / cell));
@@ -301,7 +301,7 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
 RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadReceiver receiver, float ground, ConeScales scales,
                      float radius)
 {
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     const DepthWindow window = levelWindows[level];
     const float2 away = AwayFrom(receiver, cell, width);
     const float distance = length(away);
@@ -322,7 +322,7 @@ RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales
     UNITY_LOOP
     for (int level = 1; level <= levels; ++level)
     {
-        const float width = exp2(float(level));
+        const float width = PowerOfTwo(level);
         const float2 centre = receiver.centre / width;
         const float farthest = min(kSearchRingCells, radius / width) + 0.5;
         const DepthWindow window = levelWindows[level];
@@ -429,7 +429,7 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
         UNITY_LOOP
         for (int level = 1; level <= levels; ++level)
         {
-            const int2 first = int2(floor(receiver.centre / exp2(float(level)))) - SEARCH_CELLS / 2;
+            const int2 first = int2(floor(receiver.centre / PowerOfTwo(level))) - SEARCH_CELLS / 2;
             UNITY_LOOP
             for (int n = int(thread % PART_LANES); n < SEARCH_CELLS * SEARCH_CELLS; n += PART_LANES)
                 sums = AddRingCell(sums, level, first + int2(n % SEARCH_CELLS, n / SEARCH_CELLS), level == 1 && !near, receiver,
@@ -488,7 +488,7 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filte
 {
     const int level = DiscLevel(penumbra.radius, filterCells);
     const DepthWindow window = levelWindows[level];
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     const float2 centre = receiver.centre / width;
     const float farthest = min(filterCells, penumbra.radius / width) + 0.5;
     const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);

@@ -23,6 +23,7 @@
 
 #include "DepthConvention.hlsl"
 #include "FloatBits.hlsl"
+#include "PowersOfTwo.hlsl"
 #include "ShadowStructs.hlsl"
 
 // The map of a spot light, and the light's source.
@@ -65,7 +66,7 @@ float4 SliceOfSpotMap(float4x4 worldToShadow, float tanHalf, float4 atlasTexelSi
     const float2 middle = float2(dot(worldToShadow[0].xyz, axis), dot(worldToShadow[1].xyz, axis)) / squaredAxis;
     const float uvPerTangent = length(worldToShadow[0].xyz - middle.x * axis) * rsqrt(squaredAxis);
     const float texels = min(max(2.0 * tanHalf * uvPerTangent * atlasTexelSize.z, 1.0), 65536.0);
-    const float2 extent = exp2(floor(log2(texels) + 0.5)) * atlasTexelSize.xy;
+    const float2 extent = PowerOfTwo(int(floor(log2(texels) + 0.5))) * atlasTexelSize.xy;
     return float4(middle - 0.5 * extent, extent);
 }
 

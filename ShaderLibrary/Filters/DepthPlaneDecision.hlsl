@@ -51,22 +51,24 @@ BlockDecision DecideBlock(DepthPlanes block, float2 away, float blockTexels, Qua
 BlockDecision DecideDisc(TEXTURE2D(depthPlanes), float radius, QuadReceiver receiver)
 {
     const DiscBlocks blocks = BlocksOfDisc(receiver.centre, radius, kBlocksAcross, receiver.bounds);
-    const float blockTexels = kRangeBlock * exp2(float(blocks.level));
-    const int2 size = blocks.high - blocks.low + 1;
+    const float blockTexels = kRangeBlock * PowerOfTwo(blocks.level);
     BlockDecision disc;
     disc.noneBlocks = blocks.whole;
     disc.allBlock = blocks.whole;
+    int2 texel = blocks.low;
     UNITY_LOOP
-    for (int i = 0; i < size.x * size.y && (disc.noneBlocks || disc.allBlock); ++i)
+    while (HoldsBlock(texel, blocks) && (disc.noneBlocks || disc.allBlock))
     {
-        const int2 texel = blocks.low + int2(i % size.x, i / size.x);
         const float2 away = (float2(texel) + 0.5) * blockTexels - receiver.centre;
         const float2 nearest = max(abs(away) - 0.5 * blockTexels, 0.0);
-        if (dot(nearest, nearest) > radius * radius) continue;
-        const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.level));
-        const BlockDecision block = DecideBlock(planes, away, blockTexels, receiver);
-        disc.noneBlocks = disc.noneBlocks && block.noneBlocks;
-        disc.allBlock = disc.allBlock && block.allBlock;
+        if (dot(nearest, nearest) <= radius * radius)
+        {
+            const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.level));
+            const BlockDecision block = DecideBlock(planes, away, blockTexels, receiver);
+            disc.noneBlocks = disc.noneBlocks && block.noneBlocks;
+            disc.allBlock = disc.allBlock && block.allBlock;
+        }
+        texel = NextBlock(texel, blocks);
     }
     return disc;
 }

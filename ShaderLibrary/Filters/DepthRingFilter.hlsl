@@ -53,12 +53,13 @@ ExitBounds BoundRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach
 {
     const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
     ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
+    int2 texel = blocks.disc.low;
     UNITY_LOOP
-    for (int i = 0; ReadsExitBlock(i, blocks, bounds, true); ++i)
+    while (HoldsBlock(texel, blocks.disc))
     {
-        const int2 texel = ExitBlockAt(blocks, i);
         const DepthPlanes planes = PlanesOfLevel(depthPlanes, coarsePlanes, texel, blocks.disc.level);
         bounds = AddExitBlock(bounds, planes, texel, radius, blocks, reach);
+        texel = NextBlock(texel, blocks.disc);
     }
     return bounds;
 }

@@ -44,7 +44,7 @@ float2 AwayFrom(QuadReceiver receiver, int2 cell, float width)
 // All quads with cells in the level's ring, and some without. A cell's share of the ring ends half a cell beyond the ring.
 QuadRange QuadsAround(QuadReceiver receiver, int level, float radius, float ringCells)
 {
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     const float reach = min(ringCells, radius / width);
     const float2 here = receiver.centre / width;
     const int2 low = int2(max(floor(here - reach), ceil(receiver.bounds.minimum / width)));
@@ -68,7 +68,7 @@ int2 QuadAt(QuadRange quads, int index)
 // What of each cell's area belongs to the level's ring, texels. filled: and to what the ring encloses.
 float4 AreasOfQuad(int2 quad, int level, float radius, float ringCells, bool filled, QuadReceiver receiver)
 {
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     const float2 low = ceil(receiver.bounds.minimum / width);
     const float2 high = floor(receiver.bounds.maximum / width);
     float4 areas;
@@ -159,7 +159,7 @@ RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, flo
                        ConeScales scales)
 {
     RingSearch next = search;
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     UNITY_UNROLL
     for (int k = 0; k < 4; ++k)
     {
@@ -264,7 +264,7 @@ float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas,
                    QuadReceiver receiver)
 {
     float2 next = sums;
-    const float width = exp2(float(level));
+    const float width = PowerOfTwo(level);
     UNITY_UNROLL
     for (int k = 0; k < 4; ++k)
     {

@@ -21,6 +21,7 @@
 #ifndef PENUMBRA_DEPTH_RINGS_HLSL
 #define PENUMBRA_DEPTH_RINGS_HLSL
 
+#include "../Core/PowersOfTwo.hlsl"
 #include "../Map/DepthSpread.hlsl"
 #include "TexelQuad.hlsl"
 
@@ -60,7 +61,7 @@ struct CellBlockers
 // kRingCells or kSearchRingCells.
 float ShareInDisc(float distance, int level, float radius, float ringCells)
 {
-    const float cell = exp2(float(level));
+    const float cell = PowerOfTwo(level);
     return min(max((min(ringCells * cell, radius) - distance) / cell + 0.5, 0.0), 1.0);
 }
 
@@ -74,7 +75,7 @@ float ShareInRing(float distance, int level, float radius, float ringCells)
 // The smallest number of levels beyond the first whose rings reach `radius`, at most `most`.
 int RingLevels(float radius, float ringCells, int most)
 {
-    return int(min(ceil(log2(max(radius / ringCells, 1.0))), float(most)));
+    return min(CeilLog2(max(radius / ringCells, 1.0)), most);
 }
 
 float PlaneDepth(QuadReceiver receiver, float2 away)

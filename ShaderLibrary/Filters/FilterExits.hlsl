@@ -106,7 +106,6 @@ struct ExitBlocks
 {
     ReceiverGroup group;
     DiscBlocks disc;
-    int2 size;
     float blockTexels;
 };
 
@@ -117,8 +116,7 @@ ExitBlocks ExitBlocksWithin(float radius, ExitReach reach)
     const float2 rise = abs(reach.receiver.gradient);
     blocks.group.planeError = (rise.x + rise.y) * reach.planeShift;
     blocks.disc = BlocksOfDisc(reach.receiver.centre, radius, kExitBlocksAcross, reach.receiver.bounds);
-    blocks.size = blocks.disc.high - blocks.disc.low + 1;
-    blocks.blockTexels = kRangeBlock * exp2(float(blocks.disc.level));
+    blocks.blockTexels = kRangeBlock * PowerOfTwo(blocks.disc.level);
     return blocks;
 }
 
@@ -133,41 +131,34 @@ ExitBounds BoundsOfNoBlock(ExitBlocks blocks, ExitReach reach)
     return bounds;
 }
 
-// wantsGap: also where neither can be true any more.
-bool ReadsExitBlock(int i, ExitBlocks blocks, ExitBounds bounds, bool wantsGap)
-{
-    return i < blocks.size.x * blocks.size.y && blocks.disc.whole && (bounds.noneBlocks || bounds.allBlock || wantsGap);
-}
-
-int2 ExitBlockAt(ExitBlocks blocks, int i)
-{
-    return blocks.disc.low + int2(i % blocks.size.x, i / blocks.size.x);
-}
-
 ExitBounds AddExitBlock(ExitBounds bounds, DepthPlanes planes, int2 texel, float radius, ExitBlocks blocks, ExitReach reach)
 {
     const float2 away = (float2(texel) + 0.5) * blocks.blockTexels - reach.receiver.centre;
     const GroupBounds block = BoundBlock(planes, away, blocks.blockTexels, radius, blocks.group);
-    if (block.nearest > radius) return bounds;
+    const bool beyond = block.nearest > radius;
     const float offset = min(max(block.nearest - reach.slackTexels, 0.0) * reach.depthPerTexel, reach.largestOffset);
-    const bool none = reach.planeAlone ? block.noneAbovePlane : block.noneAbove || !(block.largestGap > offset);
-    bounds.noneBlocks = bounds.noneBlocks && none;
-    bounds.allBlock = bounds.allBlock && block.allAbove && block.smallestGap > 0.0;
-    if (!none) bounds.largestGap = max(bounds.largestGap, block.largestGap);
-    bounds.smallestGap = min(bounds.smallestGap, block.smallestGap);
-    return bounds;
+    const bool none = beyond || (reach.planeAlone ? block.noneAbovePlane : block.noneAbove || !(block.largestGap > offset));
+    const bool all = beyond || (block.allAbove && block.smallestGap > 0.0);
+    ExitBounds joined = bounds;
+    joined.noneBlocks = bounds.noneBlocks && none;
+    joined.allBlock = bounds.allBlock && all;
+    joined.largestGap = none ? bounds.largestGap : max(bounds.largestGap, block.largestGap);
+    joined.smallestGap = beyond ? bounds.smallestGap : min(bounds.smallestGap, block.smallestGap);
+    return joined;
 }
 
+// wantsGap: of every block, also where the disc is neither free of blockers nor full of them.
 ExitBounds BoundExits(TEXTURE2D(depthPlanes), ExitReach reach, float radius, bool wantsGap)
 {
     const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
     ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
+    int2 texel = blocks.disc.low;
     UNITY_LOOP
-    for (int i = 0; ReadsExitBlock(i, blocks, bounds, wantsGap); ++i)
+    while (HoldsBlock(texel, blocks.disc) && (bounds.noneBlocks || bounds.allBlock || wantsGap))
     {
-        const int2 texel = ExitBlockAt(blocks, i);
         const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.disc.level));
         bounds = AddExitBlock(bounds, planes, texel, radius, blocks, reach);
+        texel = NextBlock(texel, blocks.disc);
     }
     return bounds;
 }
@@ -181,18 +172,33 @@ bool ReachesBeyondTile(ExitReach reach, float radius)
 // 1, 0 or kUndecided.
 float DecideExits(TEXTURE2D(depthPlanes), ExitReach reach)
 {
-    if (reach.insideAlone && ReachesBeyondTile(reach, reach.searchRadius)) return kUndecided;
     const bool wantsGap = reach.foundAtReceiver && reach.radiusPerGap > 0.0;
-    ExitBounds bounds = BoundExits(depthPlanes, reach, reach.searchRadius, wantsGap);
-    if (!bounds.whole) return kUndecided;
-    if (bounds.noneBlocks) return 1.0;
-    if (!reach.mayBeDark || (!reach.foundAtReceiver && !bounds.allBlock)) return kUndecided;
-    const float largestGap = bounds.largestGap;
-    const float radius = RadiusAfterSearch(largestGap, reach);
-    if (reach.insideAlone && ReachesBeyondTile(reach, radius)) return kUndecided;
-    if (radius != reach.searchRadius) bounds = BoundExits(depthPlanes, reach, radius, false);
-    const bool dark = bounds.whole && bounds.allBlock && bounds.smallestGap > reach.darkShare * largestGap;
-    return dark ? 0.0 : kUndecided;
+    float decided = kUndecided;
+    float radius = reach.searchRadius;
+    float largestGap = 0.0;
+    // The texels of the search, then those of the filter that follows it.
+    UNITY_LOOP
+    for (int pass = 0; pass < 2; ++pass)
+    {
+        const bool isSearch = pass == 0;
+        if (reach.insideAlone && ReachesBeyondTile(reach, radius)) break;
+        const ExitBounds bounds = BoundExits(depthPlanes, reach, radius, isSearch && wantsGap);
+        if (!bounds.whole) break;
+        if (isSearch)
+        {
+            if (bounds.noneBlocks) decided = 1.0;
+            if (bounds.noneBlocks || !reach.mayBeDark || (!reach.foundAtReceiver && !bounds.allBlock)) break;
+            largestGap = bounds.largestGap;
+        }
+        const float filterRadius = isSearch ? RadiusAfterSearch(largestGap, reach) : radius;
+        if (filterRadius == radius)
+        {
+            if (bounds.allBlock && bounds.smallestGap > reach.darkShare * largestGap) decided = 0.0;
+            break;
+        }
+        radius = filterRadius;
+    }
+    return decided;
 }
 
 #endif

@@ -52,7 +52,7 @@ BlockWalk WalkAround(ReceiverGroup group, float radius)
 
 GroupBounds ReadBlock(TEXTURE2D(depthPlanes), BlockWalk walk, ReceiverGroup group)
 {
-    const float blockTexels = kRangeBlock * exp2(float(walk.level));
+    const float blockTexels = kRangeBlock * PowerOfTwo(walk.level);
     const float2 away = (float2(walk.texel) + 0.5) * blockTexels - group.first.centre;
     const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, walk.texel, walk.level));
     return BoundBlock(planes, away, blockTexels, walk.reach, group);

@@ -16,6 +16,7 @@
 
 #include "../Core/DepthConvention.hlsl"
 #include "../Core/FloatBits.hlsl"
+#include "../Core/PowersOfTwo.hlsl"
 #include "../Core/TileBounds.hlsl"
 
 // Texels of the shadow map per texel of the quarter-resolution map, each way.
@@ -107,7 +108,7 @@ DiscBlocks BlocksOfBox(float2 low, float2 high, int across, TileBounds bounds)
 {
     DiscBlocks blocks;
     const float narrowest = max(high.x - low.x, high.y - low.y) / (kRangeBlock * float(across - 1));
-    blocks.level = min(int(ceil(log2(max(narrowest, 1.0)))), HighestWholeLevel(bounds));
+    blocks.level = min(CeilLog2(max(narrowest, 1.0)), HighestWholeLevel(bounds));
     blocks.low = BlockAt(low, blocks.level, bounds);
     blocks.high = BlockAt(high, blocks.level, bounds);
     const float2 beyond = fmod(bounds.minimum, kRangeBlock) + fmod(bounds.maximum, kRangeBlock);
@@ -118,6 +119,17 @@ DiscBlocks BlocksOfBox(float2 low, float2 high, int across, TileBounds bounds)
 DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds bounds)
 {
     return BlocksOfBox(centre - radius, centre + radius, across, bounds);
+}
+
+// Row by row, from low on: HoldsBlock is false after the last one.
+int2 NextBlock(int2 texel, DiscBlocks blocks)
+{
+    return texel.x < blocks.high.x ? int2(texel.x + 1, texel.y) : int2(blocks.low.x, texel.y + 1);
+}
+
+bool HoldsBlock(int2 texel, DiscBlocks blocks)
+{
+    return blocks.whole && texel.y <= blocks.high.y;
 }
 
 #endif

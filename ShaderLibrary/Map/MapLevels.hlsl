@@ -15,6 +15,7 @@
 #ifndef PENUMBRA_MAP_LEVELS_HLSL
 #define PENUMBRA_MAP_LEVELS_HLSL
 
+#include "../Core/PowersOfTwo.hlsl"
 #include "../Core/TileBounds.hlsl"
 
 struct LevelTaps
@@ -33,7 +34,7 @@ float CoarsestLevel(TileBounds bounds)
 // The position nearest to `texels` whose footprint, in this level and the next coarser one, stays inside the tile.
 float2 ClampToLevel(float2 texels, float level, TileBounds bounds)
 {
-    const float margin = kBilinearMarginTexels * exp2(ceil(level));
+    const float margin = kBilinearMarginTexels * PowerOfTwo(int(ceil(level)));
     const float2 middle = 0.5 * (bounds.minimum + bounds.maximum);
     const float2 low = min(bounds.minimum + margin, middle);
     const float2 high = max(bounds.maximum - margin, middle);
