@@ -4,7 +4,7 @@
 //             receivers of a tile at once. One thread alone would keep its group waiting for some 50 reads, one after the other.
 // Source:     Penumbra's own.
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel; the receivers, from
-//             PutLoneReceiver.
+//             PutRestReceiver.
 // Cost:       that of FilterDepthRings, less its exits: some 50 fetches for each receiver. No groupshared memory but what
 //             TileWindows.hlsl has, whose windows are lost.
 // Guarantees: [0, 1]; that of RingVisibility but for the order of the sums; the same threads add in the same order.
@@ -18,38 +18,38 @@
 
 // In windowSpreads: five words of each thread, as many of each part, and two of each receiver. In sharedDepths: five of each
 // receiver.
-#define LONE_SUMS 5
-#define LONE_TOTALS (LONE_SUMS * WINDOW_THREADS)
-#define LONE_RADII (LONE_TOTALS + LONE_SUMS * TILE_PARTS)
-#define LONE_PLACES (LONE_RADII + WINDOW_THREADS)
-#define LONE_FLOATS 5
+#define REST_SUMS 5
+#define REST_TOTALS (REST_SUMS * WINDOW_THREADS)
+#define REST_RADII (REST_TOTALS + REST_SUMS * TILE_PARTS)
+#define REST_PLACES (REST_RADII + WINDOW_THREADS)
+#define REST_FLOATS 5
 
 // radius, texels: no blocker's penumbra is wider. thread: of its pixel. index: below WINDOW_THREADS.
-void PutLoneReceiver(QuadReceiver receiver, float radius, int cascade, uint thread, uint index)
+void PutRestReceiver(QuadReceiver receiver, float radius, int cascade, uint thread, uint index)
 {
-    const uint first = LONE_FLOATS * index;
+    const uint first = REST_FLOATS * index;
     sharedDepths[first] = receiver.centre.x;
     sharedDepths[first + 1] = receiver.centre.y;
     sharedDepths[first + 2] = receiver.gradient.x;
     sharedDepths[first + 3] = receiver.gradient.y;
     sharedDepths[first + 4] = receiver.depth;
-    windowSpreads[LONE_RADII + index] = asuint(radius);
-    windowSpreads[LONE_PLACES + index] = thread | (uint(cascade) << 16);
+    windowSpreads[REST_RADII + index] = asuint(radius);
+    windowSpreads[REST_PLACES + index] = thread | (uint(cascade) << 16);
 }
 
-uint ThreadOfLone(uint index)
+uint ThreadOfRest(uint index)
 {
-    return windowSpreads[LONE_PLACES + index] & 0xffffu;
+    return windowSpreads[REST_PLACES + index] & 0xffffu;
 }
 
-uint CascadeOfLone(uint index)
+uint CascadeOfRest(uint index)
 {
-    return windowSpreads[LONE_PLACES + index] >> 16;
+    return windowSpreads[REST_PLACES + index] >> 16;
 }
 
-QuadReceiver LoneReceiver(uint index, ShadowTile tile)
+QuadReceiver RestReceiver(uint index, ShadowTile tile)
 {
-    const uint first = LONE_FLOATS * index;
+    const uint first = REST_FLOATS * index;
     QuadReceiver receiver = PrepareQuads((ShadowReceiver)0, tile);
     receiver.centre = float2(sharedDepths[first], sharedDepths[first + 1]);
     receiver.gradient = float2(sharedDepths[first + 2], sharedDepths[first + 3]);
@@ -68,20 +68,20 @@ void AddSums(bool active, uint thread)
     const uint sum = thread % PART_LANES;
     const uint part = thread / PART_LANES;
     GroupMemoryBarrierWithGroupSync();
-    if (active && sum < LONE_SUMS)
+    if (active && sum < REST_SUMS)
     {
         float total = 0.0;
         UNITY_LOOP
         for (uint lane = 0; lane < PART_LANES; ++lane)
             total += asfloat(windowSpreads[sum * WINDOW_THREADS + part * PART_LANES + lane]);
-        windowSpreads[LONE_TOTALS + part * LONE_SUMS + sum] = asuint(total);
+        windowSpreads[REST_TOTALS + part * REST_SUMS + sum] = asuint(total);
     }
     GroupMemoryBarrierWithGroupSync();
 }
 
 float TotalOf(uint sum, uint part)
 {
-    return asfloat(windowSpreads[LONE_TOTALS + part * LONE_SUMS + sum]);
+    return asfloat(windowSpreads[REST_TOTALS + part * REST_SUMS + sum]);
 }
 
 void PutSearch(RingSearch search, uint thread)
@@ -119,9 +119,9 @@ float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXT
     GroupMemoryBarrierWithGroupSync();
     if (active)
     {
-        receiver = LoneReceiver(index, tile);
+        receiver = RestReceiver(index, tile);
         scales = ConeScalesOf(tile);
-        radius = asfloat(windowSpreads[LONE_RADII + index]);
+        radius = asfloat(windowSpreads[REST_RADII + index]);
         search = BeginSearch(scales);
         search = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), search, share, radius, receiver, scales);
         if (search.groundFound) InterlockedMin(partGround[part], asuint(search.ground));
