@@ -80,7 +80,7 @@ DepthWindow WindowOf(WindowBounds bounds, int level)
     const int2 low = int2(floor((float2(bounds.low) - reach) / cell));
     const int2 high = int2(floor((float2(bounds.high) + 1.0 + reach) / cell));
     DepthWindow window;
-    window.low = max(low, int2(bounds.tile.minimum / cell));
+    window.low = max(low, int2(ceil(bounds.tile.minimum / cell)));
     window.size = max(min(high, int2(bounds.tile.maximum / cell) - 1) - window.low + 1, 0);
     window.offset = 0;
     return window;

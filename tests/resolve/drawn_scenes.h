@@ -22,23 +22,25 @@ inline std::vector<std::string> scenes_for_small_pictures() {
   return names;
 }
 
+// map_size: of the atlas, texels; 0: that of screen_settings.
 inline const scene::Frame& drawn(const std::string& scene, int cascades, bool reversed_z,
-                                 scene::DepthFormat format = scene::DepthFormat::d32) {
+                                 scene::DepthFormat format = scene::DepthFormat::d32, int map_size = 0) {
   struct Drawn {
     explicit Drawn(const std::string& name)
         : scene(scene::built_in(name)), rasteriser(test_device(), scene) {}
     scene::Scene scene;
     scene::Rasteriser rasteriser;
-    std::map<std::tuple<int, bool, scene::DepthFormat>, scene::Frame> frames;
+    std::map<std::tuple<int, bool, scene::DepthFormat, int>, scene::Frame> frames;
   };
   static KeptOnDevice<std::map<std::string, std::unique_ptr<Drawn>>> scenes;
   std::unique_ptr<Drawn>& drawn = (*scenes)[scene];
   if (drawn == nullptr) drawn = std::make_unique<Drawn>(scene);
-  const auto [frame, is_new] = drawn->frames.try_emplace({cascades, reversed_z, format});
+  const auto [frame, is_new] = drawn->frames.try_emplace({cascades, reversed_z, format, map_size});
   if (is_new) {
     scene::FrameSettings settings = screen_settings(cascades, reversed_z);
     settings.shadows.distance_metres = drawn->scene.shadow_distance_metres;
     settings.format = format;
+    if (map_size > 0) settings.shadows.resolution = map_size;
     frame->second = drawn->rasteriser.frame(settings);
   }
   return frame->second;

@@ -211,9 +211,14 @@ TEST_P(Flagship, DrawsTheSamePictureAgain) {
 // Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
 // change, and little, since what they share with their neighbours changes.
 TEST_P(Flagship, ReadsNoTexelOfOtherCascadesWhereWindowsTakeAll) {
-  const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
   GraphRunner chain = with_windows_of("MoreWindows.compute");
-  expect_little(changes_by_cascade(chain, frame, {picture_of(chain, frame)}));
+  // 528: of 2 x 8 x 33 texels, so that cells of 16 and more texels could hold texels of two tiles.
+  for (const auto& [map_size, degrees] : {std::pair(0, 2.0), {528, 8.0}}) {
+    const scene::Frame frame =
+        under_disc(drawn("street", kCascades, GetParam(), scene::DepthFormat::d32, map_size), degrees);
+    SCOPED_TRACE(map_size);
+    expect_little(changes_by_cascade(chain, frame, {picture_of(chain, frame)}));
+  }
 }
 
 // With fewer windows, neighbours also decide whether a window takes a pixel: it may change to what it is

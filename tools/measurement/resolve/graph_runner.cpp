@@ -12,6 +12,7 @@
 #include "resolve/pass_geometry.h"
 #include "resolve/screen_uniforms.h"
 #include "resolve/texel_counter.h"
+#include "resolve/whole_tiles.h"
 #include "shaders/counted_module.h"
 #include "techniques/technique_call.h"
 
@@ -101,6 +102,8 @@ class GraphRunner::Run {
         geometry_(runner.graph(), resources_, extents_),
         sequence_(*runner.device_),
         counting_(module == ProgramOnDevice::Module::counting) {
+    require_whole_tiles(runner.graph(), runner.graph_.source.name, extents_.map.tile,
+                        extents_.map.width / extents_.map.tile);
     if (runner.graph().over_screen() && camera == nullptr)
       throw std::invalid_argument("a graph over the screen needs a camera");
     if (camera != nullptr) {

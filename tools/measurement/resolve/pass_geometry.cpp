@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "input/input_error.h"
 #include "resolve/screen_uniforms.h"
 
 namespace penumbra::resolve {
@@ -69,10 +68,6 @@ gpu::RasterTile PassGeometry::tile(const GraphPass& pass, int cascade, int mip) 
   tile.width = gpu::mip_size(image.width(), mip);
   tile.height = gpu::mip_size(image.height(), mip);
   if (!runs_for_each_tile(pass, *texture)) return tile;
-  if (extents_.map.tile % texture->divisor != 0)
-    throw InputError(texture->where, "the divisor " + std::to_string(texture->divisor) + " of '" +
-                                         texture->name + "' does not divide a cascade's tile of " +
-                                         std::to_string(extents_.map.tile) + " texels");
   const int scale = texture->divisor << mip;
   const std::array<int, 2>& origin = extents_.map.origins.at(static_cast<std::size_t>(cascade));
   tile.x = origin[0] / scale;

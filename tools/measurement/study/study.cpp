@@ -10,6 +10,7 @@
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
+#include "resolve/whole_tiles.h"
 #include "study/case_setup.h"
 #include "study/colour_map.h"
 #include "study/history.h"
@@ -46,6 +47,16 @@ void check_lights(const std::vector<scene::Scene>& scenes, const std::vector<Sub
   }
 }
 
+// Before the first picture: the last subject may be the one that the map does not fit.
+void check_map(const std::vector<Subject>& subjects, const StudySettings& settings) {
+  const parameters::ShadowSettings& shadows = settings.frame.shadows;
+  const parameters::AtlasLayout atlas = parameters::atlas_layout(shadows.resolution, shadows.cascades);
+  for (const Subject& subject : subjects)
+    if (subject.light == techniques::LightKind::directional)
+      resolve::require_whole_tiles(subject.graph.graph, subject.name, atlas.tile_resolution,
+                                   atlas.width / atlas.tile_resolution);
+}
+
 // A GPU lowers its clock while it waits for the CPU to evaluate a picture, and needs tenths of a second of
 // work to raise it again: on an NVIDIA H100, two runs of one study differed by up to a factor of five without
 // a warm-up.
@@ -62,6 +73,7 @@ class Study {
         kept_(settings.cache),
         cases_(device, subjects, settings, progress, cache_) {
     check_lights(settings.scenes, subjects, settings);
+    check_map(subjects, settings);
     prepare(subjects);
   }
 
