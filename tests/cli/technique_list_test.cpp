@@ -1,6 +1,8 @@
 // A technique of the user's own is its files alone: validate, measure and cost take them as they are.
 #include "cli/program.h"
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -101,13 +103,34 @@ TEST_F(TechniqueListCommand, ExitsThatChangeThePictureAreFindings) {
   const auto wrong = measure({"--technique-list", added("FarTap"), "--technique", "far-tap,far-tap-exits"});
   EXPECT_EQ(wrong.exit_code, 1) << wrong.errors;
   EXPECT_THAT(wrong.errors,
-              AllOf(HasSubstr("far-tap-exits: RMSE "), HasSubstr("(scene trees, light 2°, device "),
+              AllOf(HasSubstr("far-tap-exits: "), HasSubstr("(scene trees, light 2°, device "),
                     HasSubstr("exits must not change the picture"), HasSubstr("use far-tap there")));
   EXPECT_EQ(nlohmann::json::parse(wrong.output).at("records").size(), 2U) << "nothing is lost";
+  const std::filesystem::path kept = std::filesystem::path(testing::TempDir()) / "differing-exits.json";
+  std::ofstream(kept) << wrong.output;
+  EXPECT_EQ(run({"measure", "--from", kept.string()}).exit_code, 1);
+
+  const auto named_by_settings = measure({"--technique-list", added("FarTap"), "--technique",
+                                          "far-tap,far-tap-exits", "--light-fit", "sphere,casters"});
+  EXPECT_EQ(named_by_settings.exit_code, 1) << named_by_settings.errors;
 
   const auto right =
       measure({"--technique", "tent-5,tent-5-exits,pcss-angular-24-16,pcss-angular-24-16-exits"});
   EXPECT_EQ(right.exit_code, 0) << right.errors;
+}
+
+TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFirstPicture) {
+  const auto refused =
+      run({"measure", "--technique", "tent-5,flagship", "--scene", "trees", "--map-size", "200"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("'flagship' makes a texel of 'coarsePlanes' of 8 x 8 texels"),
+                                    HasSubstr("a cascade's tile of 100 texels is no multiple of 8"),
+                                    HasSubstr("choose a map size that is a multiple of 16")));
+  EXPECT_EQ(refused.output, "");
+  const auto taken =
+      run({"measure", "--technique", "flagship", "--scene", "trees", "--map-size", "176", "--light", "2",
+           "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  EXPECT_EQ(taken.exit_code, 0) << taken.errors;
 }
 
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {

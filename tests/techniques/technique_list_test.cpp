@@ -206,6 +206,10 @@ TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
 
 TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
+  EXPECT_THAT(
+      problem("\"name\": \"box-3\"", "\"name\": \"box-3-exits\""),
+      AllOf(HasSubstr("box.technique.json:"), HasSubstr("'box-3-exits' is what a technique with exits"),
+            HasSubstr("does not end with \"-exits\"")));
   EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
               AllOf(HasSubstr("box.technique.json:13:35: "), HasSubstr("unknown key 'targets_absnt'"),
                     HasSubstr("did you mean 'targets_absent'?")));

@@ -287,11 +287,11 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
     measured = measure(command, options, context);
     if (!options.earlier.empty())
       study::add_earlier_rows(measured.results, earlier, options.earlier_rows, options.earlier);
-    tell_differing_exits(measured.results, context);
   } else {
     measured.results = study::read_results(options.from);
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
+  tell_differing_exits(measured.results, context);
   if (writes_report(options)) {
     write_report(options.output, measured.results, std::move(measured.pictures), facts);
     print_headlines(options.output, measured.results);

@@ -32,13 +32,12 @@ void tell_differing_exits(const study::Results& results, Context& context) {
     context.exit_code = findings;
     fmt::print(
         stderr,
-        "{}: RMSE {:.4f}, without exits {:.4f} (scene {}, light {}°, device {}): exits must not change the "
+        "{}: {} {:.4f}, without exits {:.4f} (scene {}, light {}°, device {}): exits must not change the "
         "picture\n  either the technique's exits say less than its filter reads, or the device's driver "
         "compiles "
         "them wrongly: use {} there\n",
-        exits.technique, exits.metrics.rmse_all.value_or(0.0),
-        difference.plain->metrics.rmse_all.value_or(0.0), exits.scene, exits.light_degrees, exits.device,
-        difference.plain->technique);
+        exits.technique, difference.figure, difference.with, difference.without, exits.scene,
+        exits.light_degrees, exits.device, difference.plain->technique);
   }
 }
 

@@ -74,6 +74,9 @@ class TechniqueReader {
     };
     Technique technique;
     technique.name = required_name(object);
+    if (technique.name.ends_with(exits_ending))
+      object.fail("name", "'" + technique.name + "' is what a technique with exits in front of it is called",
+                  "choose a name that does not end with \"" + std::string(exits_ending) + "\"");
     technique.where = object.where("name");
     technique.title = required_line(object, "title");
     technique.family = required_line(of("family"), "family");
