@@ -178,7 +178,8 @@ float DecideExits(TEXTURE2D(depthPlanes), ExitReach reach)
     float decided = kUndecided;
     float radius = reach.searchRadius;
     float largestGap = 0.0;
-    // The texels of the search, then those of the filter that follows it.
+    // The texels of the search, then those of the filter that follows it. In one loop: with a second call of BoundExits behind
+    // the first, a driver drew as if the second had counted one block alone (Documentation~/exits.md).
     UNITY_LOOP
     for (int pass = 0; pass < 2; ++pass)
     {

@@ -82,23 +82,11 @@ TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
 }
 
 TEST_F(TechniqueListCommand, ExitsThatChangeThePictureAreFindings) {
-  const std::vector<std::string> common = {"--scene",
-                                           "trees",
-                                           "--light",
-                                           "2",
-                                           "--map-size",
-                                           "512",
-                                           "--size",
-                                           "64x36",
-                                           "--reference-samples",
-                                           "32",
-                                           "--timing-repeats",
-                                           "0",
-                                           "--no-split"};
-  const auto measure = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "measure");
-    arguments.insert(arguments.end(), common.begin(), common.end());
-    return run(arguments);
+  const auto measure = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(),
+                     {"measure", "--scene", "trees", "--light", "2", "--map-size", "512", "--size", "64x36",
+                      "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+    return run(std::move(arguments));
   };
   const auto wrong = measure({"--technique-list", added("FarTap"), "--technique", "far-tap,far-tap-exits"});
   EXPECT_EQ(wrong.exit_code, 1) << wrong.errors;

@@ -34,8 +34,7 @@ void tell_differing_exits(const study::Results& results, Context& context) {
         stderr,
         "{}: {} {:.4f}, without exits {:.4f} (scene {}, light {}°, device {}): exits must not change the "
         "picture\n  either the technique's exits say less than its filter reads, or the device's driver "
-        "compiles "
-        "them wrongly: use {} there\n",
+        "compiles them wrongly: use {} there\n",
         exits.technique, difference.figure, difference.with, difference.without, exits.scene,
         exits.light_degrees, exits.device, difference.plain->technique);
   }
