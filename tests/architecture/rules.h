@@ -15,9 +15,9 @@ using Violations = std::vector<std::string>;
 // tools/: an include of another room goes down cli, measurement (study, lighting, bake, reference, resolve,
 // scene),
 // checking (cost, validation, lint), programs (gpu, techniques, shaders, preprocessing, preparation,
-// variants, shaderlab, project, hlsl, spirv), base (parameters, platform, input). Measurement and checking
-// know nothing of each other, and checking and programs nothing of parameters. Every room stands in its
-// group's folder.
+// variants, shaderlab, project, fxc, hlsl, spirv), base (parameters, platform, input). Measurement and
+// checking know nothing of each other, and checking and programs nothing of parameters. Every room stands in
+// its group's folder.
 Violations tool_includes_point_down(const Tree& tree);
 
 // The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.

@@ -16,7 +16,7 @@ struct Room {
 };
 
 // Each may include those behind it.
-constexpr std::array<Room, 23> kRooms{{{"cli", ""},
+constexpr std::array<Room, 24> kRooms{{{"cli", ""},
                                        {"study", "measurement"},
                                        {"lighting", "measurement"},
                                        {"bake", "measurement"},
@@ -34,6 +34,7 @@ constexpr std::array<Room, 23> kRooms{{{"cli", ""},
                                        {"variants", "programs"},
                                        {"shaderlab", "programs"},
                                        {"project", "programs"},
+                                       {"fxc", "programs"},
                                        {"hlsl", "programs"},
                                        {"spirv", "programs"},
                                        {"parameters", "base"},

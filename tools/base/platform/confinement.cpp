@@ -65,7 +65,7 @@ void limit_processor_time(unsigned long long seconds) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-void confine_process([[maybe_unused]] std::size_t memory) {
+void limit_resources([[maybe_unused]] std::size_t memory) {
   lower_limit(RLIMIT_CORE, 0);
   lower_limit(RLIMIT_FSIZE, kLargestConfinedFile);
   ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead
@@ -73,6 +73,10 @@ void confine_process([[maybe_unused]] std::size_t memory) {
   if (!kSanitized) lower_limit(RLIMIT_DATA, memory + kReservedMemory);
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
 #endif
+}
+
+void confine_process(std::size_t memory) {
+  limit_resources(memory);
   if (filter_is_unwanted()) return;
   if (const int error = filter_system_calls(); error != 0)
     throw EnvironmentError(
@@ -87,6 +91,8 @@ void confine_process([[maybe_unused]] std::size_t memory) {
 void close_descriptors_from(int) {}
 
 void limit_processor_time(unsigned long long) {}
+
+void limit_resources(std::size_t) {}
 
 void confine_process(std::size_t) {}
 

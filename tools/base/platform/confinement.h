@@ -18,6 +18,9 @@ void close_descriptors_from(int first);
 // The system ends this process with SIGXCPU after that many seconds of CPU time from now.
 void limit_processor_time(unsigned long long seconds);
 
+// The limits of confine_process() alone, for a process that becomes another program.
+void limit_resources(std::size_t memory);
+
 // `memory`: bytes that may be allocated, and some for libraries; builds with sanitizers have no such limit.
 // Call it before anything untrusted is read; anything that needs more privileges, such as a graphics driver,
 // is opened before. Running threads are confined, too. Throws EnvironmentError if the kernel refuses the

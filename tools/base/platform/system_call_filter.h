@@ -8,4 +8,9 @@ namespace penumbra::platform {
 // nothing.
 int filter_system_calls();
 
+// A wider filter for another program that this process becomes: it refuses sockets but local ones, and the
+// calls with which a process reaches into others, into the kernel or into the file system's mounts. Returns
+// as above.
+int filter_foreign_calls();
+
 }  // namespace penumbra::platform

@@ -7,4 +7,8 @@ int filter_system_calls() {
   return 0;
 }
 
+int filter_foreign_calls() {
+  return 0;
+}
+
 }  // namespace penumbra::platform

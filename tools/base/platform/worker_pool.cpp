@@ -129,6 +129,8 @@ class WorkerSlot {
       case FrameKind::failure:
         outcome_.failure = std::move(frame.content);
         return finish();
+      case FrameKind::spent:
+        return fail(std::move(frame.content));
       case FrameKind::environment:
         throw EnvironmentError(frame.content);
       case FrameKind::settings:

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,13 @@ class WorkerLink {
   virtual ~WorkerLink() = default;
   virtual std::string ask(std::string_view question) = 0;
   virtual void note(std::string_view text) = 0;  // kept for the outcome if the worker fails after it
+};
+
+// Thrown by a handler whose own helper has ended, so that the worker cannot process another message: the
+// message fails with this text, as if the worker had, and the worker is replaced.
+class WorkerSpent : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 using WorkHandler = std::function<std::string(const std::string& message, WorkerLink& link)>;

@@ -137,6 +137,8 @@ void handle(const WorkHandler& handler, const std::string& message, const Settin
       link.write(FrameKind::answer, answer);
   } catch (const EnvironmentError& error) {
     link.write(FrameKind::environment, error.what());
+  } catch (const WorkerSpent& error) {
+    link.write(FrameKind::spent, error.what());
   } catch (const std::bad_alloc&) {
     link.write(FrameKind::failure, too_much_memory(settings.memory));
   } catch (const std::exception& error) {

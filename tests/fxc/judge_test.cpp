@@ -1,0 +1,96 @@
+// FXC itself, in its confined process.
+#include "fxc/judge.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "fxc/at_hand.h"
+#include "fxc/profile.h"
+#include "platform/terminal.h"
+#include "platform/worker_pool.h"
+
+namespace penumbra::fxc {
+namespace {
+
+using testing::HasSubstr;
+
+const char* const kDoubles =
+    "RWStructuredBuffer<float> o; [numthreads(8, 8, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
+    "{ o[id.x] = 2.0 * o[id.x]; }\n";
+
+Judge judge(JudgeLimits limits = {}) {
+  return Judge(require_fxc(), limits);
+}
+
+std::size_t left_prefixes() {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(platform::temporary_directory()))
+    count += entry.path().filename().string().starts_with("penumbra-fxc") ? 1 : 0;
+  return count;
+}
+
+TEST(FxcJudge, CompilesManyProgramsInOneProcess) {
+  PENUMBRA_NEEDS_FXC();
+  Judge fxc = judge();
+  for (int i = 0; i < 3; ++i) {
+    const Verdict verdict = fxc.compile({kDoubles, "Main", "cs_5_0"});
+    EXPECT_TRUE(verdict.compiled);
+    EXPECT_EQ(verdict.messages, "");
+    EXPECT_EQ(verdict.bytecode.substr(0, 4), "DXBC");
+    const Verdict refused = fxc.compile({kDoubles, "Absent", "cs_5_0"});
+    EXPECT_FALSE(refused.compiled);
+    EXPECT_THAT(refused.messages, HasSubstr("X3501"));
+    EXPECT_EQ(refused.bytecode, "");
+  }
+}
+
+TEST(FxcJudge, SaysWhatUnityWouldShow) {
+  PENUMBRA_NEEDS_FXC();
+  Judge fxc = judge();
+  EXPECT_THAT(
+      fxc.compile({"float4 Main(int a : A) : SV_Target { return a / 3; }", "Main", "ps_4_0"}).messages,
+      HasSubstr("(1,45-49): warning X3556"));
+  const Verdict reserved =
+      fxc.compile({"float4 Main() : SV_Target\n{ int pass = 1; return pass; }", "Main", "ps_5_0"});
+  EXPECT_FALSE(reserved.compiled);
+  EXPECT_THAT(reserved.messages, HasSubstr("(2,7"));
+}
+
+TEST(FxcJudge, LeavesNoFilesBehind) {
+  PENUMBRA_NEEDS_FXC();
+  const std::size_t before = left_prefixes();
+  Judge fxc = judge();
+  EXPECT_EQ(left_prefixes(), before);
+  EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);
+}
+
+TEST(FxcJudge, AProgramThatTakesTooLongEndsIt) {
+  PENUMBRA_NEEDS_FXC();
+  Judge fxc = judge({1, 2048});
+  // FXC unrolls all of it.
+  const std::string slow =
+      "float4 Main(float4 a : A) : SV_Target { float4 s = 0; [unroll(1000)] for (int i = 0; i < 1000; ++i) "
+      "[unroll(1000)] for "
+      "(int j = 0; j < 1000; ++j) s = sin(s * a + cos(s + i * j)); return s; }";
+  try {
+    fxc.compile({slow, "Main", "ps_5_0"});
+    FAIL() << "it compiled";
+  } catch (const platform::WorkerSpent& spent) {
+    EXPECT_STREQ(spent.what(), "took more than 1 s of CPU time in FXC");
+  }
+  EXPECT_THROW(fxc.compile({kDoubles, "Main", "cs_5_0"}), platform::WorkerSpent);
+}
+
+TEST(FxcJudge, ProfilesAreUnitys) {
+  EXPECT_EQ(profile_for(hlsl::Stage::fragment, 0), "ps_4_0");
+  EXPECT_EQ(profile_for(hlsl::Stage::vertex, 35), "vs_4_0");
+  EXPECT_EQ(profile_for(hlsl::Stage::geometry, 40), "gs_4_0");
+  EXPECT_EQ(profile_for(hlsl::Stage::fragment, 45), "ps_5_0");
+  EXPECT_EQ(profile_for(hlsl::Stage::compute, 0), "cs_5_0");
+  EXPECT_EQ(profile_for(hlsl::Stage::hull, 46), "hs_5_0");
+}
+
+}  // namespace
+}  // namespace penumbra::fxc

@@ -1,0 +1,132 @@
+#include "platform/confined_child.h"
+
+#include "input/input_error.h"
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "platform/confinement.h"
+#include "platform/file_access.h"
+#include "platform/system_call_filter.h"
+#endif
+
+namespace penumbra::platform {
+
+#ifndef _WIN32
+namespace {
+
+// Pointers to the texts, with a null pointer at the end, as exec takes them.
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  list.reserve(texts.size() + 1);
+  for (std::string& text : texts) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+// In the child, after fork: nothing here returns to the parent's code.
+[[noreturn]] void become(const ConfinedCommand& command, char* const* arguments, char* const* environment,
+                         int input, int output) {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  ::dup2(input, STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
+  if (const int nothing = ::open("/dev/null", O_WRONLY); nothing >= 0) ::dup2(nothing, STDERR_FILENO);
+  close_descriptors_from(STDERR_FILENO + 1);
+  if (::chdir(command.directory.c_str()) != 0) ::_exit(EXIT_FAILURE);
+  limit_resources(command.memory);
+  allow_files(command.readable, command.writable);
+  if (filter_foreign_calls() != 0) ::_exit(EXIT_FAILURE);
+  ::execve(command.program.c_str(), arguments, environment);
+  ::_exit(EXIT_FAILURE);
+}
+
+void make_pipe(int (&ends)[2]) {
+  if (::pipe(ends) != 0) throw EnvironmentError(std::string("no pipe: ") + std::strerror(errno));
+  for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+}
+
+}  // namespace
+
+ConfinedChild::ConfinedChild(const ConfinedCommand& command) {
+  std::vector<std::string> words{command.program};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  std::vector<std::string> settings;
+  for (const auto& [name, value] : command.environment) settings.push_back(name + "=" + value);
+  const std::vector<char*> arguments = pointers(words);
+  const std::vector<char*> environment = pointers(settings);
+  int to_child[2];
+  int from_child[2];
+  make_pipe(to_child);
+  make_pipe(from_child);
+  process_ = ::fork();
+  if (process_ == 0) become(command, arguments.data(), environment.data(), to_child[0], from_child[1]);
+  const int problem = errno;
+  ::close(to_child[0]);
+  ::close(from_child[1]);
+  input_ = to_child[1];
+  output_ = from_child[0];
+  if (process_ < 0)
+    throw EnvironmentError("no process can be started: " + std::string(std::strerror(problem)));
+  ::signal(SIGPIPE, SIG_IGN);  // write() tells that the child has ended
+}
+
+ConfinedChild::~ConfinedChild() {
+  ::close(input_);
+  ::close(output_);
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+}
+
+bool ConfinedChild::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(input_, bytes.data(), bytes.size());
+    if (count > 0)
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    else if (errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
+bool ConfinedChild::read(char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t read = ::read(output_, bytes, count);
+    if (read > 0) {
+      bytes += read;
+      count -= static_cast<std::size_t>(read);
+    } else if (read == 0 || errno != EINTR) {
+      return false;
+    }
+  }
+  return true;
+}
+
+#else
+
+ConfinedChild::ConfinedChild(const ConfinedCommand& command) {
+  throw EnvironmentError("'" + command.program +
+                         "' cannot be started: confined processes need a POSIX system");
+}
+ConfinedChild::~ConfinedChild() = default;
+bool ConfinedChild::write(std::string_view) {
+  return false;
+}
+bool ConfinedChild::read(char*, std::size_t) {
+  return false;
+}
+
+#endif
+
+}  // namespace penumbra::platform

@@ -1,0 +1,48 @@
+// A long-lived child process for a compiler that is a program of its own and reads untrusted text: it is
+// asked through its standard input and answers through its standard output.
+//
+// Linux: the child may open only the files and folders that are named (Landlock, where the kernel has it), no
+// sockets but local ones, and none of the calls with which a process reaches into others (seccomp, where the
+// program was built with it). It has limits of memory and file size, no core files, no privileges that a
+// program could add, and only the environment that is given. It ends with the thread that started it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace penumbra::platform {
+
+struct ConfinedCommand {
+  std::string program;  // a path
+  std::vector<std::string> arguments;
+  std::vector<std::pair<std::string, std::string>> environment;  // all of it
+  std::filesystem::path directory;                               // the child's current folder
+  std::vector<std::filesystem::path> readable;  // files and folders; those that do not exist are left out
+  std::vector<std::filesystem::path> writable;
+  std::size_t memory = std::size_t{2} << 30;  // bytes of private memory that may be written
+};
+
+class ConfinedChild {
+ public:
+  // Throws EnvironmentError if the program cannot be started. POSIX only: elsewhere it throws
+  // EnvironmentError.
+  explicit ConfinedChild(const ConfinedCommand& command);
+  ~ConfinedChild();  // ends it
+  ConfinedChild(const ConfinedChild&) = delete;
+  ConfinedChild& operator=(const ConfinedChild&) = delete;
+
+  // Both block, and return false when the child has ended or closed its end.
+  bool write(std::string_view bytes);
+  bool read(char* bytes, std::size_t count);  // all of them
+
+ private:
+  int process_ = 0;
+  int input_ = -1;   // our end of its standard input
+  int output_ = -1;  // our end of its standard output
+};
+
+}  // namespace penumbra::platform

@@ -1,0 +1,11 @@
+// A function of a shared library that is named at run time.
+#pragma once
+
+#include <filesystem>
+
+namespace penumbra::platform {
+
+// Its address; null if the library cannot be loaded or has no such function. The library stays loaded.
+void* function_of(const std::filesystem::path& library, const char* name);
+
+}  // namespace penumbra::platform

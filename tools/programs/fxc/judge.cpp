@@ -1,0 +1,142 @@
+#include "fxc/judge.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "input/input_error.h"
+#include "platform/confined_child.h"
+#include "platform/terminal.h"
+#include "platform/worker_pool.h"
+
+namespace penumbra::fxc {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of D3DCOMPILE_*: Unity's are the highest level of optimisation and the compatibility with Direct3D 9's
+// semantics.
+constexpr std::uint32_t kSkipOptimisation = 1U << 2U;
+constexpr std::uint32_t kBackwardsCompatibility = 1U << 12U;
+constexpr std::uint32_t kHighestLevel = 1U << 15U;
+
+// As fxc_worker.c has them.
+constexpr std::uint32_t kCompiled = 0;
+constexpr std::uint32_t kTooLong = 2;
+constexpr std::uint32_t kTooLarge = 3;
+
+constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes
+
+// What Wine needs of a prefix: two drives. It is told to load its own libraries from where they are
+// installed, and to start none of the services of a Windows desktop, which takes half a second in place of
+// twenty.
+fs::path new_prefix() {
+  const fs::path prefix = platform::new_private_directory("penumbra-fxc");
+  if (prefix.empty()) throw EnvironmentError("no temporary folder for Wine can be made");
+  fs::create_directories(prefix / "drive_c");
+  fs::create_directories(prefix / "dosdevices");
+  fs::create_directory_symlink("../drive_c", prefix / "dosdevices" / "c:");
+  fs::create_directory_symlink("/", prefix / "dosdevices" / "z:");
+  return prefix;
+}
+
+std::string windows_path(const fs::path& path) {
+  return "Z:" + fs::absolute(path).string();
+}
+
+platform::ConfinedCommand command_of(const Installation& installation, const JudgeLimits& limits,
+                                     const fs::path& prefix) {
+  platform::ConfinedCommand command;
+  command.program = installation.wine.string();
+  command.arguments = {windows_path(installation.worker), windows_path(installation.library),
+                       std::to_string(limits.processor_seconds), std::to_string(limits.megabytes)};
+  command.environment = {{"WINEPREFIX", prefix.string()}, {"WINEARCH", "win64"},
+                         {"WINEDEBUG", "-all"},           {"WINEBOOTSTRAPMODE", "1"},
+                         {"HOME", prefix.string()},       {"WINEDLLOVERRIDES", "wineboot.exe="},
+                         {"PATH", "/usr/bin:/bin"},       {"TMPDIR", prefix.string()}};
+  command.directory = prefix;
+  command.readable = {"/usr",
+                      "/lib",
+                      "/lib64",
+                      "/opt",
+                      "/etc",
+                      "/dev",
+                      "/proc",
+                      "/sys/devices/system",
+                      installation.worker,
+                      fs::canonical(installation.worker).parent_path(),
+                      fs::canonical(installation.library).parent_path()};
+  command.writable = {prefix, "/dev/null"};
+  command.memory = std::size_t{limits.megabytes} << 20U;
+  return command;
+}
+
+void append(std::string& bytes, std::uint32_t number) {
+  for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 0xFFU);
+}
+
+std::uint32_t number_at(const char* bytes) {
+  std::uint32_t number = 0;
+  for (int i = 3; i >= 0; --i) number = number << 8U | static_cast<unsigned char>(bytes[i]);
+  return number;
+}
+
+}  // namespace
+
+struct Judge::Process {
+  Process(const Installation& installation, const JudgeLimits& of_program, const fs::path& prefix)
+      : limits(of_program), child(command_of(installation, of_program, prefix)) {}
+  JudgeLimits limits;
+  platform::ConfinedChild child;
+};
+
+Judge::Judge(const Installation& installation, const JudgeLimits& limits) {
+  const fs::path prefix = new_prefix();
+  process_ = std::make_unique<Process>(installation, limits, prefix);
+  char ready = 0;
+  const bool started = process_->child.read(&ready, 1);
+  // Everything that it needs is loaded: nothing stays behind, however it ends.
+  std::error_code error;
+  fs::remove_all(prefix, error);
+  if (!started)
+    throw EnvironmentError("FXC does not start: '" + installation.wine.string() + "' with '" +
+                           installation.library.string() + "'; set PENUMBRA_FXC=off to go on without it");
+}
+
+Judge::~Judge() = default;
+
+Verdict Judge::compile(const Program& program) {
+  std::string request;
+  append(request, kBackwardsCompatibility | (program.optimise ? kHighestLevel : kSkipOptimisation));
+  for (const std::string* text : {&program.entry, &program.profile, &program.text})
+    append(request, static_cast<std::uint32_t>(text->size()));
+  for (const std::string* text : {&program.entry, &program.profile, &program.text}) request += *text;
+  std::array<char, 12> head;
+  if (!process_->child.write(request) || !process_->child.read(head.data(), head.size()))
+    throw platform::WorkerSpent("FXC crashed");
+  const std::uint32_t status = number_at(head.data());
+  if (status == kTooLong)
+    throw platform::WorkerSpent("took more than " + std::to_string(process_->limits.processor_seconds) +
+                                " s of CPU time in FXC");
+  if (status == kTooLarge)
+    throw platform::WorkerSpent("took more than " + std::to_string(process_->limits.megabytes) +
+                                " MiB in FXC");
+  Verdict verdict;
+  verdict.compiled = status == kCompiled;
+  const std::pair<std::size_t, std::string*> parts[] = {{4, &verdict.bytecode}, {8, &verdict.messages}};
+  for (const auto& [at, text] : parts) {
+    const std::uint32_t size = number_at(head.data() + at);
+    if (size > kLargestAnswer) throw platform::WorkerSpent("FXC sent a malformed answer");
+    text->resize(size);
+    if (!process_->child.read(text->data(), size)) throw platform::WorkerSpent("FXC crashed");
+  }
+  while (verdict.messages.ends_with('\0')) verdict.messages.pop_back();
+  return verdict;
+}
+
+}  // namespace penumbra::fxc
