@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "platform/child_process.h"
@@ -15,8 +16,14 @@ namespace penumbra {
 
 class ProgramTest : public testing::Test {
  public:
+  // Without FXC, which not every machine has: what is said is the same on all of them.
   static platform::ChildResult run(std::vector<std::string> arguments) {
     return run_program(PENUMBRA_PROGRAM, std::move(arguments));
+  }
+
+  // With FXC where it is found.
+  static platform::ChildResult run_with_fxc(std::vector<std::string> arguments) {
+    return run_program(PENUMBRA_PROGRAM, std::move(arguments), {});
   }
 
   static platform::ChildResult shell(const std::string& command) {
@@ -58,10 +65,14 @@ class ProgramTest : public testing::Test {
   }
 
  private:
-  static platform::ChildResult run_program(const std::string& program, std::vector<std::string> arguments) {
+  using Environment = std::vector<std::pair<std::string, std::string>>;
+
+  static platform::ChildResult run_program(const std::string& program, std::vector<std::string> arguments,
+                                           Environment environment = {{"PENUMBRA_FXC", "off"}}) {
     platform::ChildCommand command;
     command.program = program;
     command.arguments = std::move(arguments);
+    command.environment = std::move(environment);
     command.timeout = std::chrono::minutes(25);  // for what hangs, however busy the machine is
     return platform::run_child(command);
   }

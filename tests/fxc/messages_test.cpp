@@ -54,6 +54,19 @@ TEST(FxcMessages, EachIsSaidOnceAndLinesWithoutANumberBelongToTheLast) {
   EXPECT_EQ(said[0].message, "X3067: 'f': ambiguous function call; f(float)");
 }
 
+TEST(FxcMessages, CandidatesOfACallAreOneMessage) {
+  const auto said = diagnostics_of(
+      "m(4,1-5): error X3013: 'tex2D': no matching 2 parameter intrinsic function\n"
+      "m(4,1-5): error X3013: Possible intrinsic functions are:\n"
+      "m(4,1-5): error X3013:     tex2D(sampler2D, float2)\nm(4,1-5): error X3013: 'f': other\n",
+      expanded, "Main.hlsl", sources());
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0].message,
+            "X3013: 'tex2D': no matching 2 parameter intrinsic function; Possible intrinsic functions are:; "
+            "tex2D(sampler2D, "
+            "float2)");
+}
+
 TEST(FxcMessages, OneWithoutAPlaceIsOfTheMainFile) {
   for (const char* text : {"error X3501: 'Main': entrypoint not found\n",
                            "memory(99,1): error X3501: 'Main': entrypoint not found\n"}) {

@@ -58,6 +58,7 @@ std::vector<KnownName> families() {
 std::vector<KnownName> targets() {
   std::vector<KnownName> names;
   for (const std::string& name : validation::spirv_targets()) names.push_back({name, ""});
+  names.push_back({std::string(validation::fxc_target), "FXC, Unity's compiler"});
   for (const shaders::Target target : shaders::all_targets)
     names.push_back({std::string(shaders::target_name(target)), ""});
   return names;

@@ -95,6 +95,13 @@ CLI::Option* add_project(CLI::App& command, std::string& folder) {
       ->default_str("none");
 }
 
+CLI::Option* add_fxc(CLI::App& command, std::string& location) {
+  return command
+      .add_option("--fxc", location, "D3DCompiler_47.dll, which is Unity's compiler; 'off': do not use it")
+      ->type_name("FILE")
+      ->default_str("where scripts/setup put it, or Windows has it");
+}
+
 CLI::Option* add_cginc_root(CLI::App& command, std::string& folder) {
   return command.add_option("--cginc-root", folder, "Editor/Data/CGIncludes of a Unity editor")
       ->type_name("FOLDER")

@@ -40,6 +40,7 @@ inline constexpr const char* kAll = "all";  // in the place of a scene's or a te
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without);
 CLI::Option* add_project(CLI::App& command, std::string& folder);
+CLI::Option* add_fxc(CLI::App& command, std::string& location);
 CLI::Option* add_cginc_root(CLI::App& command, std::string& folder);
 CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots);
 

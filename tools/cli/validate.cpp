@@ -13,6 +13,7 @@
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cli/validate_options.h"
+#include "fxc/fxc.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "input/visible_text.h"
@@ -43,6 +44,7 @@ const std::vector<std::string> default_targets{"spirv", "essl310", "glsl450", "m
 
 std::vector<std::string> known_targets() {
   std::vector<std::string> known = validation::spirv_targets();
+  known.emplace_back(validation::fxc_target);
   for (const shaders::Target target : shaders::all_targets) known.emplace_back(shaders::target_name(target));
   return known;
 }
@@ -52,7 +54,10 @@ std::vector<std::string> chosen_targets(const std::vector<std::string>& given) {
   for (const std::string& target : given)
     if (std::find(known.begin(), known.end(), target) == known.end())
       throw InputError("--target", "unknown target '" + target + "'", unknown_name_way_out(target, known));
-  return given.empty() ? default_targets : given;
+  if (!given.empty()) return given;
+  std::vector<std::string> targets = default_targets;
+  if (fxc::find_fxc().found) targets.emplace_back(validation::fxc_target);
+  return targets;
 }
 
 validation::Shard chosen_shard(const std::string& text) {
@@ -276,6 +281,7 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
                      "name files, or a project with --project");
   check_outputs(options, context);
   refuse_idle_options(command, options);
+  if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
@@ -299,6 +305,8 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
   if (options.list) check_list(options, sources_given);
   if (sources_given) add_sources(command, options, request, context);
   if (options.list || options.explain) return;
+  if (options.targets.empty() && !fxc::find_fxc().found)
+    say(context, "note: FXC, Unity's compiler, checked nothing: " + fxc::find_fxc().missing);
   validation::ValidationReport report;
   {
     Progress progress(context.progress(), "validate");

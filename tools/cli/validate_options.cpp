@@ -37,6 +37,7 @@ void add_with_what(CLI::App& command, ValidateOptions& options) {
   add_package_roots(command, options.package_roots);
   add_cginc_root(command, options.cginc_root);
   add_source_options(command, options.include_directories, options.defines);
+  add_fxc(command, options.fxc);
   command.add_option("--unity-version", options.unity_version, "Unity version, which sets UNITY_VERSION")
       ->type_name("VERSION")
       ->default_str("the project's, else 2022.3");
@@ -86,7 +87,7 @@ void add_checks(CLI::App& command, ValidateOptions& options) {
   takes(command,
         as_list(command.add_option("--target", options.targets,
                                    "Targets that each variant is compiled for; spirv is for Vulkan 1.1"))
-            ->default_str("spirv,essl310,glsl450,msl23,hlsl50"),
+            ->default_str("spirv,essl310,glsl450,msl23,hlsl50, and d3d11 where FXC is found"),
         "TARGET");
   command
       .add_option("--api", options.api,

@@ -31,6 +31,7 @@ struct ValidateOptions {
   std::vector<std::string> include_directories;
   std::vector<std::string> defines;
   std::string unity_version;
+  std::string fxc;
   bool mobile = false;
   // Which variants and targets.
   std::vector<std::string> keywords;

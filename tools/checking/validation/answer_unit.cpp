@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fxc/judge.h"
+#include "fxc/messages.h"
 #include "input/input_error.h"
 #include "shaders/source_memory.h"
 #include "validation/checked_declarations.h"
@@ -21,6 +23,7 @@ struct UnitService::Memory {
   shaders::SourceMemory sources;
   CheckedDeclarations declarations;
   LintedModules linted;
+  std::unique_ptr<fxc::Judge> fxc;
 };
 
 namespace {
@@ -45,12 +48,13 @@ bool quotes(const CompileAnswer& answer, const std::string& file) {
 class UnitAtWork {
  public:
   UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& sources,
-             CheckedDeclarations& declarations, LintedModules& linted)
+             CheckedDeclarations& declarations, LintedModules& linted, std::unique_ptr<fxc::Judge>& fxc)
       : job_(job),
         link_(link),
         memory_(sources),
         declarations_(declarations),
         linted_(linted),
+        fxc_(fxc),
         cache_(job.context.cache) {}
 
   UnitReply answer() {
@@ -95,8 +99,29 @@ class UnitAtWork {
     reply_.compile = kept_compile_answer(cache_, reply_.text_key,
                                          [this](const std::string& file) { return hash_as_read(file); });
     reply_.compile_cached = reply_.compile.has_value();
+    if (!reply_.compile && compiled_by_fxc(job_.unit)) compile_by_fxc();
     if (!reply_.compile) compile();
     if (!reply_.compile->module_key.empty() && emits(job_.unit)) answer_module();
+  }
+
+  // The verdict about the text as Unity gives it to FXC: nothing in it is rewritten for another compiler.
+  void compile_by_fxc() {
+    const shaders::CompileRequest& request = job_.unit.compile;
+    if (!fxc_) fxc_ = std::make_unique<fxc::Judge>(fxc::require_fxc());
+    const fxc::Verdict verdict =
+        fxc_->compile({fxc::text_for_fxc(source_.text), request.entry, fxc_profile(job_.unit)});
+    CompileAnswer answer;
+    answer.diagnostics = source_.diagnostics;
+    for (hlsl::Diagnostic& said :
+         fxc::diagnostics_of(verdict.messages, source_.text, request.file.string(), source_.sources))
+      answer.diagnostics.push_back(std::move(said));
+    if (!verdict.compiled && !hlsl::has_errors(answer.diagnostics))
+      answer.diagnostics.push_back(
+          {request.file.string(), 0, 0, hlsl::Severity::error, "FXC refuses it without a message", {}});
+    for (const std::string& file : source_.sources.names())
+      if (quotes(answer, file)) answer.quoted.emplace_back(file, source_hash(source_.sources.text(file)));
+    keep(EntryKind::compile, reply_.text_key, encode(answer));
+    reply_.compile = std::move(answer);
   }
 
   void answer_module() {
@@ -154,7 +179,7 @@ class UnitAtWork {
     reply_.emitted.emplace();
     shaders::CrossCompiler module(std::move(spirv_));
     for (const std::string& target : job_.unit.targets) {
-      if (is_spirv_target(target)) continue;
+      if (is_compiled_target(target)) continue;
       std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
       if (is_given_up(target)) continue;
       link_.note(target);
@@ -180,6 +205,7 @@ class UnitAtWork {
   shaders::SourceMemory& memory_;
   CheckedDeclarations& declarations_;
   LintedModules& linted_;
+  std::unique_ptr<fxc::Judge>& fxc_;
   platform::CacheStore cache_;
   shaders::PreprocessedSource source_;
   std::vector<std::uint32_t> spirv_;
@@ -204,10 +230,17 @@ std::string UnitService::answer(const std::string& job, platform::WorkerLink& li
   }
   if (!memory) memory = std::make_unique<Memory>();
   const UnitReply reply =
-      UnitAtWork(*decoded, link, memory->sources, memory->declarations, memory->linted).answer();
+      UnitAtWork(*decoded, link, memory->sources, memory->declarations, memory->linted, memory->fxc).answer();
   const std::lock_guard<std::mutex> lock(mutex_);
   free_.push_back(std::move(memory));
   return encode(reply);
+}
+
+void UnitService::start_fxc(const fxc::JudgeLimits& limits) {
+  auto memory = std::make_unique<Memory>();
+  memory->fxc = std::make_unique<fxc::Judge>(fxc::require_fxc(), limits);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  free_.push_back(std::move(memory));
 }
 
 }  // namespace penumbra::validation

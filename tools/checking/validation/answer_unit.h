@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fxc/judge.h"
 #include "platform/worker_pool.h"
 #include "shaders/compile.h"
 
@@ -23,8 +24,12 @@ class UnitService {
   // EnvironmentError if a target's driver is missing.
   std::string answer(const std::string& job, platform::WorkerLink& link);
 
+  // For units that FXC compiles. In a worker it is called before the process is confined; otherwise FXC
+  // starts with the first such unit. Throws EnvironmentError when it does not start.
+  void start_fxc(const fxc::JudgeLimits& limits);
+
  private:
-  struct Memory;  // of what it has read and compiled
+  struct Memory;  // of what it has read and compiled, and its FXC
 
   // One for each working thread; kept for later threads.
   std::mutex mutex_;

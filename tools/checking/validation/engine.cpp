@@ -1,5 +1,6 @@
 #include "validation/engine.h"
 
+#include <cctype>
 #include <system_error>
 
 #include "input/input_error.h"
@@ -38,11 +39,20 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
   return run.take();
 }
 
-int serve_units(const std::vector<std::string>& targets_with_drivers) {
+int serve_units(std::vector<std::string> arguments) {
   UnitService service;
+  // Numbers behind the targets are FXC's limits.
+  std::vector<unsigned> limits;
+  while (arguments.size() >= 2 && std::isdigit(static_cast<unsigned char>(arguments.back().front())) != 0) {
+    limits.push_back(static_cast<unsigned>(std::stoul(arguments.back())));
+    arguments.pop_back();
+  }
   return platform::serve_worker(
       [&](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
-      [&] { open_drivers(targets_with_drivers); });
+      [&] {
+        open_drivers(arguments);
+        if (limits.size() == 2) service.start_fxc({limits[1], limits[0]});
+      });
 }
 
 }  // namespace penumbra::validation

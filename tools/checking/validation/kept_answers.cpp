@@ -1,8 +1,10 @@
 #include "validation/kept_answers.h"
 
 #include <algorithm>
+#include <charconv>
 #include <span>
 
+#include "fxc/profile.h"
 #include "platform/content_hash.h"
 #include "validation/spirv_target.h"
 
@@ -37,13 +39,15 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
       .update(encode(unit.lint))
       .update(source.text)
       .update(encode(source.diagnostics))
+      .update(compiled_by_fxc(unit) ? context.drivers.at(std::string(fxc_target)) + fxc_profile(unit)
+                                    : std::string())
       .hex();
 }
 
 std::string shared_key(const CompileUnit& unit, const std::string& text_key) {
   std::string key = text_key;
   for (const std::string& target : unit.targets)
-    if (!is_spirv_target(target)) key.append(" ").append(target);
+    if (!is_compiled_target(target)) key.append(" ").append(target);
   return key;
 }
 
@@ -55,7 +59,7 @@ std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, c
   platform::ContentHash hash = keyed("emitted", context);
   hash.update(module).update(static_cast<int>(unit.compile.stage));
   for (const std::string& target : unit.targets) {
-    if (is_spirv_target(target)) continue;
+    if (is_compiled_target(target)) continue;
     const auto driver = context.drivers.find(target);
     hash.update(target).update(driver == context.drivers.end() ? "" : driver->second);
   }
@@ -78,9 +82,20 @@ std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, co
   return entry ? decode_emitted_answer(*entry) : std::nullopt;
 }
 
+bool compiled_by_fxc(const CompileUnit& unit) {
+  return unit.targets.size() == 1 && unit.targets.front() == fxc_target;
+}
+
+std::string fxc_profile(const CompileUnit& unit) {
+  int shader_target = 50;
+  for (const auto& [name, value] : unit.compile.defines)
+    if (name == "SHADER_TARGET") std::from_chars(value.data(), value.data() + value.size(), shader_target);
+  return fxc::profile_for(unit.compile.stage, shader_target);
+}
+
 bool emits(const CompileUnit& unit) {
   return std::any_of(unit.targets.begin(), unit.targets.end(),
-                     [](const std::string& target) { return !is_spirv_target(target); });
+                     [](const std::string& target) { return !is_compiled_target(target); });
 }
 
 }  // namespace penumbra::validation

@@ -13,6 +13,7 @@ namespace {
 // The graphics API whose shaders a target is for.
 variants::GraphicsApi api_of(const std::string& target) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
+  if (target == fxc_target) return variants::GraphicsApi::d3d11;
   if (!known) return variants::GraphicsApi::vulkan;
   switch (shaders::target_language(*known)) {
     case shaders::TargetLanguage::essl:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "validation/front_ends.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {
@@ -64,6 +65,11 @@ std::string report_json(const ValidationReport& report) {
                      {"absent", report.count(VariantStatus::absent)},
                      {"unreached", report.count(VariantStatus::unreached)},
                      {"unchecked", report.count(VariantStatus::unchecked)}};
+  if (const FrontEnds counts = front_ends(report); counts.compared != 0)
+    json["front_ends"] = {{"compared", counts.compared},
+                          {"both_refuse", counts.both},
+                          {"fxc_alone_refuses", counts.fxc_alone},
+                          {"glslang_alone_refuses", counts.glslang_alone}};
   json["shard"] = {{"index", report.shard}, {"count", report.shards}};
   json["fingerprint"] = report.fingerprint;
   json["checks"] = report.checks;

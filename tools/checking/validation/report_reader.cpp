@@ -1,6 +1,7 @@
 #include "hlsl/stage.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
+#include "validation/front_ends.h"
 #include "validation/report_merge.h"
 
 namespace penumbra::validation {
@@ -102,6 +103,15 @@ void read_summary(JsonObject summary, ValidationReport& report) {
   summary.finish();
 }
 
+void read_front_ends(JsonObject counts, const ValidationReport& report) {
+  const FrontEnds of_records = front_ends(report);
+  check_count(counts, "compared", of_records.compared);
+  check_count(counts, "both_refuse", of_records.both);
+  check_count(counts, "fxc_alone_refuses", of_records.fxc_alone);
+  check_count(counts, "glslang_alone_refuses", of_records.glslang_alone);
+  counts.finish();
+}
+
 void read_shard(JsonObject shard, ValidationReport& report) {
   const int index = shard.integer("index", 1);
   const int count = shard.integer("count", 1);
@@ -122,6 +132,7 @@ ValidationReport read_report_json(const std::filesystem::path& file) {
   ValidationReport report;
   for (const JsonObject& record : object.objects("variants")) report.records.push_back(read_record(record));
   read_summary(object.object("summary"), report);
+  if (object.has("front_ends")) read_front_ends(object.object("front_ends"), report);
   read_shard(object.object("shard"), report);
   report.fingerprint = object.text("fingerprint", {});
   report.checks = read_texts(object.object("checks"));

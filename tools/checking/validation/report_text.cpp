@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "input/visible_text.h"
+#include "validation/front_ends.h"
 #include "validation/report_findings.h"
 
 namespace penumbra::validation {
@@ -150,6 +151,8 @@ class TextReport {
     std::string text;
     for (const auto& [target, check] : report_.checks)
       text.append(visible(target)).append(": ").append(visible(check)).append("\n");
+    if (const std::string compared = text_of(front_ends(report_)); !compared.empty())
+      text.append(compared).append("\n");
     const bool failed = report_.count(VariantStatus::failed) != 0;
     const char* colour = failed ? colour_of(hlsl::Severity::error) : bold;
     return text + painted(totals_line(report_, variants_), colour, style_) + "\n";

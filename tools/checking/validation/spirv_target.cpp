@@ -1,5 +1,7 @@
 #include "validation/spirv_target.h"
 
+#include <algorithm>
+
 namespace penumbra::validation {
 
 namespace {
@@ -30,10 +32,12 @@ std::vector<std::pair<shaders::VulkanVersion, std::vector<std::string>>> by_vulk
   for (const shaders::VulkanVersion version : shaders::all_vulkan_versions) {
     std::vector<std::string> of_version;
     for (const std::string& target : targets)
-      if (spirv_target(target).value_or(shaders::VulkanVersion::v1_1) == version)
+      if (target != fxc_target && spirv_target(target).value_or(shaders::VulkanVersion::v1_1) == version)
         of_version.push_back(target);
     if (!of_version.empty()) groups.emplace_back(version, std::move(of_version));
   }
+  if (std::find(targets.begin(), targets.end(), fxc_target) != targets.end())
+    groups.emplace_back(shaders::VulkanVersion::v1_1, std::vector<std::string>{std::string(fxc_target)});
   return groups;
 }
 

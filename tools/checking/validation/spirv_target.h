@@ -1,5 +1,6 @@
 // The targets that are the SPIR-V itself: "vulkan1.0", "vulkan1.1" and "vulkan1.2", compiled and validated
-// for that version, and "spirv", which is for 1.1. All other targets are made from a module for 1.1.
+// for that version, and "spirv", which is for 1.1. "d3d11" is FXC's bytecode, made of the same text by
+// another compiler (fxc/judge.h). All other targets are made from a module for 1.1.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,14 @@ inline bool is_spirv_target(std::string_view target) {
   return spirv_target(target).has_value();
 }
 
-// A compilation serves one version: the targets of each, in the order they were given.
+inline constexpr std::string_view fxc_target = "d3d11";
+
+// A target that the text itself is compiled for; the others are made from a module.
+inline bool is_compiled_target(std::string_view target) {
+  return target == fxc_target || is_spirv_target(target);
+}
+
+// A compilation serves one version, or FXC: the targets of each, in the order they were given.
 std::vector<std::pair<shaders::VulkanVersion, std::vector<std::string>>> by_vulkan_version(
     const std::vector<std::string>& targets);
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "fxc/fxc.h"
 #include "shaders/gl_check.h"
 #include "validation/spirv_target.h"
 
@@ -31,6 +32,7 @@ std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl:
 }
 
 std::string checking_driver(const std::string& target) {
+  if (target == fxc_target) return fxc::require_fxc().hash;
   const std::optional<shaders::Target> known = shaders::find_target(target);
   return known && shaders::is_gl(*known) ? shaders::gl_driver(*known) : std::string();
 }
@@ -45,6 +47,7 @@ void open_drivers(const std::vector<std::string>& targets) {
 std::string checked_by(const std::string& target) {
   if (const std::optional<shaders::VulkanVersion> vulkan = spirv_target(target))
     return std::string("glslang, then SPIRV-Tools for Vulkan ") + shaders::vulkan_version_name(*vulkan);
+  if (target == fxc_target) return fxc::name_of(fxc::require_fxc()) + ", Unity's compiler";
   const std::string driver = checking_driver(target);
   if (!driver.empty()) return "compiled and linked by OpenGL driver " + driver;
   return "emitted by SPIRV-Cross, not compiled";

@@ -19,7 +19,8 @@ std::string why_absent(hlsl::Stage stage, const std::string& target);
 std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver);
 
-// The driver that checks the target; empty where none does. Throws EnvironmentError as above.
+// The driver, or FXC, that checks the target; empty where none does. Throws EnvironmentError as above, and
+// where FXC is wanted and missing.
 std::string checking_driver(const std::string& target);
 
 // Opens the drivers of these targets on this thread, so that checking them later opens no file. The driver's

@@ -25,22 +25,27 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
   context.build = platform::build_identity();
   for (const CompileUnit& unit : units)
     for (const std::string& target : unit.targets)
-      if (options.drivers && context.drivers.count(target) == 0)
+      if ((options.drivers || target == fxc_target) && context.drivers.count(target) == 0)
         context.drivers[target] = checking_driver(target);
   return context;
 }
 
 // The arguments of serve_units(): a worker opens its drivers before it drops the privileges that opening them
 // needs.
-std::vector<std::string> with_drivers(std::vector<std::string> arguments, const AnswerContext& context) {
+std::vector<std::string> with_drivers(const EngineOptions& options, const AnswerContext& context) {
+  std::vector<std::string> arguments = options.worker_arguments;
   for (const auto& [target, driver] : context.drivers)
     if (!driver.empty()) arguments.push_back(target);
+  if (context.drivers.contains(std::string(fxc_target))) {
+    arguments.push_back(std::to_string(options.limits.processor_time.count()));
+    arguments.push_back(std::to_string(options.limits.memory >> 20U));
+  }
   return arguments;
 }
 
 // The target that reports the compilation's diagnostics.
 std::size_t speaks_for_compile(const CompileUnit& unit) {
-  const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_spirv_target);
+  const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_compiled_target);
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
 }
 
@@ -92,7 +97,7 @@ void UnitRun::work() {
         [&service](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
         *this);
   else
-    platform::run_workers({with_drivers(options_.worker_arguments, context_), jobs, options_.limits}, *this);
+    platform::run_workers({with_drivers(options_, context_), jobs, options_.limits}, *this);
 }
 
 std::optional<platform::WorkerMessage> UnitRun::next(unsigned worker) {
@@ -257,7 +262,7 @@ void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& compiled
                                   UnitResult& result) const {
   std::size_t next = 0;
   for (std::size_t i = 0; i < unit.targets.size(); ++i) {
-    if (is_spirv_target(unit.targets[i])) continue;
+    if (is_compiled_target(unit.targets[i])) continue;
     std::vector<hlsl::Diagnostic>& diagnostics = result.targets[i].diagnostics;
     if (emitted.reply.emitted) {
       const std::vector<hlsl::Diagnostic>& of_text = emitted.reply.emitted->at(next++);

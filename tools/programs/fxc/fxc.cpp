@@ -134,6 +134,14 @@ Search search() {
 
 }  // namespace
 
+void choose_fxc(const std::string& location) {
+#ifdef _WIN32
+  ::_putenv_s(location_variable, location.c_str());
+#else
+  ::setenv(location_variable, location.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): no threads yet
+#endif
+}
+
 const Search& find_fxc() {
   static const Search result = search();
   return result;

@@ -31,7 +31,11 @@ struct Search {
 // in PATH, or Debian's /usr/lib/wine/wine64. The answer of the first call is kept.
 const Search& find_fxc();
 
-// As above; throws EnvironmentError when there is none.
+// Gives $PENUMBRA_FXC that value, in this process and those that it starts. Before the first call of
+// find_fxc(), and before any thread is started.
+void choose_fxc(const std::string& location);
+
+// As find_fxc(); throws EnvironmentError when there is none.
 const Installation& require_fxc();
 
 // "FXC 10.0.26100.4946", for reports.

@@ -75,13 +75,27 @@ std::optional<Said> said_in(std::string_view line) {
   return std::nullopt;
 }
 
+constexpr std::size_t kCodeLength = 6;  // "X3013:"
+
+// The candidates of a call are messages of their own, with the same place and code.
+bool continues(const Said& before, const Said& said) {
+  if (before.line != said.line || before.column != said.column || said.text.size() <= kCodeLength ||
+      before.text.compare(0, kCodeLength, said.text, 0, kCodeLength) != 0)
+    return false;
+  const std::string_view rest = std::string_view(said.text).substr(kCodeLength);
+  return rest.starts_with("    ") || rest.starts_with(" Possible ");
+}
+
 std::vector<Said> read_messages(const std::string& messages) {
   std::vector<Said> list;
   std::istringstream lines(messages);
   for (std::string line; std::getline(lines, line);) {
     const std::string_view text = without_blanks(line);
     if (text.empty()) continue;
-    if (std::optional<Said> said = said_in(text))
+    std::optional<Said> said = said_in(text);
+    if (said && !list.empty() && continues(list.back(), *said))
+      list.back().text.append("; ").append(without_blanks(std::string_view(said->text).substr(kCodeLength)));
+    else if (said)
       list.push_back(*std::move(said));
     else if (!list.empty())  // the candidates of an overloaded call, and similar
       list.back().text.append("; ").append(text);

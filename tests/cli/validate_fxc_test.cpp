@@ -1,0 +1,97 @@
+// penumbra validate with FXC, Unity's compiler, as a user runs it.
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "fxc/at_hand.h"
+
+namespace penumbra {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class ValidateFxc : public ProgramTest {
+ protected:
+  // One variant that both compilers take, one that FXC alone refuses, one that glslang alone refuses, and one
+  // that both do.
+  std::string four_variants() const {
+    write("Include.hlsl", "#if defined(RESERVED)\nint Wrong() { int pass = 1; return pass; }\n#endif\n");
+    return write("Four.compute",
+                 "#pragma kernel Main\n#pragma multi_compile _ RESERVED VECTOR UNKNOWN\n#include "
+                 "\"Include.hlsl\"\n"
+                 "#define THIRD(x) ((x) / 3)\nRWStructuredBuffer<float> o;\n"
+                 "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n{\n    o[id.x] = "
+                 "THIRD(int(id.x));\n"
+                 "#if defined(RESERVED)\n    o[id.x] = Wrong();\n#endif\n"
+                 "#if defined(VECTOR)\n    float1 v; v.x = id.x; o[id.x] = v.x;\n#endif\n"
+                 "#if defined(UNKNOWN)\n    o[id.x] = unknown;\n#endif\n}\n")
+        .string();
+  }
+};
+
+TEST_F(ValidateFxc, ErrorsAndWarningsAreAtTheirPlacesAndTheTwoCompilersAreToldApart) {
+  PENUMBRA_NEEDS_FXC();
+  const auto result =
+      run_with_fxc({"validate", four_variants(), "--target", "spirv,d3d11", "--no-cache", "--no-lint"});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.output,
+              HasSubstr("Include.hlsl:2:19: error: X3000: syntax error: unexpected token 'pass'"));
+  EXPECT_THAT(result.output, HasSubstr("with RESERVED, for d3d11"));
+  EXPECT_THAT(result.output,
+              HasSubstr("Four.compute:8:15: warning: X3556: integer divides may be much slower"));
+  EXPECT_THAT(
+      result.output,
+      HasSubstr("of 4 variants that both compilers read, FXC alone refuses 1, glslang alone 1, both 1"));
+  EXPECT_THAT(result.output, HasSubstr("d3d11: FXC "));
+}
+
+TEST_F(ValidateFxc, TheReportHasCountsAndIsReadAgain) {
+  PENUMBRA_NEEDS_FXC();
+  const std::string file = four_variants();
+  for (const char* cached : {"0", "8"}) {
+    const auto result =
+        run_with_fxc({"validate", file, "--target", "spirv,d3d11", "--cache", path("cache").string(),
+                      "--format", "json", "-o", path("report.json").string()});
+    EXPECT_EQ(result.exit_code, 1) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(read("report.json"));
+    EXPECT_EQ(report["front_ends"]["compared"], 4);
+    EXPECT_EQ(report["front_ends"]["fxc_alone_refuses"], 1);
+    EXPECT_EQ(report["front_ends"]["glslang_alone_refuses"], 1);
+    EXPECT_EQ(report["summary"]["cached"].dump(), cached);
+  }
+  EXPECT_EQ(run({"merge", path("report.json").string()}).exit_code, 1);
+}
+
+TEST_F(ValidateFxc, AProgramThatFxcDoesNotFinishFailsAloneAndIsKept) {
+  PENUMBRA_NEEDS_FXC();
+  write("Slow.compute",
+        "#pragma kernel Main\n#pragma multi_compile _ SLOW\nRWStructuredBuffer<float4> o;\n"
+        "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n{\n    float4 s = 0;\n#if "
+        "defined(SLOW)\n"
+        "    [unroll(1000)] for (int i = 0; i < 1000; ++i) [unroll(1000)] for (int j = 0; j < 1000; ++j)\n"
+        "        s = sin(s * o[i] + cos(s + i * j));\n#endif\n    o[id.x] = s;\n}\n");
+  const auto result = run_with_fxc({"validate", path("Slow.compute").string(), "--target", "d3d11",
+                                    "--no-cache", "--time-limit", "2", "--keep", path("kept").string()});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("took more than 2 s of CPU time in FXC"));
+  EXPECT_THAT(result.output, HasSubstr("1 failed"));
+}
+
+TEST_F(ValidateFxc, WithoutFxcItIsSaidOrRefused) {
+  const std::string file = four_variants();
+  const auto asked = run({"validate", file, "--target", "d3d11"});
+  EXPECT_EQ(asked.exit_code, 3);
+  EXPECT_THAT(
+      asked.errors,
+      HasSubstr("FXC, Unity's compiler for Direct3D, is not at hand: it is turned off by PENUMBRA_FXC"));
+  const auto silent = run({"validate", file, "--no-cache"});
+  EXPECT_THAT(silent.errors, HasSubstr("note: FXC, Unity's compiler, checked nothing"));
+  EXPECT_THAT(silent.output, Not(HasSubstr("d3d11")));
+  const auto wrong =
+      run_with_fxc({"validate", file, "--fxc", "/nowhere/d3dcompiler_47.dll", "--target", "d3d11"});
+  EXPECT_EQ(wrong.exit_code, 3);
+  EXPECT_THAT(wrong.errors, HasSubstr("'/nowhere/d3dcompiler_47.dll' is no DLL of Windows"));
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,56 @@
+#include "validation/front_ends.h"
+
+#include <optional>
+#include <vector>
+
+#include "validation/report_findings.h"
+#include "validation/spirv_target.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+// Whether each compiler took a variant, where that is known.
+struct Verdicts {
+  std::optional<bool> fxc;
+  std::optional<bool> glslang;
+};
+
+bool failed(const VariantRecord& record) {
+  return record.status == VariantStatus::failed;
+}
+
+}  // namespace
+
+FrontEnds front_ends(const ValidationReport& report) {
+  const Variants variants(report);
+  std::vector<Verdicts> verdicts(variants.size());
+  for (std::size_t i = 0; i < report.records.size(); ++i) {
+    const VariantRecord& record = report.records[i];
+    if (record.target == whole_source || record.status == VariantStatus::unchecked) continue;
+    Verdicts& of_variant = verdicts[variants.of_record(i)];
+    if (record.target == fxc_target)
+      of_variant.fxc = !failed(record);
+    else  // a target that is made from the module says something of glslang only where there was none
+      of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
+                           !(is_spirv_target(record.target) && failed(record));
+  }
+  FrontEnds counts;
+  for (const Verdicts& of_variant : verdicts) {
+    if (!of_variant.fxc || !of_variant.glslang) continue;
+    ++counts.compared;
+    counts.both += !*of_variant.fxc && !*of_variant.glslang ? 1 : 0;
+    counts.fxc_alone += !*of_variant.fxc && *of_variant.glslang ? 1 : 0;
+    counts.glslang_alone += *of_variant.fxc && !*of_variant.glslang ? 1 : 0;
+  }
+  return counts;
+}
+
+std::string text_of(const FrontEnds& counts) {
+  if (counts.compared == 0) return {};
+  return "of " + std::to_string(counts.compared) + " variants that both compilers read, FXC alone refuses " +
+         std::to_string(counts.fxc_alone) + ", glslang alone " + std::to_string(counts.glslang_alone) +
+         ", both " + std::to_string(counts.both);
+}
+
+}  // namespace penumbra::validation
