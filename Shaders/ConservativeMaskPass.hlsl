@@ -10,16 +10,17 @@
 // Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart. Resolve
 //             gives the same picture with it as without, to the last bit where programs compute the same floats.
 // Use it:     before Resolve with _PENUMBRA_MASK and _PENUMBRA_PCSS; without a dilation, the light's cones are in it. Not:
-//             where raw depths cannot be gathered (OpenGL, WebGL): there it says kMaskFilter everywhere.
+//             where raw depths cannot be gathered (OpenGL, WebGL), or without the keyword: there it says kMaskFilter everywhere.
 #ifndef PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL
 #define PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL
 
 #include "ScreenPass.hlsl"
+#include "../ShaderLibrary/Core/RowOrder.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"
 #include "../ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl"
 #include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
 
-#if defined(PENUMBRA_WITHOUT_GATHER)
+#if defined(PENUMBRA_WITHOUT_GATHER) || !defined(_PENUMBRA_PCSS)
 
 float4 ConservativeMask(ScreenVaryings input) : SV_Target
 {
@@ -53,10 +54,12 @@ MaskBlock JoinPixel(MaskBlock block, PenumbraMainLight shadow)
         joined.tile = shadow.tile;
         joined.cascade = shadow.cascade;
         joined.anyCovered = true;
-        return joined;
     }
-    joined.oneCascade = block.oneCascade && shadow.cascade == block.cascade;
-    joined.group = JoinGroup(block.group, receiver);
+    else
+    {
+        joined.oneCascade = block.oneCascade && shadow.cascade == block.cascade;
+        joined.group = JoinGroup(block.group, receiver);
+    }
     return joined;
 }
 
@@ -73,7 +76,7 @@ MaskBlock EmptyMaskBlock()
     nowhere.awayFromAxis = float2(0.0, 0.0);
     MaskBlock block;
     block.group = GroupOf(nowhere);
-    block.tile = PenumbraMainLightTile(_MainLightWorldToShadow[0], 0, 1, 0.0);
+    block.tile = PenumbraMainLightTile(_MainLightWorldToShadow[0], 0, 1, _PenumbraMainLightParams.y);
     block.cascade = 0;
     block.anyCovered = false;
     block.anyOutside = false;
@@ -87,7 +90,7 @@ MaskBlock ReadMaskBlock(int2 index, ScreenView view)
     UNITY_LOOP
     for (int i = 0; i < kMaskBlock * kMaskBlock && block.oneCascade; ++i)
     {
-        const int2 pixel = index * kMaskBlock + int2(i % kMaskBlock, i / kMaskBlock);
+        const int2 pixel = index * kMaskBlock + PlaceInRows(i, kMaskBlock);
         if (any(pixel >= int2(view.size.xy))) continue;
         const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);
         const PenumbraMainLight shadow = PreparePenumbraMainLightTap(surface.positionWS, surface.normalWS);

@@ -23,7 +23,6 @@
 Texture2DMS<float> _PenumbraSampleDepths;
 float4 _PenumbraMapSampleParameters0;
 
-float4 _ShadowBias;
 float3 _LightDirection;
 
 static const int kMostMapSamples = 8;

@@ -107,9 +107,12 @@ Shader "Hidden/Penumbra/Shadows"
             Name "ConservativeMask"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            // No pass may need more than 3.5 without a keyword: on OpenGL ES 3.0 and WebGL 2 all of this SubShader's would be lost.
+            #pragma target 3.5
+            #pragma target 4.5 _PENUMBRA_PCSS
             #pragma vertex ScreenTriangle
             #pragma fragment ConservativeMask
+            #pragma multi_compile_local_fragment _ _PENUMBRA_PCSS
             #include "ConservativeMaskPass.hlsl"
             ENDHLSL
         }

@@ -137,12 +137,15 @@ PartReceivers JoinReceiver(PartReceivers part, QuadReceiver receiver, int cascad
 {
     const ReceiverGroup joined = JoinGroup(part.group, receiver);
     const float depthPerTexel = scales.depthPerMetre / max(scales.texelsPerMetre, 1e-9);
-    if (uint(cascade) != part.cascade || joined.planeError > kPartDepthTexels * depthPerTexel) return part;
+    const bool apart = uint(cascade) != part.cascade || joined.planeError > kPartDepthTexels * depthPerTexel;
     PartReceivers next = part;
-    next.group = joined;
-    next.pixels = part.pixels | (1u << lane);
-    next.low = min(part.low, receiver.centre);
-    next.high = max(part.high, receiver.centre);
+    if (!apart)
+    {
+        next.group = joined;
+        next.pixels = part.pixels | (1u << lane);
+        next.low = min(part.low, receiver.centre);
+        next.high = max(part.high, receiver.centre);
+    }
     return next;
 }
 
@@ -155,8 +158,8 @@ void ResetClusters(uint thread)
     clusterFirst[thread] = TILE_PARTS;
     clusterLeft[thread] = 0x7fffffff;
     clusterTop[thread] = 0x7fffffff;
-    clusterRight[thread] = -0x7fffffff;
-    clusterBottom[thread] = -0x7fffffff;
+    clusterRight[thread] = -2147483647;
+    clusterBottom[thread] = -2147483647;
 }
 
 // From the tile's middle: its edges see what else lies there.
@@ -224,7 +227,7 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
         UNITY_LOOP
         for (int k = int(thread.part); k < MOST_BLOCKS_ACROSS * size.y; k += TILE_PARTS)
         {
-            const int2 block = int2(k % MOST_BLOCKS_ACROSS, k / MOST_BLOCKS_ACROSS);
+            const int2 block = PlaceInRows(k, MOST_BLOCKS_ACROSS);
             if (block.x >= size.x) continue;
             if (blocks.level == 0) clusterBlocks[firstBlock + k] = LOAD_TEXTURE2D(depthPlanes, blocks.low + block);
             else clusterBlocks[firstBlock + k] = LOAD_TEXTURE2D_LOD(coarsePlanes, blocks.low + block, blocks.level - 1);

@@ -13,6 +13,7 @@
 #define PENUMBRA_TILE_SURFACES_HLSL
 
 #include "ScreenPass.hlsl"
+#include "../ShaderLibrary/Core/RowOrder.hlsl"
 
 // ReadCameraSurface reads two pixels each way.
 #define SQUARE_APRON 2
@@ -44,7 +45,7 @@ int2 TargetSize(ScreenView view)
 {
     const int2 screen = int2(view.size.xy);
 #if defined(_PENUMBRA_HALF_RESOLUTION)
-    return (screen + 1) / 2;
+    return (screen + 1) >> 1;
 #else
     return screen;
 #endif
@@ -88,7 +89,7 @@ void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView
     UNITY_LOOP
     for (int n = int(thread); n < quads * quads; n += int(threads))
     {
-        const int2 quad = 2 * int2(n % quads, n / quads);
+        const int2 quad = 2 * PlaceInRows(n, quads);
         const int2 pixel = square.first - SQUARE_APRON + quad;
         const float4 depths = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel + 1) * view.size.zw);
         UNITY_UNROLL

@@ -158,7 +158,7 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
             const int2 first = int2(floor(receiver.centre / PowerOfTwo(level))) - SEARCH_CELLS / 2;
             UNITY_LOOP
             for (int n = int(thread % PART_LANES); n < SEARCH_CELLS * SEARCH_CELLS; n += PART_LANES)
-                sums = AddRingCell(sums, level, first + int2(n % SEARCH_CELLS, n / SEARCH_CELLS), level == 1 && !near, receiver,
+                sums = AddRingCell(sums, level, first + PlaceInRows(n, SEARCH_CELLS), level == 1 && !near, receiver,
                                    ground, scales, radius);
         }
     }

@@ -93,8 +93,8 @@ void ResetWindows(uint thread)
     windowFirst[thread] = WINDOW_THREADS;
     windowLeft[thread] = 0x7fffffff;
     windowTop[thread] = 0x7fffffff;
-    windowRight[thread] = -0x7fffffff;
-    windowBottom[thread] = -0x7fffffff;
+    windowRight[thread] = -2147483647;
+    windowBottom[thread] = -2147483647;
     windowRadius[thread] = 0;
 }
 
@@ -157,13 +157,13 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     const bool any = bounds.high.x >= bounds.low.x;
     const DepthWindow texels = WindowOf(bounds, 0);
     const int2 begin = texels.low - (texels.low & 1);
-    const int2 quads = any ? (texels.low + texels.size - begin + 1) / 2 : int2(0, 0);
+    const int2 quads = any ? (texels.low + texels.size - begin + 1) >> 1 : int2(0, 0);
     if (thread == 0) levelWindows[0] = texels;
     int i;
     UNITY_LOOP
     for (i = int(thread); i < quads.x * quads.y; i += WINDOW_THREADS)
     {
-        const int2 first = begin + 2 * int2(i % quads.x, i / quads.x);
+        const int2 first = begin + 2 * PlaceInRows(i, quads.x);
         const float2 uv = float2(first + 1) * texelSize;
         const float4 depths = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, uv));
         UNITY_UNROLL
@@ -185,7 +185,7 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
         UNITY_LOOP
         for (i = int(thread); i < blocks.x * blocks.y; i += WINDOW_THREADS)
         {
-            const int2 block = firstBlock + int2(i % blocks.x, i / blocks.x);
+            const int2 block = firstBlock + PlaceInRows(i, blocks.x);
             uint4 cells;
             if (level == 1) cells = LOAD_TEXTURE2D(spreads, block);
             else cells = LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);

@@ -90,11 +90,13 @@ float2 PoissonDisk(int index, int count)
 #else
     const int last = max(count - 1, 0);
     const int i = min(max(index, 0), last);
-    if (count <= 25) return kPenumbraPoisson25[min(i, 24)];
-    if (count <= 32) return kPenumbraPoisson32[min(i, 31)];
-    if (count <= 64) return kPenumbraPoisson64[min(i, 63)];
-    if (count <= 100) return kPenumbraPoisson100[min(i, 99)];
-    return kPenumbraPoisson128[min(i, 127)];
+    float2 disk;
+    if (count <= 25) disk = kPenumbraPoisson25[min(i, 24)];
+    else if (count <= 32) disk = kPenumbraPoisson32[min(i, 31)];
+    else if (count <= 64) disk = kPenumbraPoisson64[min(i, 63)];
+    else if (count <= 100) disk = kPenumbraPoisson100[min(i, 99)];
+    else disk = kPenumbraPoisson128[min(i, 127)];
+    return disk;
 #endif
 }
 

@@ -28,7 +28,7 @@ float2 BoundGradient(float2 gradient)
 {
     const float steepest = max(abs(gradient.x), abs(gradient.y));
     if (!HasFiniteBits(gradient.x) || !HasFiniteBits(gradient.y)) return float2(0.0, 0.0);
-    return steepest > kLargestGradient ? gradient * (kLargestGradient / steepest) : gradient;
+    return steepest > kLargestGradient ? gradient * (kLargestGradient / max(steepest, kLargestGradient)) : gradient;
 }
 
 // From the change of the shadow coordinate to the next pixel right and down: ddx(shadowCoord), ddy(shadowCoord).
@@ -62,8 +62,10 @@ float2 ReceiverPlaneFromNormal(float3 normalWS, float4x4 worldToShadow)
     const float squaredRow2 = max(dot(row2, row2), 1e-30);
     const float along = dot(normalWS, row2);
     // along / |row2| is the sine of the angle between plane and light.
-    if (!(along * along > kSmallestSine * kSmallestSine * squaredRow2)) return float2(0.0, 0.0);
-    return BoundGradient(-float2(u, v) * (squaredRow2 / along));
+    const bool known = along * along > kSmallestSine * kSmallestSine * squaredRow2;
+    // Without a normal `along` is a constant 0, of whose division compilers warn although the result is not used.
+    const float2 gradient = -float2(u, v) * (squaredRow2 / (known ? along : 1.0));
+    return known ? BoundGradient(gradient) : float2(0.0, 0.0);
 }
 
 // The same under a light in perspective, whose matrix takes the receiver to shadowCoord after division by w. Near the

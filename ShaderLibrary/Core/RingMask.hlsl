@@ -16,6 +16,7 @@
 #ifndef PENUMBRA_RING_MASK_HLSL
 #define PENUMBRA_RING_MASK_HLSL
 
+#include "../Platform/Platform.hlsl"
 #include "Penumbra.hlsl"
 
 #if defined(PENUMBRA_UNLIMITED)
@@ -42,6 +43,7 @@ int BoundedRingExponent(int exponent)
 RingMask EmptyRingMask()
 {
     RingMask mask;
+    UNITY_UNROLL
     for (int i = 0; i < kRingWords; ++i) mask.words[i] = 0u;
     return mask;
 }
@@ -87,6 +89,7 @@ float RingVisibility(RingMask mask, float rings, int exponent)
     const int whole = int(rings);
     uint lit = 0u;
     uint blocked = 0u;
+    UNITY_UNROLL
     for (int i = 0; i < kRingWords; ++i)
     {
         const uint inside = InnermostRings(whole - 32 * i);

@@ -22,13 +22,13 @@ int ScreenScale(float fullWidth, float width)
 
 int2 FullPixel(int2 pixel, int scale, int2 fullSize)
 {
-    return min(pixel * scale + scale / 2, fullSize - 1);
+    return min(pixel * scale + (scale >> 1), fullSize - 1);
 }
 
 // The first of the two half-resolution pixels around full pixel x of one axis; -1 before the first.
 int HalfPixelBefore(int full)
 {
-    return (full + 1) / 2 - 1;
+    return ((full + 1) >> 1) - 1;
 }
 
 #endif

@@ -36,12 +36,9 @@ struct HeightFieldRay
     float2 channels;     // factors of the heights' red and green
 };
 
-// 0 for ground.low, 1 for the highest.
-float StoredHeight(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float2 groundUv, float2 channels)
+// Of two channels, which no sampler joins: between the four texels around a place.
+float HeightBetweenTexels(TEXTURE2D(heights), float2 texels, float2 groundUv, float2 channels)
 {
-    const float2 uv = HeightUv(groundUv, texels);
-    UNITY_BRANCH
-    if (!(channels.y > 0.0)) return SAMPLE_TEXTURE2D_LOD(heights, sampler_linear, uv, 0.0).r * channels.x;
     const float2 last = float2(BoundedOrLow(texels.x, 2.0, 65536.0), BoundedOrLow(texels.y, 2.0, 65536.0)) - 1.0;
     const float2 place = float2(BoundedOrLow(groundUv.x, 0.0, 1.0), BoundedOrLow(groundUv.y, 0.0, 1.0)) * last;
     const float2 corner = min(floor(place), last - 1.0);
@@ -52,6 +49,16 @@ float StoredHeight(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, f
     const float both = dot(LOAD_TEXTURE2D_LOD(heights, first + int2(1, 1), 0).rg, channels);
     const float2 part = place - corner;
     return lerp(lerp(low, right, part.x), lerp(up, both, part.x), part.y);
+}
+
+// 0 for ground.low, 1 for the highest.
+float StoredHeight(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float2 groundUv, float2 channels)
+{
+    float height;
+    UNITY_BRANCH
+    if (channels.y > 0.0) height = HeightBetweenTexels(heights, texels, groundUv, channels);
+    else height = SAMPLE_TEXTURE2D_LOD(heights, sampler_linear, HeightUv(groundUv, texels), 0.0).r * channels.x;
+    return height;
 }
 
 float HeightFieldVisibility(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float3 positionWS, float3 towardSun,

@@ -35,17 +35,21 @@ struct RingDecision
 // Of a block of the level; its first level is a texture of its own.
 DepthPlanes PlanesOfLevel(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), int2 block, int level)
 {
+    float4 planes;
     UNITY_BRANCH
-    if (level == 0) return UnpackPlanes(LOAD_TEXTURE2D(depthPlanes, block));
-    return UnpackPlanes(LOAD_TEXTURE2D_LOD(coarsePlanes, block, level - 1));
+    if (level == 0) planes = LOAD_TEXTURE2D(depthPlanes, block);
+    else planes = LOAD_TEXTURE2D_LOD(coarsePlanes, block, level - 1);
+    return UnpackPlanes(planes);
 }
 
 // Of the four cells of a level of which block is one of the level above. level: 1 or more.
 uint4 SpreadsOfLevel(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), int2 block, int level)
 {
+    uint4 spreads;
     UNITY_BRANCH
-    if (level == 1) return LOAD_TEXTURE2D(depthSpreads, block);
-    return LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
+    if (level == 1) spreads = LOAD_TEXTURE2D(depthSpreads, block);
+    else spreads = LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
+    return spreads;
 }
 
 // As BoundExits.

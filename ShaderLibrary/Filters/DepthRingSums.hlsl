@@ -11,6 +11,7 @@
 #ifndef PENUMBRA_DEPTH_RING_SUMS_HLSL
 #define PENUMBRA_DEPTH_RING_SUMS_HLSL
 
+#include "../Core/RowOrder.hlsl"
 #include "DepthRings.hlsl"
 #include "PcssAngular.hlsl"
 
@@ -62,7 +63,7 @@ int CountOf(QuadRange quads)
 
 int2 QuadAt(QuadRange quads, int index)
 {
-    return quads.low + int2(index % quads.size.x, index / quads.size.x);
+    return quads.low + PlaceInRows(index, quads.size.x);
 }
 
 // What of each cell's area belongs to the level's ring, texels. filled: and to what the ring encloses.

@@ -181,9 +181,9 @@ float DecideExits(TEXTURE2D(depthPlanes), ExitReach reach)
     // The texels of the search, then those of the filter that follows it. In one loop: with a second call of BoundExits behind
     // the first, a driver drew as if the second had counted one block alone (Documentation~/exits.md).
     UNITY_LOOP
-    for (int pass = 0; pass < 2; ++pass)
+    for (int stage = 0; stage < 2; ++stage)
     {
-        const bool isSearch = pass == 0;
+        const bool isSearch = stage == 0;
         if (reach.insideAlone && ReachesBeyondTile(reach, radius)) break;
         const ExitBounds bounds = BoundExits(depthPlanes, reach, radius, isSearch && wantsGap);
         if (!bounds.whole) break;

@@ -92,6 +92,7 @@ float FilterSingleLoopMips(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap),
     const SingleLoop loop = PrepareSingleLoop(receiver, tile, parameters);
     const float reach = loop.radius + kTapToCentreTexels;
     const DiscBlocks blocks = BlocksOfDisc(loop.receiver.centre, reach, 2, loop.receiver.bounds);
+    float visibility = -1.0;
     if (blocks.whole)
     {
         float2 range = kEmptyRange;
@@ -101,10 +102,10 @@ float FilterSingleLoopMips(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap),
             const int2 texel = int2((i & 1) == 0 ? blocks.low.x : blocks.high.x, i < 2 ? blocks.low.y : blocks.high.y);
             range = JoinRanges(range, LOAD_TEXTURE2D_LOD(depthRanges, texel, blocks.level).xy);
         }
-        const float decided = DecideByRange(range, loop.receiver, loop.radius);
-        if (decided >= 0.0) return decided;
+        visibility = DecideByRange(range, loop.receiver, loop.radius);
     }
-    return RunSingleLoop(shadowMap, loop);
+    if (!(visibility >= 0.0)) visibility = RunSingleLoop(shadowMap, loop);
+    return visibility;
 }
 
 #endif

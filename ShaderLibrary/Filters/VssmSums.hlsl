@@ -55,7 +55,8 @@ struct DividedArea
 // The edges of 3 cells between low and high.
 int4 CellEdges(int low, int high)
 {
-    return int4(low, low + (high - low) / 3, low + 2 * (high - low) / 3, high);
+    const uint width = uint(high - low);
+    return int4(low, low + int(width / 3u), low + int(2u * width / 3u), high);
 }
 
 // Chebyshev's bound holds only where the mean lies before the receiver. Each of 3 x 3 cells is judged by itself; those

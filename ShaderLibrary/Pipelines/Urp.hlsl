@@ -85,10 +85,14 @@ int PenumbraMainLightDitheredCascade(float3 positionWS, int count, float2 pixel)
 {
     const int cascade = PenumbraMainLightCascade(positionWS, count);
     const float border = _PenumbraMainLightParams.w;
+    int chosen = cascade;
     UNITY_BRANCH
-    if (!(border > 0.0)) return cascade;
-    const float weight = NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, count, border);
-    return weight > CascadeNoise(pixel, uint(max(_PenumbraMainLightParams.z, 0.0))) ? cascade + 1 : cascade;
+    if (border > 0.0)
+    {
+        const float weight = NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, count, border);
+        if (weight > CascadeNoise(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)))) chosen = cascade + 1;
+    }
+    return chosen;
 }
 
 ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count, float tanHalf)
@@ -97,7 +101,7 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
     const float uvPerMetre = length(worldToShadow[0].xyz) / extent.x;
     const float depthPerMetre = length(worldToShadow[2].xyz);
     ShadowTile tile;
-    tile.offsetScale = float4(float2(cascade % 2, cascade / 2) * extent, extent);
+    tile.offsetScale = float4(float2(cascade & 1, cascade >> 1) * extent, extent);
     tile.atlasTexelSize = _PenumbraMainLightAtlasTexelSize;
     tile.uvPerMetre = uvPerMetre;
     tile.depthPerMetre = depthPerMetre;

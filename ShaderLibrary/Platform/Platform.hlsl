@@ -31,7 +31,6 @@
 #define UNITY_LOOP [loop]
 
 #define TEXTURE2D(textureName) Texture2D textureName
-#define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
 #define TEXTURE2D_SHADOW(textureName) TEXTURE2D(textureName)
 #define TEXTURE3D(textureName) Texture3D textureName
 #define SAMPLER(samplerName) SamplerState samplerName
@@ -58,8 +57,27 @@
 #define TEXTURE2D_X_FLOAT(textureName) TEXTURE2D(textureName)
 #define LOAD_TEXTURE2D_X(textureName, texel) LOAD_TEXTURE2D(textureName, texel)
 #define GATHER_RED_TEXTURE2D_X(textureName, samplerName, uv) GATHER_RED_TEXTURE2D(textureName, samplerName, uv)
-#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMS<type> textureName
-#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) textureName.Load(texel, sampleIndex)
 
+#endif
+
+// Unity's core package has these from version 17 on, those of multisampled textures only partly.
+#if !defined(TYPED_TEXTURE2D)
+#define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
+#endif
+
+#if defined(UNITY_STEREO_INSTANCING_ENABLED) || defined(UNITY_STEREO_MULTIVIEW_ENABLED)
+#if !defined(TEXTURE2D_X_MSAA)
+#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMSArray<type> textureName
+#endif
+#if !defined(LOAD_TEXTURE2D_X_MSAA)
+#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) textureName.Load(int3(texel, SLICE_ARRAY_INDEX), sampleIndex)
+#endif
+#else
+#if !defined(TEXTURE2D_X_MSAA)
+#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMS<type> textureName
+#endif
+#if !defined(LOAD_TEXTURE2D_X_MSAA)
+#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) textureName.Load(texel, sampleIndex)
+#endif
 #endif
 #endif

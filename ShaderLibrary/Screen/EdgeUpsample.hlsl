@@ -36,7 +36,7 @@ struct HalfTaps
 int2 HalfTapsOf(int pixel, int halfSize, int size)
 {
     const bool isSeen = (pixel & 1) == 1 || pixel == size - 1;
-    const int before = isSeen ? pixel / 2 : HalfPixelBefore(pixel);
+    const int before = isSeen ? pixel >> 1 : HalfPixelBefore(pixel);
     const int first = min(max(before, 0), halfSize - 1);
     return int2(first, max(min(isSeen ? before : before + 1, halfSize - 1) - first, 0) + 1);
 }
@@ -68,8 +68,7 @@ HalfTaps ReadHalfTaps(TEXTURE2D_X(visibility), int2 pixel, int2 halfSize, int2 s
     UNITY_UNROLL
     for (int i = 0; i < 4; ++i)
     {
-        if (!HasTap(taps, i)) continue;
-        taps.visibility[i] = SanitizeVisibility(LOAD_TEXTURE2D_X(visibility, TapOf(taps, i)).x);
+        if (HasTap(taps, i)) taps.visibility[i] = SanitizeVisibility(LOAD_TEXTURE2D_X(visibility, TapOf(taps, i)).x);
     }
     return taps;
 }

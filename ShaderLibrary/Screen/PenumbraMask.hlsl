@@ -47,7 +47,7 @@ int2 MaskTapPixel(int2 block, int tap, int2 screenSize)
 
 int2 MaskBlockOf(int2 pixel)
 {
-    return pixel / kMaskBlock;
+    return int2(uint2(pixel) / uint(kMaskBlock));
 }
 
 // Hardware filters in steps of 1/256, so values within half a step of 0 or 1 count as 0 or 1.

@@ -39,8 +39,12 @@ Shader "Penumbra Samples/Forward Lit"
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
-            // From 17.1 on URP has another name for this keyword, but still sets it.
+            // URP's keyword of Forward+, which has another name from 17.1 on. There the earlier one brings a warning.
+            #if UNITY_VERSION >= 60010000
+            #pragma multi_compile_fragment _ _CLUSTER_LIGHT_LOOP
+            #else
             #pragma multi_compile_fragment _ _FORWARD_PLUS
+            #endif
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #include "ForwardPass.hlsl"

@@ -254,7 +254,8 @@ namespace Penumbra.Tests
             options.conservativeMask = true;
             Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
             {
-                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
+                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
+                "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical",
             }));
         }

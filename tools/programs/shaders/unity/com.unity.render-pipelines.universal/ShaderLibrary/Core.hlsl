@@ -9,8 +9,8 @@
 #define UNITY_REVERSED_Z 1
 #endif
 
-#include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 
 float3 _WorldSpaceCameraPos;
 
@@ -22,17 +22,12 @@ float3 _WorldSpaceCameraPos;
 #undef TEXTURE2D_X_FLOAT
 #undef LOAD_TEXTURE2D_X
 #undef GATHER_RED_TEXTURE2D_X
-#undef TEXTURE2D_X_MSAA
-#undef LOAD_TEXTURE2D_X_MSAA
 #define SLICE_ARRAY_INDEX unity_StereoEyeIndex
 #define TEXTURE2D_X(textureName) Texture2DArray textureName
 #define TEXTURE2D_X_FLOAT(textureName) Texture2DArray textureName
 #define LOAD_TEXTURE2D_X(textureName, texel) LoadOfThisEye(textureName, texel)
 #define GATHER_RED_TEXTURE2D_X(textureName, samplerName, uv) \
     GATHER_RED_TEXTURE2D(textureName, samplerName, float3(uv, SLICE_ARRAY_INDEX))
-#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMSArray<type> textureName
-#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) \
-    textureName.Load(int3(texel, unity_StereoEyeIndex), sampleIndex)
 
 float4 LoadOfThisEye(Texture2DArray image, int2 texel)
 {

@@ -10,6 +10,7 @@ float4 _CascadeShadowSplitSpheres2;
 float4 _CascadeShadowSplitSpheres3;
 float4 _CascadeShadowSplitSphereRadii; // squared
 float4 _MainLightShadowParams;         // x: strength
+float4 _ShadowBias;                    // x: depth, y: normal bias
 
 TEXTURE2D_SHADOW(_MainLightShadowmapTexture);
 TEXTURE2D_X(_ScreenSpaceShadowmapTexture);
