@@ -1,6 +1,7 @@
 // Core/RowOrder.hlsl: every place of grids of every width from 1 to 64, and of one as wide as a map.
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
