@@ -32,7 +32,7 @@ namespace Penumbra.Editor
         {
             string path = AssetDatabase.GetAssetPath(asset);
             return ChainGraphs.All.SelectMany(graph => graph.passes).Select(pass => pass.asset)
-                .FirstOrDefault(file => path == PassAssets.Package + file);
+                .FirstOrDefault(file => path == PassAssets.PathInProject(file));
         }
 
         /// <summary>`data` contains the variants of one stage of the pass.</summary>

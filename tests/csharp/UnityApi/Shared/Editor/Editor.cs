@@ -148,7 +148,14 @@ namespace UnityEditor
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
-        public static string GUIDToAssetPath(string guid) => "";
+        /// <summary>At first the package's folder of shaders, where the package manager puts it.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, string> Guids { get; } =
+            new System.Collections.Generic.Dictionary<string, string>
+            {
+                { "d547e543300383e817b83b7a554c305a", "Packages/com.penumbra.shadows/Shaders" },
+            };
+
+        public static string GUIDToAssetPath(string guid) => Guids.TryGetValue(guid, out string path) ? path : "";
         public static string[] GetAllAssetPaths() => new string[0];
         public static void ImportAsset(string path) { }
         public static bool CopyAsset(string path, string newPath) => false;
