@@ -101,7 +101,9 @@ namespace Penumbra
             if (LastSkip != SkipReason.None) return;
 
             ShadowOptions options = Options();
-            if (!FrameGate.Runs(options, SystemInfo.graphicsShaderLevel))
+            FarFrame far = Far(source, renderingData.cameraData.camera, ref options);
+            SkipReason withoutMap = FrameGate.WithoutMap(source);
+            if (withoutMap != SkipReason.None && !options.DrawsBeyondCascades)
             {
                 LastSkip = SkipReason.UnsupportedDevice;
                 return;

@@ -193,9 +193,6 @@ namespace Penumbra.Editor
                     return "with the build profile Meta Quest, shaders of this URP version treat opaque surfaces as lit and " +
                            "do not read this feature's shadow. In your own shaders, PenumbraMainLightVisibility " +
                            "of Shadows.hlsl works.";
-                case SkipReason.UnsupportedDevice:
-                    return "this device does not support the technique, which needs shader model 4.5. Choose Custom with a tent " +
-                           "as its technique.";
                 default:
                     return state.lastSkip + ".";
             }

@@ -70,7 +70,6 @@ namespace Penumbra
         /// <summary>The shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
         MissingPass,
         CompatibilityMode,
-        UnsupportedDevice,
         MetaQuest,
     }
 
@@ -97,15 +96,14 @@ namespace Penumbra
             return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
         }
 
-        /// <summary>Shader target 4.5, of SystemInfo.graphicsShaderLevel.</summary>
-        internal const int Level45 = 45;
-
         /// <summary>
         /// A device below that level has no program for some filters. Techniques with passes of their own have a
         /// substitute (ChainSubstitute), which may need the level, too.
         /// </summary>
-        internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
-            !options.technique.NeedsTarget45() || shaderLevel >= Level45 ||
-            options.HasPasses && !TechniqueTable.Fallbacks[(int)options.technique].NeedsTarget45();
+        internal static SkipReason WithoutMap(in ShadowSource source)
+        {
+            if (!source.hasCasters) return SkipReason.NoCasters;
+            return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
+        }
     }
 }
