@@ -264,3 +264,9 @@ namespace UnityEngine.Rendering
         public bool IsEnabled(ShaderKeyword keyword) => Enabled != null && Enabled.Contains(keyword.Name);
     }
 }
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    public enum ShaderCompilerMessageSeverity { Error, Warning }
+
+        public ShaderCompilerPlatform shaderCompilerPlatform { get; [OwnBehaviour] set; }
+        public ShaderKeyword(ComputeShader shader, string keywordName) { Name = keywordName; }
