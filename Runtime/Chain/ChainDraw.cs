@@ -69,6 +69,10 @@ namespace Penumbra
                                !Chain.IsOverScreen(Chain.Steps[i]);
                 if (oneView) frame.xr.StopSinglePass(commands);
                 var step = new StepDraw(current, i, slots, buffers, casters);
+#if UNITY_EDITOR
+            // Until a program is compiled the editor would skip its draws, and the targets have no content of their own.
+            UnityEditor.ShaderUtil.SetAsyncCompilation(commands, false);
+#endif
                 step.Draw(commands, frame);
                 if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);
@@ -83,6 +87,9 @@ namespace Penumbra
                 int levels = PassGeometry.Levels(Chain.Slots[before], frame, false);
                 for (int mip = 0; mip < levels; ++mip)
                     CoreUtils.SetRenderTarget(commands, slots[before], RenderBufferLoadAction.DontCare,
+#if UNITY_EDITOR
+            UnityEditor.ShaderUtil.RestoreAsyncCompilation(commands);
+#endif
                                               RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear, mip);
             }
         }
