@@ -485,9 +485,12 @@ namespace Penumbra.Tests
             [Values] QualityPreset preset, [Values(ShadowTechnique.Flagship, ShadowTechnique.Pcss)] ShadowTechnique technique,
             [Values] bool clouds)
         {
-            SystemInfo.graphicsShaderLevel = level;
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+            SystemInfo.graphicsShaderLevel = 35;
+            SystemInfo.supportsComputeShaders = false;
+            ShadowOptions options = ShadowPresets.Options(preset);
             options.technique = technique;
+            feature.Settings.farShadows.clouds = clouds;
             Use(options);
             FrameKeywords keywords = urp.Render(new FakeScene(), feature);
             SystemInfo.supportsComputeShaders = true;
