@@ -10,6 +10,9 @@ namespace Penumbra.Editor
     {
         internal bool shaderFound;
         internal bool debugShaderFound;
+
+        /// <summary>What does not compile of the technique's passes, by file and line; null if all does.</summary>
+        internal string shaderErrors;
         internal bool compatibilityMode;
         internal bool mainLightShadows;
 
@@ -69,6 +72,9 @@ namespace Penumbra.Editor
             var found = new List<Advice>();
             void Say(MessageType type, string text) => found.Add(new Advice(type, text));
 
+            if (state.shaderErrors != null)
+                Say(MessageType.Error, "Shaders of the technique do not compile, so that another is drawn or none:\n" +
+                                       state.shaderErrors);
             if (!state.shaderFound)
                 Say(MessageType.Error, "The shader " + PenumbraShadows.ShaderName + " is missing or does not compile " +
                                        "for this platform. Reimport the package; URP draws its own shadows meanwhile.");

@@ -48,6 +48,16 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void WhatDoesNotCompileComesFirst()
+        {
+            FeatureState state = Sound();
+            state.shaderFound = false;
+            state.shaderErrors = "Shaders/TileRings.hlsl, line 12: undeclared identifier (D3D)";
+            Assert.That(FeatureAdvice.For(state).First().type, Is.EqualTo(MessageType.Error));
+            Assert.That(FeatureAdvice.For(state).First().text, Does.EndWith("\n" + state.shaderErrors));
+        }
+
+        [Test]
         public void MissingGroundIsNamedWithTheWayOut()
         {
             FeatureState state = Sound();
