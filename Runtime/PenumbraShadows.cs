@@ -101,14 +101,15 @@ namespace Penumbra
             if (LastSkip != SkipReason.None) return;
 
             ShadowOptions options = Options();
-            if (!FrameGate.Runs(options, SystemInfo.graphicsShaderLevel))
+            FarFrame far = Far(source, renderingData.cameraData.camera, ref options);
+            SkipReason withoutMap = FrameGate.WithoutMap(source);
+            if (withoutMap != SkipReason.None && !options.DrawsBeyondCascades)
             {
-                LastSkip = SkipReason.UnsupportedDevice;
+                LastSkip = withoutMap;
                 return;
             }
-            FarFrame far = Far(source, renderingData.cameraData.camera, ref options);
             Asked = options;
-            MissingPass = draw.Prepare(ref options, source.views);
+            MissingPass = draw.Prepare(ref options, source.views, withoutMap != SkipReason.None);
             Drawn = options;
             Replaced = draw.Replaces;
             if (MissingPass != null)

@@ -32,7 +32,8 @@
 
 // As in Pipelines/TechniqueByKeyword.hlsl.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
-    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
+     defined(SHADER_API_WEBGPU))
 #define PENUMBRA_SPOT_WITHOUT_GATHER
 #include "Filters/TentPcf.hlsl"
 #endif

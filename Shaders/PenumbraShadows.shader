@@ -1,8 +1,8 @@
 // The passes of the Penumbra renderer feature. Each binds, calls the library and returns; a frame uses a few of them.
 // Attenuation is written to the red channel, with the shadow strength and without the distance fade. PCSS and other
 // filters gather or search for bits, hence target 4.5: below graphicsShaderLevel 45 they have no program, and the feature
-// leaves the frame to URP, or draws Tent 7x7 in the place of a filter with maps. On OpenGL, OpenGL ES and WebGL, where raw
-// reads of the shadow map are undefined, their programs compute that tent.
+// draws Tent 7x7 instead. On OpenGL, OpenGL ES and WebGL, where raw reads of the shadow map are undefined, their programs
+// compute that tent.
 Shader "Hidden/Penumbra/Shadows"
 {
     SubShader

@@ -10,6 +10,9 @@ namespace Penumbra.Editor
     {
         internal bool shaderFound;
         internal bool debugShaderFound;
+
+        /// <summary>What does not compile of the technique's passes, by file and line; null if all does.</summary>
+        internal string shaderErrors;
         internal bool compatibilityMode;
         internal bool mainLightShadows;
 
@@ -69,6 +72,9 @@ namespace Penumbra.Editor
             var found = new List<Advice>();
             void Say(MessageType type, string text) => found.Add(new Advice(type, text));
 
+            if (state.shaderErrors != null)
+                Say(MessageType.Error, "Shaders of the technique do not compile, so that another is drawn or none:\n" +
+                                       state.shaderErrors);
             if (!state.shaderFound)
                 Say(MessageType.Error, "The shader " + PenumbraShadows.ShaderName + " is missing or does not compile " +
                                        "for this platform. Reimport the package; URP draws its own shadows meanwhile.");
@@ -193,9 +199,6 @@ namespace Penumbra.Editor
                     return "with the build profile Meta Quest, shaders of this URP version treat opaque surfaces as lit and " +
                            "do not read this feature's shadow. In your own shaders, PenumbraMainLightVisibility " +
                            "of Shadows.hlsl works.";
-                case SkipReason.UnsupportedDevice:
-                    return "this device does not support the technique, which needs shader model 4.5. Choose Custom with a tent " +
-                           "as its technique.";
                 default:
                     return state.lastSkip + ".";
             }

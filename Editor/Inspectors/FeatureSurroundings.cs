@@ -24,8 +24,9 @@ namespace Penumbra.Editor
             state.missingGround = feature.MissingGround;
             state.asked = feature.Asked;
             state.drawn = feature.Drawn;
-            state.drawsCascades = ChainGraphs.Of(feature.Settings.Options())
-                .Any(graph => graph.passes.Any(pass => pass.kind == PassKind.Casters && pass.runs == PassFrequency.Cascade));
+            GraphPass[] passes = ChainGraphs.Of(feature.Settings.Options()).SelectMany(graph => graph.passes).ToArray();
+            state.shaderErrors = ShaderErrors.Of(passes);
+            state.drawsCascades = passes.Any(pass => pass.kind == PassKind.Casters && pass.runs == PassFrequency.Cascade);
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
             state.openGl = DeviceLimits.IsOpenGl;

@@ -50,13 +50,9 @@ namespace Penumbra.Editor
             }
         }
 
-        /// <summary>Whether a frame uses the kernel of the compute shader file `asset`.</summary>
-        internal bool HasKernel(string asset, string kernel) => keywordsOf.ContainsKey((asset, kernel));
-
         /// <summary>
-        /// Whether a frame uses the variant of `pass` of the shader file `asset` whose enabled keywords among `declared` are
-        /// those for which
-        /// `enabled` is true.
+        /// Whether a frame uses the variant of `pass`, a pass or kernel of the file `asset`, whose enabled keywords among
+        /// `declared` are those for which `enabled` is true.
         /// </summary>
         internal bool Has(string asset, string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>
             keywordsOf.TryGetValue((asset, pass), out List<IReadOnlyList<string>> sets) &&

@@ -32,37 +32,38 @@ namespace Penumbra.Editor
         {
             string path = AssetDatabase.GetAssetPath(asset);
             return ChainGraphs.All.SelectMany(graph => graph.passes).Select(pass => pass.asset)
-                .FirstOrDefault(file => path == PassAssets.Package + file);
+                .FirstOrDefault(file => path == PassAssets.PathInProject(file));
         }
 
         /// <summary>`data` contains the variants of one stage of the pass.</summary>
         internal static void Strip(ChainPrograms asked, Shader shader, string asset, string pass,
                                    IList<ShaderCompilerData> data)
         {
-            List<string> declared = Declared(shader, data);
+            KeywordsOfVariants keywords = variant => name =>
+                variant.shaderKeywordSet.IsEnabled(new ShaderKeyword(shader, name));
+            List<string> declared = Declared(keywords, data);
             for (int i = data.Count - 1; i >= 0; --i)
-            {
-                Predicate<string> enabled = Enabled(shader, data[i].shaderKeywordSet);
-                if (!asked.Has(asset, pass, declared, enabled)) data.RemoveAt(i);
-            }
+                if (!asked.Has(asset, pass, declared, keywords(data[i]))) data.RemoveAt(i);
         }
 
-        // A keyword that a stage does not declare is off in all its variants: vertex programs do not have the
-        // fragment programs' keywords.
-        private static List<string> Declared(Shader shader, IList<ShaderCompilerData> data)
+        /// <summary>
+        /// Of the chains' keywords. One that a stage does not declare is off in all its variants: vertex programs do not have
+        /// the fragment programs' keywords.
+        /// </summary>
+        internal static List<string> Declared(KeywordsOfVariants keywords, IList<ShaderCompilerData> data)
         {
             var declared = new List<string>();
             foreach (string name in ChainKeywords.All)
                 foreach (ShaderCompilerData variant in data)
                 {
-                    if (!Enabled(shader, variant.shaderKeywordSet)(name)) continue;
+                    if (!keywords(variant)(name)) continue;
                     declared.Add(name);
                     break;
                 }
             return declared;
         }
-
-        private static Predicate<string> Enabled(Shader shader, ShaderKeywordSet keywords) =>
-            name => keywords.IsEnabled(new ShaderKeyword(shader, name));
     }
+
+    /// <summary>Whether the keyword of a name is enabled in a variant.</summary>
+    internal delegate Predicate<string> KeywordsOfVariants(ShaderCompilerData variant);
 }

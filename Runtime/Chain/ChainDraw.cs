@@ -13,9 +13,16 @@ namespace Penumbra
     {
         private readonly FrameUniforms uniforms = new FrameUniforms();
         private readonly PassMaterials materials;
-        private readonly Dictionary<(int key, bool bothEyes), PreparedChain> chains =
-            new Dictionary<(int key, bool bothEyes), PreparedChain>();
+        private readonly Dictionary<(int key, bool bothEyes, bool overLit), PreparedChain> chains =
+            new Dictionary<(int key, bool bothEyes, bool overLit), PreparedChain>();
         private PreparedChain current;
+
+        /// <summary>
+        /// How often the editor has imported shaders: a chain that was prepared from earlier ones, which may have failed to
+        /// compile, is prepared again.
+        /// </summary>
+        internal static int Imports { get; set; }
+        private int importsBefore;
 
         /// <summary>Its textures and steps; null before the first Prepare.</summary>
         internal ShadowChain Chain => current?.chain;
@@ -33,21 +40,24 @@ namespace Penumbra
         /// prevents it from running, or null.
         /// </summary>
         /// <param name="views">Number of views drawn at once.</param>
-        internal string Prepare(ref ShadowOptions options, int views)
+        /// <param name="overLit">Nothing casts into the cascades: only what lies beyond them is drawn.</param>
+        internal string Prepare(ref ShadowOptions options, int views, bool overLit = false)
         {
+            if (importsBefore != Imports) chains.Clear();
+            importsBefore = Imports;
             bool bothEyes = views > 1;
-            (int, bool) key = (ChainGraphs.Key(options), bothEyes);
-            if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options, bothEyes);
+            (int, bool, bool) key = (ChainGraphs.Key(options), bothEyes, overLit);
+            if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options, bothEyes, overLit);
             if (current.replaces != null) options = current.Of(options);
             return current.problem;
         }
 
-        private PreparedChain Prepared(in ShadowOptions asked, bool bothEyes)
+        private PreparedChain Prepared(in ShadowOptions asked, bool bothEyes, bool overLit)
         {
-            var prepared = new PreparedChain(asked, bothEyes, materials);
+            var prepared = new PreparedChain(asked, bothEyes, overLit, materials);
             ShadowOptions options = asked;
             while (prepared.problem != null && ChainSubstitute.TryGet(options, out options))
-                prepared = new PreparedChain(options, bothEyes, materials, prepared.replaces ?? prepared.problem);
+                prepared = new PreparedChain(options, bothEyes, overLit, materials, prepared.replaces ?? prepared.problem);
             return prepared;
         }
 
@@ -59,6 +69,10 @@ namespace Penumbra
         internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers,
                            CasterFrame casters = null)
         {
+#if UNITY_EDITOR
+            // Until a program is compiled the editor would skip its draws, and the targets have no content of their own.
+            UnityEditor.ShaderUtil.SetAsyncCompilation(commands, false);
+#endif
             uniforms.Set(commands, frame);
             for (int i = 0; i < current.assets.Length; ++i) current.assets[i].SetKeywords(commands);
             if (frame.historiesAreEmpty) ClearHistories(commands, frame, slots);
@@ -73,6 +87,9 @@ namespace Penumbra
                 if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);
             }
+#if UNITY_EDITOR
+            UnityEditor.ShaderUtil.RestoreAsyncCompilation(commands);
+#endif
         }
 
         private void ClearHistories(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
@@ -42,12 +43,28 @@ namespace Penumbra
             new[] { PenumbraFarGraphs.FarHorizon, PenumbraFarGraphs.FarHorizonClouds },
         };
 
+        // The cascades' visibility where nothing casts into them.
+        private static readonly TechniqueGraph lit = new TechniqueGraph
+        {
+            name = "lit",
+            textures = new[] { new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm) },
+            passes = new[] { new GraphPass { kind = PassKind.Lit, writes = new[] { GraphBinding.Texture(0) } } },
+            visibility = 0,
+        };
+
         // Each reads the visibility of the graphs before it.
         private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
         {
             if (options.HasContactShadows) yield return PenumbraScreenTraceGraphs.ScreenTrace;
-            if (options.DrawsBeyondCascades) yield return beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0];
+            if (options.DrawsBeyondCascades) yield return BeyondCascades(options);
         }
+
+        private static TechniqueGraph BeyondCascades(in ShadowOptions options) =>
+            beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0];
+
+        /// <summary>Those beyond the cascades alone. A device may be unable to draw any.</summary>
+        internal static IReadOnlyList<TechniqueGraph> OverLit(in ShadowOptions options) =>
+            options.DrawsBeyondCascades ? new[] { lit, BeyondCascades(options) } : new[] { lit };
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)

@@ -19,7 +19,8 @@ namespace Penumbra
 
         /// <summary>
         /// The options that need less of the device: the mask of four taps or no exits, then maps of 16 bits, then the
-        /// technique's fallback, then no clouds. False if these options have none.
+        /// fallback of a technique with passes, then no clouds, then a tent in the place of a filter that needs shader target
+        /// 4.5. False if these options have none.
         /// </summary>
         internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
         {
@@ -34,6 +35,8 @@ namespace Penumbra
                 instead.exits = false;
             }
             else if (options.clouds) instead.clouds = false;
+            else if (options.technique.NeedsTarget45() && Has(options.technique))
+                instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
             else return false;
             return true;
         }

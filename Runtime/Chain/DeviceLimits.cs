@@ -12,22 +12,29 @@ namespace Penumbra
     {
         /// <summary>
         /// OpenGL does not define raw reads of the shadow map. Shaders compute another filter there in the place of one
-        /// that reads it (TechniqueByKeyword.hlsl).
+        /// that reads it (TechniqueByKeyword.hlsl). WebGPU counts as OpenGL, because no frame was seen there yet.
         /// </summary>
-        internal static bool IsOpenGl => SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
-                                             SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
+        internal static bool IsOpenGl =>
+#if UNITY_6000_0_OR_NEWER
+            SystemInfo.graphicsDeviceType == GraphicsDeviceType.WebGPU ||
+#endif
+            SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
+            SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
+
+        /// <summary>Shader target 4.5, of SystemInfo.graphicsShaderLevel.</summary>
+        internal const int Level45 = 45;
 
         /// <summary>
-        /// Why the options' passes before the filter cannot run on this device, whatever they are; null if they can.
+        /// Why this device can run neither the options' passes before the filter, whatever they are, nor the filter; null
+        /// if it can.
         /// </summary>
         internal static string Problem(in ShadowOptions options)
         {
             bool hasMaps = options.HasPasses && ChainSubstitute.Has(options.technique);
-            if (!options.MasksConservatively && !options.HasExits && !hasMaps) return null;
-            if (IsOpenGl) return "OpenGL does not define how its passes read the shadow map";
+            if (IsOpenGl && (options.MasksConservatively || options.HasExits || hasMaps))
+                return "OpenGL does not define how its passes read the shadow map";
             bool needsTarget45 = options.HasExits || options.technique.NeedsTarget45();
-            return needsTarget45 && SystemInfo.graphicsShaderLevel < FrameGate.Level45
-                       ? "it needs shader model 4.5" : null;
+            return needsTarget45 && SystemInfo.graphicsShaderLevel < Level45 ? "it needs shader model 4.5" : null;
         }
 
         /// <summary>Null if there is no problem.</summary>

@@ -12,7 +12,10 @@ namespace Penumbra
     [Serializable]
     internal sealed class PassAssets
     {
-        internal const string Package = "Packages/com.penumbra.shadows/";
+        private const string Folder = "Shaders";
+
+        /// <summary>The GUID of that folder, by which a package that was copied into Assets is found, too.</summary>
+        internal const string FolderGuid = "d547e543300383e817b83b7a554c305a";
 
         [Tooltip("Each asset's path in the package.")]
         [SerializeField] private List<string> paths = new List<string>();
@@ -39,10 +42,17 @@ namespace Penumbra
         }
 
 #if UNITY_EDITOR
+        /// <summary>Where the project has the package's file `path`.</summary>
+        internal static string PathInProject(string path)
+        {
+            string folder = UnityEditor.AssetDatabase.GUIDToAssetPath(FolderGuid);
+            return folder.Substring(0, Math.Max(0, folder.Length - Folder.Length)) + path;
+        }
+
         private bool Find(string path)
         {
             if (Of(path) != null) return false;
-            var asset = UnityEditor.AssetDatabase.LoadAssetAtPath<Object>(Package + path);
+            var asset = UnityEditor.AssetDatabase.LoadAssetAtPath<Object>(PathInProject(path));
             if (asset == null) return false;
             int at = paths.IndexOf(path);
             if (at >= 0)

@@ -27,14 +27,16 @@ namespace Penumbra
 
         /// <param name="options">Of which those that choose a chain count.</param>
         /// <param name="bothEyes">It draws both eyes at once.</param>
-        internal PreparedChain(in ShadowOptions options, bool bothEyes, PassMaterials materials, string replaces = null)
+        /// <param name="overLit">See ChainDraw.Prepare.</param>
+        internal PreparedChain(in ShadowOptions options, bool bothEyes, bool overLit, PassMaterials materials,
+                               string replaces = null)
         {
             this.options = options;
             this.replaces = replaces;
-            chain = ShadowChain.Of(options);
+            chain = overLit ? ShadowChain.OverLit(options) : ShadowChain.Of(options);
             programs = new PassProgram[chain.Steps.Count];
             targets = new RenderTargetIdentifier[chain.Steps.Count][];
-            problem = DeviceLimits.Problem(options) ?? DeviceLimits.Problem(chain) ??
+            problem = (overLit ? null : DeviceLimits.Problem(options)) ?? DeviceLimits.Problem(chain) ??
                       (bothEyes ? DeviceLimits.StereoProblem(chain) : null);
             IReadOnlyList<string> known = ChainKeywords.All;
             IReadOnlyList<string> on = bothEyes ? chain.Keywords.Append(ChainKeywords.BothEyes).ToArray() : chain.Keywords;
@@ -42,6 +44,7 @@ namespace Penumbra
             for (int i = 0; i < programs.Length && problem == null; ++i)
             {
                 GraphPass pass = chain.Steps[i].pass;
+                if (pass.kind == PassKind.Lit) continue;
                 if (!used.TryGetValue(pass.asset, out ProgramAsset asset))
                 {
                     problem = materials.Find(pass, out Object found, out Material material);

@@ -57,6 +57,9 @@ namespace Penumbra
         internal static ShadowChain Of(in ShadowOptions options) =>
             new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
 
+        /// <summary>What these options draw beyond the cascades, where nothing casts into them.</summary>
+        internal static ShadowChain OverLit(in ShadowOptions options) => new ShadowChain(ChainGraphs.OverLit(options), null);
+
         /// <param name="graphs">In order; the last one outputs a visibility texture.</param>
         /// <param name="techniqueKeyword">Null: none.</param>
         internal ShadowChain(IReadOnlyList<TechniqueGraph> graphs, string techniqueKeyword)

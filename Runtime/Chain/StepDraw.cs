@@ -64,6 +64,7 @@ namespace Penumbra
             SetSizes(commands, frame, cascade, mip);
             if (step.pass.kind == PassKind.Compute) Dispatch(commands, frame, mip);
             else if (step.pass.kind == PassKind.Casters) DrawCasters(commands, frame, cascade);
+            else if (step.pass.kind == PassKind.Lit) Fill(commands, slots[step.Target], Color.white, 0);
             else DrawTriangle(commands, frame, cascade, mip);
         }
 
@@ -181,10 +182,12 @@ namespace Penumbra
         private void ClearTargets(CommandBuffer commands, int mip)
         {
             for (int i = 0; i < step.pass.writes.Length; ++i)
-                if (!step.writes[i].isBuffer)
-                    CoreUtils.SetRenderTarget(commands, slots[step.writes[i].index], RenderBufferLoadAction.DontCare,
-                                              RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear, mip);
+                if (!step.writes[i].isBuffer) Fill(commands, slots[step.writes[i].index], Color.clear, mip);
         }
+
+        private static void Fill(CommandBuffer commands, RTHandle target, Color colour, int mip) =>
+            CoreUtils.SetRenderTarget(commands, target, RenderBufferLoadAction.DontCare, RenderBufferStoreAction.Store,
+                                      ClearFlag.Color, colour, mip);
 
         private void Bind(CommandBuffer commands, in ChainBinding buffer) =>
             commands.SetComputeBufferParam(program.asset.kernels, program.index, buffer.property,

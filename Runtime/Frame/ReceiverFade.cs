@@ -15,23 +15,41 @@ namespace Penumbra
     /// URP's receivers fade their shadow out towards the shadow distance: GetMainLightShadowFade is
     /// saturate(d² z + w), with z and w of _MainLightShadowParams. Far shadows must not fade, so both are 0 from the
     /// feature's pass until transparents are drawn, which read URP's shadow map and get URP's values back. URP sets the
-    /// vector anew for every camera that draws a shadow map.
+    /// vector anew for every camera.
+    ///
+    /// With Distance Shadowmask that fade leads to the baked shadow (MixRealtimeAndBakedShadows), which would be lost. So
+    /// opaque surfaces have the smaller of both meanwhile, as with Shadowmask: a keyword of URP, which disables it before every
+    /// camera.
     /// </summary>
     internal static class ReceiverFade
     {
+        internal const string MixingName = "LIGHTMAP_SHADOW_MIXING";
+
         internal static readonly int Uniform = Shader.PropertyToID("_MainLightShadowParams");
 
-        /// <summary>Opaque surfaces do not fade, if this frame draws far shadows.</summary>
+        private static GlobalKeyword mixing;
+        private static bool created;
+
+        /// <summary>
+        /// Opaque surfaces do not fade, if this frame draws far shadows. Before the chain, which reads the light's strength,
+        /// that URP leaves out of the vector beside an empty map.
+        /// </summary>
         internal static void Stop(CommandBuffer commands, in ShadowFrame frame)
         {
             if (!frame.options.DrawsBeyondCascades) return;
             commands.SetGlobalVector(Uniform, new Vector4(frame.receivers.x, frame.receivers.y, 0.0f, 0.0f));
+            if (!frame.fadesToBaked) return;
+            if (!created) mixing = GlobalKeyword.Create(MixingName);
+            created = true;
+            commands.SetKeyword(mixing, true);
         }
 
         /// <summary>What URP has set.</summary>
         internal static void Restore(RasterCommands commands, in ShadowFrame frame)
         {
-            if (frame.options.DrawsBeyondCascades) commands.SetGlobalVector(Uniform, frame.receivers);
+            if (!frame.options.DrawsBeyondCascades) return;
+            commands.SetGlobalVector(Uniform, frame.urpReceivers);
+            if (frame.fadesToBaked) commands.SetKeyword(mixing, false);
         }
 
         /// <summary>
@@ -47,6 +65,19 @@ namespace Penumbra
             if (border < 0.0001f) return new Vector4(light.shadowStrength, soft, 1000.0f, -1000.0f * squared);
             float begin = (1.0f - border) * (1.0f - border) * squared;
             return new Vector4(light.shadowStrength, soft, 1.0f / (squared - begin), -begin / (squared - begin));
+        }
+
+        /// <summary>The vector beside an empty map, as URP 14, 17.0 and 17.5 set it.</summary>
+        internal static Vector4 OfEmptyMap(Light light, bool supportsSoftShadows, float distanceMetres, float border)
+        {
+#if UNITY_6000_5_OR_NEWER
+            // 17.5 passes the distance where its square is expected.
+            return OfUrp(light, supportsSoftShadows, Mathf.Sqrt(distanceMetres), border);
+#elif UNITY_6000_0_OR_NEWER
+            return new Vector4(0.0f, 0.0f, 1.0f, 0.0f);
+#else
+            return new Vector4(1.0f, 0.0f, 1.0f, 0.0f);
+#endif
         }
 
         // ShadowUtils.SoftShadowQualityToShaderProperty

@@ -14,8 +14,17 @@ namespace Penumbra
         internal ShadowUniforms uniforms;
         internal FarFrame far;
 
-        /// <summary>URP's _MainLightShadowParams of this camera: see ReceiverFade.</summary>
+        /// <summary>
+        /// _MainLightShadowParams of this camera: what the light has, and what URP has set. See ReceiverFade.
+        /// </summary>
         internal Vector4 receivers;
+        internal Vector4 urpReceivers;
+
+        /// <summary>Distance Shadowmask: receivers fade to the light's baked shadow.</summary>
+        internal bool fadesToBaked;
+
+        /// <summary>URP has an empty shadow map: see FrameGate.WithoutMap.</summary>
+        internal bool overLit;
 
         /// <summary>An overlay camera, which draws over the image of another camera.</summary>
         internal bool overlay;

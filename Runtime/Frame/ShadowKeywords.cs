@@ -43,7 +43,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Restores what URP's shadow pass has set: one of the two keywords, by the number of cascades.
+        /// Restores what URP's shadow pass has set: one of the two keywords, by the number of cascades; with an empty map the
+        /// one without cascades.
         /// </summary>
         internal void Restore(RasterCommands commands, int cascadeCount)
         {

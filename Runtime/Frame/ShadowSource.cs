@@ -33,8 +33,12 @@ namespace Penumbra
         /// <summary>Towards the main light, world space, of length 1.</summary>
         internal Vector3 towardLight;
 
-        /// <summary>URP's _MainLightShadowParams: see ReceiverFade.</summary>
+        /// <summary>URP's _MainLightShadowParams, with a shadow map and with an empty one: see ReceiverFade.</summary>
         internal Vector4 receivers;
+        internal Vector4 emptyReceivers;
+
+        /// <summary>Distance Shadowmask: receivers fade to the light's baked shadow.</summary>
+        internal bool fadesToBaked;
         internal float distanceMetres;
 
         /// <summary>Something casts a shadow into this camera's cascades.</summary>
@@ -70,15 +74,14 @@ namespace Penumbra
         /// <summary>The shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
         MissingPass,
         CompatibilityMode,
-        UnsupportedDevice,
         MetaQuest,
     }
 
     internal static class FrameGate
     {
         /// <summary>
-        /// URP's own conditions for drawing a main light shadow map, and the feature's settings for kinds of cameras.
-        /// In any other case URP binds an empty map and stale matrices, and its keywords must stay as they are.
+        /// URP's own conditions for main light shadows, and the feature's settings for kinds of cameras. In any other case
+        /// URP's keywords must stay as they are.
         /// </summary>
         internal static SkipReason Reason(in ShadowSource source, PenumbraShadowsSettings settings)
         {
@@ -92,20 +95,17 @@ namespace Penumbra
             if (!source.supported) return SkipReason.ShadowsOff;
             if (source.mainLightIndex < 0) return SkipReason.NoMainLight;
             if (source.lightShadows == LightShadows.None) return SkipReason.LightWithoutShadows;
-            if (!(source.distanceMetres > 0.0f)) return SkipReason.NoShadowDistance;
+            return source.distanceMetres > 0.0f ? SkipReason.None : SkipReason.NoShadowDistance;
+        }
+
+        /// <summary>
+        /// Why URP draws no shadow map, but binds an empty one with stale matrices: nothing casts into the cascades. Only
+        /// what lies beyond them can be drawn then.
+        /// </summary>
+        internal static SkipReason WithoutMap(in ShadowSource source)
+        {
             if (!source.hasCasters) return SkipReason.NoCasters;
             return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
         }
-
-        /// <summary>Shader target 4.5, of SystemInfo.graphicsShaderLevel.</summary>
-        internal const int Level45 = 45;
-
-        /// <summary>
-        /// A device below that level has no program for some filters. Techniques with passes of their own have a
-        /// substitute (ChainSubstitute), which may need the level, too.
-        /// </summary>
-        internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
-            !options.technique.NeedsTarget45() || shaderLevel >= Level45 ||
-            options.HasPasses && !TechniqueTable.Fallbacks[(int)options.technique].NeedsTarget45();
     }
 }

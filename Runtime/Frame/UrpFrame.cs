@@ -58,6 +58,13 @@ namespace Penumbra
             source.towardLight = new Vector3(-forward.x, -forward.y, -forward.z);
             source.receivers = ReceiverFade.OfUrp(light, data.shadowData.supportsSoftShadows, source.distanceMetres,
                                                   data.shadowData.mainLightShadowCascadeBorder);
+            source.emptyReceivers = ReceiverFade.OfEmptyMap(light, data.shadowData.supportsSoftShadows, source.distanceMetres,
+                                                            data.shadowData.mainLightShadowCascadeBorder);
+            LightBakingOutput baked = light.bakingOutput;
+            source.fadesToBaked = data.lightData.supportsMixedLighting &&
+                                  baked.lightmapBakeType == LightmapBakeType.Mixed &&
+                                  baked.mixedLightingMode == MixedLightingMode.Shadowmask &&
+                                  QualitySettings.shadowmaskMode == ShadowmaskMode.DistanceShadowmask;
             source.hasCasters = data.cullResults.GetShadowCasterBounds(source.mainLightIndex, out Bounds _);
             source.hasCascades = source.hasCasters && HasCascades(ref data, source, light.shadowNearPlane);
         }
@@ -80,6 +87,9 @@ namespace Penumbra
             ShadowFrame frame = default;
             frame.options = options;
             frame.receivers = source.receivers;
+            frame.overLit = FrameGate.WithoutMap(source) != SkipReason.None;
+            frame.urpReceivers = frame.overLit ? source.emptyReceivers : source.receivers;
+            frame.fadesToBaked = source.fadesToBaked;
             frame.isProbe = source.cameraType == CameraType.Reflection;
             frame.views = source.views;
             frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);

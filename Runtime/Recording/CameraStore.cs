@@ -96,8 +96,10 @@ namespace Penumbra
             }
             if (buffer != null && buffer.count >= words) return false;
             buffer?.Release();
-            GraphicsBuffer.Target uses = GraphicsBuffer.Target.Structured;
-            if (declared.indirect) uses |= GraphicsBuffer.Target.IndirectArguments;
+            // Direct3D 11 has no structured buffers of arguments: kernels write these as a RWByteAddressBuffer.
+            GraphicsBuffer.Target uses = declared.indirect
+                                             ? GraphicsBuffer.Target.Raw | GraphicsBuffer.Target.IndirectArguments
+                                             : GraphicsBuffer.Target.Structured;
             buffer = new GraphicsBuffer(uses, words, WordBytes);
             return true;
         }

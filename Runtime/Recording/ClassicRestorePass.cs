@@ -23,7 +23,8 @@ namespace Penumbra
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
             {
-                ShadowKeywords.Global.Restore(commands, renderingData.shadowData.mainLightShadowCascadesCount);
+                int cascadeCount = shadows.Frame.overLit ? 1 : renderingData.shadowData.mainLightShadowCascadesCount;
+                ShadowKeywords.Global.Restore(commands, cascadeCount);
                 if (shadows.HasDrawn) ReceiverFade.Restore(commands, shadows.Frame);
             }
             context.ExecuteCommandBuffer(commands);

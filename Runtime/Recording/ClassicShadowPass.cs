@@ -79,11 +79,11 @@ namespace Penumbra
             using (new ProfilingScope(commands, profilingSampler))
             {
                 if (draw.Chain.DrawsObjects) ListCasters(context, ref renderingData);
+                ReceiverFade.Stop(commands, frame);
                 draw.Draw(commands, frame, slots, store.Buffers, casters);
                 store.SetFilled(frame);
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);
-                ReceiverFade.Stop(commands, frame);
             }
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);

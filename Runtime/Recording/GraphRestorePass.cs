@@ -36,8 +36,9 @@ namespace Penumbra
                                                                                        out PassData data,
                                                                                        profilingSampler))
             {
-                data.cascadeCount = frameData.Get<UniversalShadowData>().mainLightShadowCascadesCount;
                 data.frame = shadows.Frame;
+                data.cascadeCount =
+                    data.frame.overLit ? 1 : frameData.Get<UniversalShadowData>().mainLightShadowCascadesCount;
                 builder.SetRenderAttachment(resources.activeColorTexture, 0, AccessFlags.Write);
                 builder.AllowPassCulling(false);
                 builder.AllowGlobalStateModification(true);

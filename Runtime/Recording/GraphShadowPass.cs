@@ -160,10 +160,10 @@ namespace Penumbra
             CommandBuffer commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
             for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
             if (data.draw.Chain.DrawsObjects) TakeLists(data);
+            ReceiverFade.Stop(commands, data.frame);
             data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers, data.casters);
             data.store.SetFilled(data.frame);
             ShadowKeywords.Global.Open(commands);
-            ReceiverFade.Stop(commands, data.frame);
         }
 
         // The graph creates the lists of these handles just before the pass.

@@ -12,6 +12,9 @@ namespace Penumbra
 
         /// <summary>A kernel of a compute shader.</summary>
         Compute,
+
+        /// <summary>Fills its target with 1, without a program. Of no manifest.</summary>
+        Lit,
     }
 
     /// <summary>How often a pass runs, from seldom to often.</summary>

@@ -55,8 +55,8 @@ class Flagship : public testing::TestWithParam<bool> {
     return technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
   }
 
-  // The flagship's kernels with other numbers of windows.
-  static GraphRunner with_windows_of(const std::string& sample) {
+  // The flagship's kernels with other numbers of windows, or of groups along an axis.
+  static GraphRunner with_macros_of(const std::string& sample) {
     ShadowGraph graph = flagship();
     for (techniques::GraphPass& pass : graph.graph.passes) pass.file = sample_file(sample);
     return GraphRunner(test_device(), compile(graph));
@@ -211,7 +211,7 @@ TEST_P(Flagship, DrawsTheSamePictureAgain) {
 // Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
 // change, and little, since what they share with their neighbours changes.
 TEST_P(Flagship, ReadsNoTexelOfOtherCascadesWhereWindowsTakeAll) {
-  GraphRunner chain = with_windows_of("MoreWindows.compute");
+  GraphRunner chain = with_macros_of("MoreWindows.compute");
   // 528: of 2 x 8 x 33 texels, so that cells of 16 and more texels could hold texels of two tiles.
   for (const auto& [map_size, degrees] : {std::pair(0, 2.0), {528, 8.0}}) {
     const scene::Frame frame =
@@ -226,17 +226,24 @@ TEST_P(Flagship, ReadsNoTexelOfOtherCascadesWhereWindowsTakeAll) {
 TEST_P(Flagship, ReadsNoTexelOfOtherCascades) {
   const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
   GraphRunner alone = computed_alone();
-  GraphRunner shared = with_windows_of("MoreWindows.compute");
+  GraphRunner shared = with_macros_of("MoreWindows.compute");
   GraphRunner& flagship = chain("flagship");
   expect_little(changes_by_cascade(
       flagship, frame, {picture_of(flagship, frame), picture_of(alone, frame), picture_of(shared, frame)}));
+}
+
+// No API runs more than 65,535 groups along an axis, and a screen may have more tiles.
+TEST_P(Flagship, ListsGoOnAlongTheNextAxis) {
+  const scene::Frame frame = under_disc(drawn("street", kCascades, GetParam()), 2.0);
+  GraphRunner few_across = with_macros_of("FewGroupsAcross.compute");
+  EXPECT_EQ(picture_of(few_across, frame), picture_of(chain("flagship"), frame));
 }
 
 // What no window takes, the threads of a part filter as one thread does: of all pixels that are not decided.
 TEST_P(Flagship, FiltersAloneWhatNoWindowTakes) {
   for (const int cascades : {1, 4}) {
     const scene::Frame frame = under_disc(drawn("street", cascades, GetParam()), 2.0);
-    GraphRunner without_windows = with_windows_of("NoWindows.compute");
+    GraphRunner without_windows = with_macros_of("NoWindows.compute");
     GraphRunner one_by_one = computed_alone();
     const std::vector<float> classified = picture_of(chain("flagship", true), frame);
     const std::vector<float> by_parts = picture_of(without_windows, frame);

@@ -101,6 +101,9 @@ namespace Penumbra.Tests
             return asked.Union(Asked(instead));
         }
 
+        // In the place of PCSS below shader target 4.5.
+        private const string Tent = "Resolve _PENUMBRA_TENT_7X7";
+
         private static readonly string[] FlagshipKernels =
         {
             "kernel FirstLevels", "kernel NextLevel", "kernel ResetTiles", "kernel ClassifyTiles", "kernel ResolveTiles",
@@ -111,12 +114,13 @@ namespace Penumbra.Tests
         [Test]
         public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
         {
-            string[] filter = { "Resolve _PENUMBRA_PCSS" };
+            string[] filter = { Tent, "Resolve _PENUMBRA_PCSS" };
             string[] masked =
             {
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
+                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent, "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
             };
-            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Append("Upsample _PENUMBRA_PCSS").Concat(FlagshipKernels)));
+            string[] half = { "Upsample _PENUMBRA_TENT_7X7", "Upsample _PENUMBRA_PCSS" };
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(half).Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(FlagshipKernels)));
@@ -131,7 +135,7 @@ namespace Penumbra.Tests
             tent.custom.mask = false;
             var features = new[] { tent, new PenumbraShadowsSettings { preset = QualityPreset.Reference } };
             Assert.That(Kept(ChainPrograms.Of(features, NoVolumes)),
-                        Is.EquivalentTo(new[] { "Resolve", "Resolve _PENUMBRA_PCSS" }));
+                        Is.EquivalentTo(new[] { "Resolve", "Resolve _PENUMBRA_PCSS", Tent }));
         }
 
         [Test]
@@ -180,7 +184,7 @@ namespace Penumbra.Tests
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
             {
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
-                "Resolve _PENUMBRA_PCSS", "Upsample _PENUMBRA_PCSS",
+                "Resolve _PENUMBRA_PCSS", "Upsample _PENUMBRA_PCSS", Tent, "Upsample _PENUMBRA_TENT_7X7",
             }.Concat(FlagshipKernels)));
             ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
             met.halfResolution = true;
@@ -197,13 +201,13 @@ namespace Penumbra.Tests
             });
             string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
             Assert.That(Kept(Of(QualityPreset.Reference, volume)),
-                        Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS")));
+                        Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS").Append(Tent)));
         }
 
         [Test]
         public void ContactShadowsAreKeptWhereAFeatureOrAVolumeHasThem()
         {
-            string[] alone = { "Resolve _PENUMBRA_PCSS" };
+            string[] alone = { "Resolve _PENUMBRA_PCSS", Tent };
             var settings = new PenumbraShadowsSettings { preset = QualityPreset.Reference };
             Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)), Is.EquivalentTo(alone));
             PenumbraShadowsVolume volume = Volume(one => Override(one.contactShadowMetres, 0.25f));
@@ -254,16 +258,16 @@ namespace Penumbra.Tests
             options.conservativeMask = true;
             Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
             {
-                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
+"QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
                 "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical",
+                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent,
             }));
         }
 
         [Test]
         public void ExitsAreKeptWhereAFeatureOrAVolumeHasThem()
         {
-            string[] without = { "Resolve _PENUMBRA_PCSS" };
+            string[] without = { "Resolve _PENUMBRA_PCSS", Tent };
             string[] with = without.Concat(new[]
             {
                 "QuarterDepthPlanes", "DepthPlanesMip", "Resolve _PENUMBRA_PCSS _PENUMBRA_EXITS",

@@ -13,7 +13,8 @@ namespace Penumbra.Tests
         };
 
         private static SkipReason Reason(ShadowSource source) =>
-            FrameGate.Reason(source, new PenumbraShadowsSettings());
+            FrameGate.Reason(source, new PenumbraShadowsSettings()) is var reason && reason != SkipReason.None
+                ? reason : FrameGate.WithoutMap(source);
 
         private delegate void Change(ref ShadowSource source);
 

@@ -116,7 +116,7 @@ namespace Penumbra.Tests
             Assert.That(draws.Select(draw => draw.Pass + ": " + draw.Groups), Is.EqualTo(new[]
             {
                 "Mark: 11 6 1", "Collect: 1 1 1", "Sum: 5 3 1", "clear: ",
-                "Shade: as Structured, IndirectArguments of 3 x 4 at 0",
+                "Shade: as Raw, IndirectArguments of 3 x 4 at 0",
             }));
             Assert.That(Vector(draws[0], "_PenumbraTargetSize"), Is.EqualTo(Size(41.0f, 23.0f)));
             Assert.That(Vector(draws[2], "_PenumbraTargetSize"), Is.EqualTo(Size(20.0f, 11.0f)));
@@ -134,7 +134,7 @@ namespace Penumbra.Tests
             Assert.That(draws.Select(draw => draw.Pass + ": " + draw.Groups), Is.EqualTo(new[]
             {
                 "Mark: 11 6 1", "Collect: 1 1 1", "Sum: 5 3 1", "Fill: 41 23 1",
-                "Shade: as Structured, IndirectArguments of 3 x 4 at 0",
+                "Shade: as Raw, IndirectArguments of 3 x 4 at 0",
             }));
             Assert.That(draws[3].Textures["_Visibility"], Is.EqualTo("_ScreenSpaceShadowmapTexture mip 0"));
             Assert.That(draws[4].Textures["_Visibility"], Is.EqualTo("_ScreenSpaceShadowmapTexture mip 0"));
@@ -153,7 +153,7 @@ namespace Penumbra.Tests
             Assert.That(urp.Device.Copies.Single(),
                         Is.EqualTo(shade.Textures["_Halves"] + " slice 0 mip 0 0 0 41x23 to " + sum.Textures["_Before"] +
                                    " slice 0 mip 0 0 0"));
-            Assert.That(collect.Textures["_Groups"], Is.EqualTo("Structured, IndirectArguments of 3 x 4"));
+            Assert.That(collect.Textures["_Groups"], Is.EqualTo("Raw, IndirectArguments of 3 x 4"));
             Assert.That((collect.Textures["_List"], shade.Textures["_List"]), Is.EqualTo((list, list)));
             Assert.That(shade.Textures["_Visibility"], Is.EqualTo("_ScreenSpaceShadowmapTexture mip 0"));
             Assert.That(urp.Device.Textures["_ScreenSpaceShadowmapTexture"], Is.EqualTo("_ScreenSpaceShadowmapTexture"));

@@ -479,20 +479,49 @@ namespace Penumbra.Tests
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
         }
 
-        [TestCase(ShadowTechnique.Tent5x5, 35, SkipReason.None)]
-        [TestCase(ShadowTechnique.Pcss, 35, SkipReason.UnsupportedDevice)]
-        [TestCase(ShadowTechnique.Pcss, 45, SkipReason.None)]
-        public void ADeviceWithoutTheTechniquesProgramsIsLeftToUrp(ShadowTechnique technique, int level, object reason)
+        /// <summary>OpenGL ES 3.0 and WebGL 2: of the default setting down to the tent that needs neither kernels nor gathers.</summary>
+        [Test]
+        public void ADeviceWithoutTheTechniquesProgramsHasATent(
+            [Values] QualityPreset preset, [Values(ShadowTechnique.Flagship, ShadowTechnique.Pcss)] ShadowTechnique technique,
+            [Values] bool clouds)
         {
-            SystemInfo.graphicsShaderLevel = level;
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+            SystemInfo.graphicsShaderLevel = 35;
+            SystemInfo.supportsComputeShaders = false;
+            ShadowOptions options = ShadowPresets.Options(preset);
             options.technique = technique;
+            feature.Settings.farShadows.clouds = clouds;
             Use(options);
             FrameKeywords keywords = urp.Render(new FakeScene(), feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(reason));
-            Assert.That(keywords.AtOpaques, Is.EqualTo((SkipReason)reason == SkipReason.None
-                                                           ? ShadowKeywords.ScreenName
-                                                           : ShadowKeywords.CascadesName));
+            SystemInfo.supportsComputeShaders = true;
+            Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
+            Assert.That(feature.Replaced, Is.Not.Null);
+            FakeDevice.DrawCall[] filters = urp.Device.Draws.Where(draw => draw.Pass == "Resolve" || draw.Pass == "Upsample").ToArray();
+            Assert.That(filters, Is.Not.Empty);
+            foreach (FakeDevice.DrawCall draw in filters)
+                Assert.That(draw.Keywords.Intersect(FakeShader.KeywordsOfTarget45()), Is.Empty, draw.Pass);
+        }
+
+#if UNITY_6000_0_OR_NEWER
+        [Test]
+        public void WebGpuCountsAsOpenGl()
+        {
+            SystemInfo.Device = GraphicsDeviceType.WebGPU;
+            Assert.That(DeviceLimits.IsOpenGl);
+            ExpectNoExits(ShadowTechnique.Tent7x7, "OpenGL does not define");
+        }
+#endif
+
+        /// <summary>A draw that the editor skips leaves its target with the content of another frame.</summary>
+        [Test]
+        public void TheEditorCompilesBeforeItDraws()
+        {
+            feature.Settings.preset = QualityPreset.High;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Draws, Is.Not.Empty);
+            Assert.That(urp.Device.Draws.Select(draw => draw.CompilesAsynchronously), Is.All.False);
+            Assert.That(urp.Device.CompilesAsynchronously, "as before, for others");
         }
 
         private sealed class FakeRendererWithRoom : ScriptableRenderer

@@ -39,9 +39,18 @@ namespace Penumbra.Tests
         internal Matrix4x4 Projection = Perspective(0.1f);
 
         /// <summary>URP draws a shadow map.</summary>
-        internal bool UrpDraws => Supported && MainLight && Shadows != LightShadows.None && Distance > 0.0f &&
-                                  Casters && !SceneLightingOff &&
-                                  (CascadeWithoutView < 0 || CascadeWithoutView >= Cascades);
+        internal bool UrpDraws => HasShadows && HasMap;
+
+        /// <summary>It binds an empty one.</summary>
+        internal bool UrpHasNothingToDraw => HasShadows && !HasMap;
+
+        private bool HasShadows => Supported && MainLight && Shadows != LightShadows.None && Distance > 0.0f && !SceneLightingOff;
+
+        private bool HasMap => Casters && (CascadeWithoutView < 0 || CascadeWithoutView >= Cascades);
+
+        /// <summary>Of the main light; the asset supports mixed lighting.</summary>
+        internal LightBakingOutput Baking;
+        internal bool MixedLighting = true;
 
         private Camera camera;
 
@@ -66,7 +75,7 @@ namespace Penumbra.Tests
         internal VisibleLight[] Lights()
         {
             if (!MainLight) return new VisibleLight[0];
-            var light = new Light { shadows = Shadows, shadowStrength = 0.75f };
+            var light = new Light { shadows = Shadows, shadowStrength = 0.75f, bakingOutput = Baking };
             light.transform.forward = Forward;
             return new[] { new VisibleLight { Source = light } };
         }

@@ -26,6 +26,9 @@ namespace Penumbra.Tests
             RenderPipelineManager.BeginCamera(context, camera);
             Device.SetKeyword(ShadowKeywords.MapName, false);  // ScriptableRenderer.ClearRenderingState
             Device.SetKeyword(ShadowKeywords.CascadesName, false);
+            Device.SetKeyword(ReceiverFade.MixingName, false);
+            if (scene.UrpHasNothingToDraw && scene.Camera != CameraType.Preview)
+                Device.SetKeyword(ShadowKeywords.MapName, true);
             if (scene.UrpDraws && scene.Camera != CameraType.Preview)  // MainLightShadowCasterPass
             {
                 Device.SetKeyword(ShadowKeywords.MapName, scene.Cascades == 1);

@@ -325,6 +325,59 @@ namespace Penumbra.Tests
             Assert.That(Draw("FarShadows").Textures["_PenumbraSourceTexture"], Is.EqualTo(Draw("ScreenTrace").Target));
         }
 
+        /// <summary>As for a camera that is farther from the ground than the shadow distance.</summary>
+        [TestCase(false, -1)]
+        [TestCase(true, 1)]
+        public void WhereNothingCastsIntoTheCascadesTheyAreDrawnOverALitScreen(bool casters, int cascadeWithoutView)
+        {
+            Ground(Baked);
+            scene.Casters = casters;
+            scene.CascadeWithoutView = cascadeWithoutView;
+            string ofUrp = new FakeUrp().Render(scene).AtTransparents;
+            Assert.That(Render(), Is.Empty);
+            Assert.That(feature.LastSkip,
+                        Is.EqualTo(SkipReason.NoCasters).Or.EqualTo(SkipReason.InvalidCascade));
+
+            feature.Settings.contactShadowMetres = 0.5f;
+            feature.Settings.preset = QualityPreset.High;
+            feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
+            feature.Settings.farShadows.clouds = true;
+            Assert.That(Render(), Is.EqualTo(new[] { "clear", "CloudMap", "FarShadows" }));
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
+            FakeDevice.DrawCall lit = Draw("clear"), far = Draw("FarShadows");
+            Assert.That(lit.Cleared.r, Is.EqualTo(1.0f));
+            Assert.That(far.Textures["_PenumbraSourceTexture"], Is.EqualTo(lit.Target));
+            Assert.That(Vector(far, "_MainLightShadowParams").x, Is.EqualTo(0.75f), "the light's strength");
+            Assert.That(far.Keywords, Has.Member("_PENUMBRA_FAR_HEIGHTS").And.Member("_PENUMBRA_CLOUDS"));
+            Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName));
+            Assert.That(Fade(keywords.ReceiversAtOpaques.Value, 1e4), Is.Zero);
+            Assert.That(keywords.AtTransparents, Is.EqualTo(ofUrp));
+            Assert.That(Fade((Vector4)urp.Device.Uniforms["_MainLightShadowParams"], 1e4), Is.EqualTo(1.0), "as beside URP's empty map");
+
+            feature.Settings.farShadows.mode = FarShadowMode.Off;
+            feature.Settings.farShadows.clouds = false;
+            Assert.That(Render(), Is.Empty, "URP's own");
+        }
+
+        [TestCase(ShadowmaskMode.DistanceShadowmask, MixedLightingMode.Shadowmask, LightmapBakeType.Mixed, true, true, true)]
+        [TestCase(ShadowmaskMode.DistanceShadowmask, MixedLightingMode.Shadowmask, LightmapBakeType.Mixed, true, false, false)]
+        [TestCase(ShadowmaskMode.DistanceShadowmask, MixedLightingMode.Shadowmask, LightmapBakeType.Mixed, false, true, false)]
+        [TestCase(ShadowmaskMode.Shadowmask, MixedLightingMode.Shadowmask, LightmapBakeType.Mixed, true, true, false)]
+        [TestCase(ShadowmaskMode.DistanceShadowmask, MixedLightingMode.IndirectOnly, LightmapBakeType.Mixed, true, true, false)]
+        [TestCase(ShadowmaskMode.DistanceShadowmask, MixedLightingMode.Shadowmask, LightmapBakeType.Realtime, true, true, false)]
+        public void DistanceShadowmaskKeepsItsBakedPart(ShadowmaskMode mode, MixedLightingMode mixed, LightmapBakeType type,
+                                                        bool supported, bool clouds, bool keeps)
+        {
+            QualitySettings.shadowmaskMode = mode;
+            scene.Baking = new LightBakingOutput { lightmapBakeType = type, mixedLightingMode = mixed };
+            scene.MixedLighting = supported;
+            feature.Settings.farShadows.clouds = clouds;
+            Render();
+            QualitySettings.shadowmaskMode = ShadowmaskMode.Shadowmask;
+            Assert.That(keywords.AtOpaques.Split(' ').Contains("LIGHTMAP_SHADOW_MIXING"), Is.EqualTo(keeps));
+            Assert.That(keywords.AtTransparents, Does.Not.Contain("LIGHTMAP_SHADOW_MIXING"));
+        }
+
         /// <summary>A Volume's preset is one of the filter alone.</summary>
         [Test]
         public void AVolumesPresetKeepsThem()

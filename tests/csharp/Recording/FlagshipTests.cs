@@ -185,7 +185,7 @@ namespace Penumbra.Tests
             FakeDevice.DrawCall resolve = Calls(kernel).Single();
             FakeDevice.DrawCall classify = urp.Device.Draws.Single(draw => draw.Pass == lister);
             Assert.That(resolve.Groups, Is.EqualTo("as " + classify.Textures[list + "Groups"] + " at 0"));
-            Assert.That(resolve.Groups, Does.Contain("IndirectArguments"));
+            Assert.That(resolve.Groups, Does.Contain("Raw, IndirectArguments"));
             Assert.That(resolve.Textures[list + "List"], Is.EqualTo(classify.Textures[list + "List"]));
             Assert.That(resolve.Textures["_PenumbraVisibility"], Is.EqualTo(classify.Textures["_PenumbraVisibility"]));
             Assert.That(resolve.Textures["_PenumbraVisibility"],

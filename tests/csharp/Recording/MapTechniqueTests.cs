@@ -308,12 +308,40 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void BelowTarget45NeitherTheFlagshipNorPcssIsDrawn()
+        public void BelowTarget45NeitherTheFlagshipNorPcssIsDrawnButATent()
         {
             SystemInfo.graphicsShaderLevel = 35;
             feature.Settings.custom.technique = ShadowTechnique.Flagship;
             urp.Render(scene, feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.UnsupportedDevice));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
+            Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
+        }
+
+        /// <summary>As while a file is edited.</summary>
+        [Test]
+        public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
+        {
+            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            ComputeShader.Kernel[] kernels = FakeShader.Flagship.Kernels.ToArray();
+            FakeShader.Flagship.Kernels.Clear();
+            urp.Render(scene, feature);
+            Assert.That(feature.Replaced, Does.Contain("does not compile"));
+            FakeShader.Flagship.Kernels.AddRange(kernels);
+            Import("Assets/Lake.png");
+            urp.Render(scene, feature);
+            Assert.That(feature.Replaced, Is.Not.Null, "no shader");
+            Import("Packages/com.penumbra.shadows/Shaders/PenumbraFlagship.compute");
+            urp.Render(scene, feature);
+            Assert.That(feature.Replaced, Is.Null);
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Flagship));
+        }
+
+        // By the name and parameters with which Unity looks for it.
+        private static void Import(string path)
+        {
+            System.Reflection.MethodInfo imported = typeof(Penumbra.Editor.ShaderImports).GetMethod(
+                "OnPostprocessAllAssets", System.Reflection.BindingFlags.Static | System.Reflection.BindingFlags.NonPublic);
+            imported.Invoke(null, new object[] { new[] { path }, new string[0], new string[0], new string[0] });
         }
 
         [TestCaseSource(nameof(WithResolve))]

@@ -34,6 +34,26 @@ namespace Penumbra.Tests
             Assert.That(kept.Of(Reduction), Is.SameAs(shader));
         }
 
+        /// <summary>A copy brings the .meta files along, and with them the GUIDs.</summary>
+        [Test]
+        public void APackageThatWasCopiedIntoAssetsIsFound()
+        {
+            string meta = System.IO.Path.Combine(FakeShader.PackageRoot(), "Shaders.meta");
+            Assert.That(System.IO.File.ReadAllText(meta), Does.Contain("guid: " + PassAssets.FolderGuid));
+            string installed = AssetDatabase.Guids[PassAssets.FolderGuid];
+            AssetDatabase.Guids[PassAssets.FolderGuid] = "Assets/Third Party/Penumbra/Shaders";
+            var shader = new ComputeShader();
+            AssetDatabase.Assets["Assets/Third Party/Penumbra/" + Reduction] = shader;
+            var kept = new PassAssets();
+            bool found = kept.Find(Graphs);
+            AssetDatabase.Guids.Remove(PassAssets.FolderGuid);
+            bool withoutIt = new PassAssets().Find(Graphs);
+            AssetDatabase.Guids[PassAssets.FolderGuid] = installed;
+            Assert.That(found);
+            Assert.That(kept.Of(Reduction), Is.SameAs(shader));
+            Assert.That(withoutIt, Is.False);
+        }
+
         [Test]
         public void AnAssetThatWentIsFoundAgain()
         {

@@ -31,9 +31,12 @@ namespace Penumbra.Tests
         private static string Text(string pass, IEnumerable<string> keywords) =>
             string.Join(" ", keywords.OrderBy(name => name, StringComparer.Ordinal).Prepend(pass));
 
-        private static List<ShaderCompilerData> Data(IEnumerable<HashSet<string>> sets) =>
-            sets.Select(set => new ShaderCompilerData { shaderKeywordSet = new ShaderKeywordSet { Enabled = set } })
-                .ToList();
+        private static List<ShaderCompilerData> Data(IEnumerable<HashSet<string>> sets,
+                                                     ShaderCompilerPlatform platform = ShaderCompilerPlatform.Vulkan) =>
+            sets.Select(set => new ShaderCompilerData
+            {
+                shaderKeywordSet = new ShaderKeywordSet { Enabled = set }, shaderCompilerPlatform = platform,
+            }).ToList();
 
         private (Shader shader, Dictionary<string, List<HashSet<string>>> variants)[] Shaders() => new[]
         {
@@ -67,30 +70,37 @@ namespace Penumbra.Tests
             foreach ((Shader one, Dictionary<string, List<HashSet<string>>> variants) in Shaders())
                 kept.AddRange(Kept(programs, one, variants));
             foreach (ComputeShader one in new[] { FakeShader.Sums, FakeShader.Flagship })
-                kept.AddRange(one.Kernels.Select(kernel => kernel.Name).Where(kernel => KeepsKernel(programs, one, kernel))
-                                  .Select(Kernel));
+                foreach (ComputeShader.Kernel kernel in one.Kernels)
+                    kept.AddRange(KeptOfKernel(programs, one, kernel.Name, bothEyes: false));
             return kept.ToArray();
         }
 
-        private static bool KeepsKernel(ChainPrograms programs, ComputeShader shader, string kernel)
+        private static IEnumerable<string> KeptOfKernel(ChainPrograms programs, ComputeShader shader, string kernel, bool bothEyes,
+                                                        ShaderCompilerPlatform platform = ShaderCompilerPlatform.Vulkan)
         {
-            List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
-            ChainKernelStripper.Strip(programs, ChainShaderStripper.AssetOf((UnityEngine.Object)shader), kernel, data);
-            return data.Count > 0;
+            // Each of its keywords is in a line of its own.
+            IEnumerable<HashSet<string>> sets = Enumerable.Range(0, 1 << shader.KeywordNames.Count).Select(
+                bits => shader.KeywordNames.Where((name, at) => (bits >> at & 1) != 0).ToHashSet());
+            List<ShaderCompilerData> data = Data(sets, platform);
+            ChainKernelStripper.Strip(programs, shader, ChainShaderStripper.AssetOf((UnityEngine.Object)shader), kernel, data,
+                                      bothEyes);
+            return data.Select(variant => Text(Kernel(kernel), variant.shaderKeywordSet.Enabled));
         }
 
-        // Kernels have no variants, and may have the name of a pass.
+        // A kernel may have the name of a pass.
         private static string Kernel(string name) => "kernel " + name;
 
         // Of a draw's keywords its pass minds those that it declares.
         private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
         {
-            if (draw.Groups != null) return Kernel(draw.Pass);
+            if (draw.Groups != null)
+                return Text(Kernel(draw.Pass), FakeShader.Flagship.Kernels.Any(kernel => kernel.Name == draw.Pass)
+                                                   ? draw.Keywords.Intersect(FakeShader.Flagship.KeywordNames) : new string[0]);
             IEnumerable<string> declared = variants[draw.Pass].SelectMany(set => set);
             return Text(draw.Pass, draw.Keywords.Intersect(declared));
         }
 
-        // On devices that can make the conservative mask and run kernels, and on others.
+        // On devices that can make the conservative mask, run kernels and gather, and on others.
         private string[] Drawn(PenumbraShadowsSettings settings)
         {
             IEnumerable<string> drawn = DrawnHere(settings);
@@ -100,6 +110,9 @@ namespace Penumbra.Tests
             SystemInfo.supportsComputeShaders = false;
             drawn = drawn.Union(DrawnAnew(settings));
             SystemInfo.supportsComputeShaders = true;
+            SystemInfo.graphicsShaderLevel = 35;
+            drawn = drawn.Union(DrawnAnew(settings));
+            SystemInfo.graphicsShaderLevel = 50;
             TearDown();
             SetUp();
             return drawn.ToArray();
@@ -202,6 +215,35 @@ namespace Penumbra.Tests
             }
         }
 
+        private static ChainPrograms Programs(QualityPreset preset) =>
+            ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = preset } }, new PenumbraShadowsVolume[0]);
+
+        private static readonly object[] WithoutKernels =
+        {
+            ShaderCompilerPlatform.GLES3x, ShaderCompilerPlatform.OpenGLCore,
+#if UNITY_6000_0_OR_NEWER
+            ShaderCompilerPlatform.WebGPU,
+#endif
+        };
+
+        [TestCaseSource(nameof(WithoutKernels))]
+        public void ApisOnWhichNoKernelRunsHaveNone(object platform) =>
+            Assert.That(KeptOfKernel(Programs(QualityPreset.Ultra), FakeShader.Flagship, "ResolveRest", true,
+                                     (ShaderCompilerPlatform)platform), Is.Empty);
+
+        [Test]
+        public void KernelsForBothEyesAreKeptBesideThoseForOneInAProjectWithXr()
+        {
+            const string rest = "kernel ResolveRest", half = " _PENUMBRA_HALF_RESOLUTION", eyes = " _PENUMBRA_BOTH_EYES";
+            string[] Kept(QualityPreset preset, bool xr) =>
+                KeptOfKernel(Programs(preset), FakeShader.Flagship, "ResolveRest", xr).ToArray();
+            Assert.That(Kept(QualityPreset.Ultra, false), Is.EqualTo(new[] { rest }));
+            Assert.That(Kept(QualityPreset.Ultra, true), Is.EquivalentTo(new[] { rest, rest + eyes }));
+            Assert.That(Kept(QualityPreset.Low, false), Is.EqualTo(new[] { rest + half }));
+            Assert.That(Kept(QualityPreset.Low, true), Is.EquivalentTo(new[] { rest + half, rest + eyes + half }));
+            Assert.That(Kept(QualityPreset.Reference, true), Is.Empty);
+        }
+
         /// <summary>The feature's asset refers to the compute shaders of all techniques.</summary>
         [Test]
         public void KernelsOfOthersAreLeftAloneAndThoseOfNoTechniqueGo()
@@ -223,7 +265,11 @@ namespace Penumbra.Tests
                 set => new[] { set, new HashSet<string>(set.Append("STEREO_INSTANCING_ON")) }));
             Strip(low, shader, "Resolve", data);
             Assert.That(data.Select(variant => Text("Resolve", variant.shaderKeywordSet.Enabled)),
-                        Is.EqualTo(new[] { "Resolve _PENUMBRA_PCSS", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS" }));
+                        Is.EqualTo(new[]
+                        {
+                            "Resolve _PENUMBRA_TENT_7X7", "Resolve STEREO_INSTANCING_ON _PENUMBRA_TENT_7X7",
+                            "Resolve _PENUMBRA_PCSS", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS",
+                        }));
         }
 
         [Test]

@@ -6,23 +6,45 @@
 #include "techniques/preset_emit.h"
 
 namespace penumbra::techniques {
+namespace {
+
+// The filter in the place of these keywords' below shader target 4.5; null if that runs there itself.
+const Selection* instead_of_target_45(const TechniqueList& list, const std::vector<std::string>& keywords) {
+  for (const Selection& filter : list.selections) {
+    const bool is_selected = std::find(keywords.begin(), keywords.end(), filter.keyword) != keywords.end();
+    if (!is_selected || !filter.needs_target_45) continue;
+    for (const Selection& other : list.selections)
+      if (other.name == filter.fallback) return &other;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 std::vector<PresetProgram> programs_of(const TechniqueList& list, const Technique& preset,
                                        const shaders::PackageShader& shader) {
   std::vector<PresetProgram> programs;
   const std::vector<std::string> passes = shader.pass_names();
-  const auto add = [&](const Technique& technique) {
+  const auto add = [&](const std::string& pass, const std::vector<std::string>& keywords) {
+    const PresetProgram program{pass, shader.declared(pass, keywords)};
+    if (std::find(programs.begin(), programs.end(), program) == programs.end()) programs.push_back(program);
+  };
+  const auto add_passes = [&](const Technique& technique) {
+    const std::vector<std::string> keywords = technique.all_keywords();
+    const Selection* tent = instead_of_target_45(list, keywords);
     for (const GraphPass& pass : technique.graph.passes) {
       if (pass.kind == PassKind::compute ||
           std::find(passes.begin(), passes.end(), pass.program) == passes.end())
         continue;
-      const PresetProgram program{pass.program, shader.declared(pass.program, technique.all_keywords())};
-      if (std::find(programs.begin(), programs.end(), program) == programs.end()) programs.push_back(program);
+      add(pass.program, keywords);
+      // It has no mask.
+      if (tent != nullptr && !shader.declared(pass.program, {tent->keyword}).empty())
+        add(pass.program, {tent->keyword});
     }
   };
-  add(preset);
+  add_passes(preset);
   for (const PresetChoice& choice : list.presets)
-    if (choice.preset == preset.name) add(list.find(choice.fallback));
+    if (choice.preset == preset.name) add_passes(list.find(choice.fallback));
   return programs;
 }
 

@@ -39,9 +39,11 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 constexpr const char* raw_depth_rule = R"(
 // These filters, or the passes before them, read raw depths from a texture that has a comparison sampler. That is
 // undefined in OpenGL, OpenGL ES and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used
-// instead. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
+// instead; on WebGPU too, where no frame was seen yet. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without
+// comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
-    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
+     defined(SHADER_API_WEBGPU))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 

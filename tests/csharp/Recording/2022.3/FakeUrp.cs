@@ -23,6 +23,7 @@ namespace Penumbra.Tests
             data.cameraData.Projections = scene.Projections();
             data.cameraData.SetXr(new XRPass { Views = scene.Views });
             data.lightData.mainLightIndex = scene.MainLight ? 0 : -1;
+            data.lightData.supportsMixedLighting = scene.MixedLighting;
             data.lightData.visibleLights = new NativeArray<VisibleLight> { Items = scene.Lights() };
             data.shadowData.supportsMainLightShadows = scene.Supported;
             data.shadowData.mainLightShadowmapWidth = 2048;

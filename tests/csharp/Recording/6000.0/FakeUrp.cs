@@ -21,7 +21,7 @@ namespace Penumbra.Tests
                 new UniversalRenderingData { cullResults = scene.Cull() };
             frame.Items[typeof(UniversalLightData)] = new UniversalLightData
             {
-                mainLightIndex = scene.MainLight ? 0 : -1,
+                mainLightIndex = scene.MainLight ? 0 : -1, supportsMixedLighting = scene.MixedLighting,
                 visibleLights = new NativeArray<VisibleLight> { Items = scene.Lights() },
             };
             frame.Items[typeof(UniversalShadowData)] = new UniversalShadowData

@@ -20,6 +20,9 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum GraphicsDeviceType { OpenGLES3 = 11, OpenGLCore = 17, Vulkan = 21 }
+
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute

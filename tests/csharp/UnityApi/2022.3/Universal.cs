@@ -23,6 +23,7 @@ namespace UnityEngine.Rendering.Universal
     public struct LightData
     {
         public int mainLightIndex;
+        public bool supportsMixedLighting;
         public NativeArray<VisibleLight> visibleLights;
     }
 

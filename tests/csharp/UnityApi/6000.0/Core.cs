@@ -23,6 +23,9 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum GraphicsDeviceType { OpenGLES3 = 11, OpenGLCore = 17, Vulkan = 21, WebGPU = 28 }
+
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/SupportedOnRenderPipeline.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class SupportedOnRenderPipelineAttribute : Attribute

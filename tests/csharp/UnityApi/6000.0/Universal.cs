@@ -40,6 +40,7 @@ namespace UnityEngine.Rendering.Universal
         [OwnBehaviour] public ContextContainer Frame;
 
         public ref int mainLightIndex => ref Frame.Get<UniversalLightData>().mainLightIndex;
+        public ref bool supportsMixedLighting => ref Frame.Get<UniversalLightData>().supportsMixedLighting;
         public ref NativeArray<VisibleLight> visibleLights => ref Frame.Get<UniversalLightData>().visibleLights;
     }
 
@@ -90,6 +91,7 @@ namespace UnityEngine.Rendering.Universal
     public class UniversalLightData : ContextItem
     {
         public int mainLightIndex;
+        public bool supportsMixedLighting;
         public NativeArray<VisibleLight> visibleLights;
 
         public override void Reset() { }

@@ -49,7 +49,7 @@ namespace UnityEngine.Rendering
         {
             if (CommandBuffer.Silent) return;
             Recorded.Target(cmd, buffer.What, miplevel, depthSlice, loadAction);
-            if (clearFlag != ClearFlag.None) Recorded.Clear(cmd);
+            if (clearFlag != ClearFlag.None) Recorded.Clear(cmd, clearColor);
         }
     }
 

@@ -148,7 +148,14 @@ namespace UnityEditor
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
-        public static string GUIDToAssetPath(string guid) => "";
+        /// <summary>At first the package's folder of shaders, where the package manager puts it.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, string> Guids { get; } =
+            new System.Collections.Generic.Dictionary<string, string>
+            {
+                { "d547e543300383e817b83b7a554c305a", "Packages/com.penumbra.shadows/Shaders" },
+            };
+
+        public static string GUIDToAssetPath(string guid) => Guids.TryGetValue(guid, out string path) ? path : "";
         public static string[] GetAllAssetPaths() => new string[0];
         public static void ImportAsset(string path) { }
         public static bool CopyAsset(string path, string newPath) => false;
@@ -157,6 +164,54 @@ namespace UnityEditor
         [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
         [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
         public static string[] FindAssets(string filter) => new string[0];
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPostprocessor.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPostprocessor.cs")]
+    public partial class AssetPostprocessor
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    public struct ShaderMessage
+    {
+        public ShaderMessage(string msg, Rendering.ShaderCompilerMessageSeverity sev = Rendering.ShaderCompilerMessageSeverity.Error)
+        {
+            message = msg;
+            severity = sev;
+            file = "";
+            line = 0;
+            platform = Rendering.ShaderCompilerPlatform.None;
+        }
+
+        public string message { get; }
+        public string file { get; [OwnBehaviour] set; }
+        public int line { get; [OwnBehaviour] set; }
+        public Rendering.ShaderCompilerPlatform platform { get; [OwnBehaviour] set; }
+        public Rendering.ShaderCompilerMessageSeverity severity { get; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    public sealed partial class ShaderUtil
+    {
+        /// <summary>Of the compiler, by shader.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, ShaderMessage[]> Messages { get; } =
+            new System.Collections.Generic.Dictionary<Object, ShaderMessage[]>();
+
+        public static ShaderMessage[] GetShaderMessages(Shader s) => MessagesOf(s);
+        public static ShaderMessage[] GetComputeShaderMessages(ComputeShader s) => MessagesOf(s);
+
+        private static ShaderMessage[] MessagesOf(Object shader) =>
+            Messages.TryGetValue(shader, out ShaderMessage[] messages) ? messages : new ShaderMessage[0];
+
+        public static void SetAsyncCompilation(UnityEngine.Rendering.CommandBuffer cmd, bool allow)
+        {
+            if (!UnityEngine.Rendering.CommandBuffer.Silent) UnityEngine.Rendering.Recorded.AsyncCompilation(cmd, allow);
+        }
+
+        public static void RestoreAsyncCompilation(UnityEngine.Rendering.CommandBuffer cmd) => SetAsyncCompilation(cmd, true);
     }
 }
 
@@ -230,9 +285,14 @@ namespace UnityEditor.Rendering
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    public enum ShaderCompilerMessageSeverity { Error, Warning }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public struct ShaderCompilerData
     {
         public UnityEngine.Rendering.ShaderKeywordSet shaderKeywordSet;
+        public ShaderCompilerPlatform shaderCompilerPlatform { get; [OwnBehaviour] set; }
     }
 }
 
@@ -246,6 +306,7 @@ namespace UnityEngine.Rendering
 
         public ShaderKeyword(string keywordName) { Name = keywordName; }
         public ShaderKeyword(Shader shader, string keywordName) { Name = keywordName; }
+        public ShaderKeyword(ComputeShader shader, string keywordName) { Name = keywordName; }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]

@@ -164,6 +164,9 @@ namespace UnityEngine.Rendering
         public static void Keyword(CommandBuffer buffer, string name, bool value) =>
             buffer.Add(device => device.SetKeyword(name, value));
 
+        public static void AsyncCompilation(CommandBuffer buffer, bool allow) =>
+            buffer.Add(device => device.CompilesAsynchronously = allow);
+
         public static void MaterialKeyword(CommandBuffer buffer, string name, bool value) =>
             buffer.Add(device => device.SetMaterialKeyword(name, value));
 
@@ -190,7 +193,7 @@ namespace UnityEngine.Rendering
             Target(buffer, all, mip, slice);
         }
 
-        public static void Clear(CommandBuffer buffer) => buffer.Add(device => device.Clear());
+        public static void Clear(CommandBuffer buffer, Color colour) => buffer.Add(device => device.Clear(colour));
 
         /// <summary>As drawing is told, not as a draw.</summary>
         public static void Clear(CommandBuffer buffer, string what) =>

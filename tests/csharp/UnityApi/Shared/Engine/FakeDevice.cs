@@ -20,13 +20,21 @@ namespace UnityEngine.Rendering
             /// <summary>What becomes of what the target holds.</summary>
             public RenderBufferLoadAction Load;
 
+            /// <summary>What a clear fills its target with.</summary>
+            public Color Cleared;
+
             /// <summary>Of a kernel: the numbers, or which buffer has them.</summary>
             public string Groups;
             public Dictionary<string, object> Uniforms;
             public Dictionary<string, string> Textures;
             public SortedSet<string> Keywords;
             public SortedSet<string> GlobalKeywords;
+
+            /// <summary>The editor may skip it until it has compiled the program.</summary>
+            public bool CompilesAsynchronously;
         }
+
+        public bool CompilesAsynchronously { get; set; } = true;
 
         public SortedSet<string> Keywords { get; } = new SortedSet<string>();
         public SortedSet<string> MaterialKeywords { get; } = new SortedSet<string>();
@@ -46,7 +54,12 @@ namespace UnityEngine.Rendering
             viewport = null;
         }
 
-        public void Clear() => Draws.Add(Call("clear", 0, null));
+        public void Clear(Color colour)
+        {
+            DrawCall clear = Call("clear", 0, null);
+            clear.Cleared = colour;
+            Draws.Add(clear);
+        }
 
         public void SetViewport(Rect rect) => viewport = rect;
 
@@ -69,6 +82,7 @@ namespace UnityEngine.Rendering
             Textures = new Dictionary<string, string>(Textures),
             Keywords = new SortedSet<string>(MaterialKeywords),
             GlobalKeywords = new SortedSet<string>(Keywords),
+            CompilesAsynchronously = CompilesAsynchronously,
         };
 
         public void Play(CommandBuffer commands)

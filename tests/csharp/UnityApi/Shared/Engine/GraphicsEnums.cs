@@ -37,10 +37,6 @@ namespace UnityEngine.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum GraphicsDeviceType { OpenGLES3 = 11, OpenGLCore = 17, Vulkan = 21 }
-
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferLoadAction { Load = 0, Clear = 1, DontCare = 2 }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]

@@ -37,6 +37,39 @@ namespace UnityEngine
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public float shadowStrength { get; set; } = 1.0f;
+
+        public LightBakingOutput bakingOutput { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
+    public struct LightBakingOutput
+    {
+        public LightmapBakeType lightmapBakeType;
+        public MixedLightingMode mixedLightingMode;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [System.Flags]
+    public enum LightmapBakeType { Mixed = 1, Baked = 2, Realtime = 4 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum MixedLightingMode { IndirectOnly = 0, Subtractive = 1, Shadowmask = 2 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum ShadowmaskMode { Shadowmask = 0, DistanceShadowmask = 1 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    public sealed partial class QualitySettings : Object
+    {
+        private QualitySettings() { }
+
+        public static ShadowmaskMode shadowmaskMode { get; set; }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]

@@ -95,7 +95,7 @@ namespace UnityEngine
     public sealed partial class GraphicsBuffer : IDisposable
     {
         [Flags]
-        public enum Target { Structured = 1 << 4, IndirectArguments = 1 << 8 }
+        public enum Target { Structured = 1 << 4, Raw = 1 << 5, IndirectArguments = 1 << 8 }
 
         /// <summary>All that are not released.</summary>
         [OwnBehaviour] public static readonly List<GraphicsBuffer> Living = new List<GraphicsBuffer>();

@@ -1,0 +1,87 @@
+using NUnit.Framework;
+using Penumbra.Editor;
+using UnityEditor;
+using UnityEditor.Rendering;
+using UnityEngine;
+
+namespace Penumbra.Tests
+{
+    /// <summary>What the editor's compiler says of the technique's shaders, by file and line.</summary>
+    public sealed class ShaderErrorsTests
+    {
+        private PenumbraShadows feature;
+
+        [SetUp]
+        public void SetUp()
+        {
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/" + PenumbraShadows.ShaderFile] = FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = QualityPreset.Low;
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            feature.Dispose();
+            ShaderUtil.Messages.Clear();
+            AssetDatabase.Assets.Clear();
+        }
+
+        private static ShaderMessage Message(string text, string file, int line,
+                                             ShaderCompilerMessageSeverity severity = ShaderCompilerMessageSeverity.Error) =>
+            new ShaderMessage(text, severity) { file = file, line = line, platform = ShaderCompilerPlatform.D3D };
+
+        private string Errors => FeatureSurroundings.Of(feature).shaderErrors;
+
+        [Test]
+        public void WarningsAreNoErrors()
+        {
+            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            {
+                Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
+            };
+            Assert.That(Errors, Is.Null);
+        }
+
+        [Test]
+        public void AKernelsErrorHasItsFileAndLine()
+        {
+            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            {
+                Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
+                Message("undeclared identifier 'a'", "Shaders/TileRings.hlsl", 12),
+            };
+            Assert.That(Errors, Is.EqualTo("Shaders/TileRings.hlsl, line 12: undeclared identifier 'a' (D3D)"));
+        }
+
+        [Test]
+        public void AnErrorOfThePassesIsOfTheAssetIfNoIncludeIsNamed()
+        {
+            ShaderUtil.Messages[Shader.Find(PenumbraShadows.ShaderName)] = new[] { Message("syntax error", "", 7) };
+            Assert.That(Errors, Is.EqualTo(PenumbraShadows.ShaderFile + ", line 7: syntax error (D3D)"));
+        }
+
+        [Test]
+        public void ShadersThatTheTechniqueDoesNotUseAreNotAsked()
+        {
+            ShaderUtil.Messages[FakeShader.Sums] = new[] { Message("syntax error", "", 7) };
+            Assert.That(Errors, Is.Null);
+        }
+
+        /// <summary>An error is reported once for each API and keyword set.</summary>
+        [Test]
+        public void OfManyErrorsAFewAreSaidAndEachOnce()
+        {
+            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            {
+                Message("a", "", 1), Message("a", "", 1), Message("b", "", 2), Message("c", "", 3), Message("d", "", 4),
+                Message("e", "", 5),
+            };
+            string[] lines = Errors.Split('\n');
+            Assert.That(lines, Has.Length.EqualTo(4));
+            Assert.That(lines[2], Does.Contain("line 3: c"));
+            Assert.That(lines[3], Is.EqualTo("and 2 more"));
+        }
+    }
+}
