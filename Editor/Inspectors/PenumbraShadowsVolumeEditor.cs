@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEditor.Rendering;
+using UnityEngine;
 using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
@@ -35,6 +36,9 @@ namespace Penumbra.Editor
             look = new LookOverride(serializedObject);
             renderers = null;
         }
+
+        /// <summary>The name of the menu, where Unity would make one of the class's name.</summary>
+        public override GUIContent GetDisplayTitle() => new GUIContent(PenumbraShadows.Title, "");
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()

@@ -16,6 +16,7 @@ namespace UnityEditor.Rendering
     {
         public virtual void OnEnable() { }
         public override void OnInspectorGUI() { }
+        public virtual GUIContent GetDisplayTitle() => new GUIContent(GetType().Name, "");
 
         protected SerializedDataParameter Unpack(SerializedProperty property) => new SerializedDataParameter();
         protected bool PropertyField(SerializedDataParameter property, GUIContent title) => false;

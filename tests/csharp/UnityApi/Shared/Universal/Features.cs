@@ -9,7 +9,9 @@ namespace UnityEngine.Rendering.Universal
     [AttributeUsage(AttributeTargets.Class)]
     public class DisallowMultipleRendererFeature : Attribute
     {
-        public DisallowMultipleRendererFeature(string customTitle = null) { }
+        public string customTitle { get; private set; }
+
+        public DisallowMultipleRendererFeature(string customTitle = null) { this.customTitle = customTitle; }
     }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererFeature.cs")]
