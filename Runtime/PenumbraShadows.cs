@@ -63,6 +63,9 @@ namespace Penumbra
         /// <summary>Why the last camera was skipped and has URP's shadows; None if it was not.</summary>
         internal SkipReason LastSkip { get; private set; }
 
+        /// <summary>The main light of the last camera that was no preview; null if it had none.</summary>
+        internal Light MainLight { get; private set; }
+
         /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string MissingPass { get; private set; }
 
@@ -104,6 +107,7 @@ namespace Penumbra
         {
             ShadowSource source = UrpFrame.Source(ref renderingData);
             LastSkip = Reason(source);
+            if (source.cameraType != CameraType.Preview) MainLight = source.light;
             if (LastSkip != SkipReason.None) return;
 
             ShadowOptions options = Options();

@@ -54,7 +54,7 @@ namespace Penumbra.Editor
             PropertyField(contactShadows, OptionFields.ContactShadows.label);
             PropertyField(contactShadowSteps, OptionFields.ContactShadowSteps.label);
             PropertyField(debugView, OptionFields.DebugView.label);
-            foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
+            AdviceBox.Show(VolumeAdvice.For(state));
         }
 
         // The first entry does not override the look.

@@ -89,6 +89,29 @@ namespace UnityEditor
         public static T GetWindow<T>(string title) where T : EditorWindow => CreateInstance<T>();
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Settings/SettingsService.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Settings/SettingsService.cs")]
+    public static class SettingsService
+    {
+        [OwnBehaviour] public static string Opened { get; set; }
+
+        public static EditorWindow OpenProjectSettings(string settingsPath = null)
+        {
+            Opened = settingsPath;
+            return null;
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
+    public sealed partial class PrefabUtility
+    {
+        [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Recorded { get; } =
+            new System.Collections.Generic.HashSet<Object>();
+
+        public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
     public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
@@ -97,7 +120,10 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
     {
-        public static void HelpBox(string message, MessageType type) { }
+        [OwnBehaviour] public static System.Collections.Generic.List<string> Boxes { get; } =
+            new System.Collections.Generic.List<string>();
+
+        public static void HelpBox(string message, MessageType type) => Boxes.Add(message);
         public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) { }
         public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => default;
         public static void EndScrollView() { }
@@ -140,11 +166,16 @@ namespace UnityEditor
         {
             foreach (var asset in Assets)
                 if (ReferenceEquals(asset.Value, assetObject)) return asset.Key;
+            if (assetObject is not null && Contained.TryGetValue(assetObject, out Object main)) return GetAssetPath(main);
             return "";
         }
-        public static Object LoadMainAssetAtPath(string assetPath) => null;
+        public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);
         [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, Object> Assets { get; } =
             new System.Collections.Generic.Dictionary<string, Object>();
+
+        /// <summary>The main assets that others are parts of.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, Object> Contained { get; } =
+            new System.Collections.Generic.Dictionary<Object, Object>();
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
