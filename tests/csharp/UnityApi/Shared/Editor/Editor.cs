@@ -36,7 +36,10 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
     {
-        public static bool Button(string text, params GUILayoutOption[] options) => false;
+        /// <summary>The text of the button that is pressed; null: none is.</summary>
+        [OwnBehaviour] public static string Pressed { get; set; }
+
+        public static bool Button(string text, params GUILayoutOption[] options) => text == Pressed;
     }
 }
 
@@ -82,11 +85,30 @@ namespace UnityEditor
         public static bool development { get; set; }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorApplication.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorApplication.cs")]
+    public sealed partial class EditorApplication
+    {
+        public static event Action projectChanged;
+
+        [OwnBehaviour] public static int Listeners => projectChanged?.GetInvocationList().Length ?? 0;
+
+        [OwnBehaviour] public static void ChangeProject() => projectChanged?.Invoke();
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorWindow.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorWindow.cs")]
     public partial class EditorWindow : ScriptableObject
     {
-        public static T GetWindow<T>(string title) where T : EditorWindow => CreateInstance<T>();
+        [OwnBehaviour] public static EditorWindow Shown { get; set; }
+
+        public static T GetWindow<T>(string title) where T : EditorWindow
+        {
+            Shown = Shown as T ?? CreateInstance<T>();
+            return (T)Shown;
+        }
+
+        public void Repaint() { }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Settings/SettingsService.cs")]
@@ -180,7 +202,15 @@ namespace UnityEditor
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
         public static string GUIDToAssetPath(string guid) => "";
-        public static string[] GetAllAssetPaths() => new string[0];
+        [OwnBehaviour] public static int Listed { get; set; }
+        [OwnBehaviour] public static string[] Paths { get; set; } = new string[0];
+
+        public static string[] GetAllAssetPaths()
+        {
+            ++Listed;
+            return Paths;
+        }
+
         public static void ImportAsset(string path) { }
         public static bool CopyAsset(string path, string newPath) => false;
         public static string GenerateUniqueAssetPath(string path) => path;
