@@ -9,11 +9,17 @@ namespace Penumbra
     /// add it to the renderer and choose a preset. It fills the screen-space shadow texture that URP's own shaders
     /// already read, so that URP itself is not modified; transparents and additional lights keep URP's shadows.
     /// </summary>
-    [DisallowMultipleRendererFeature("Penumbra Soft Shadows")]
+    [DisallowMultipleRendererFeature(PenumbraShadows.Title)]
+#if UNITY_6000_0_OR_NEWER
+    [SupportedOnRenderer(typeof(UniversalRendererData))]
+#endif
     [Tooltip("Soft shadows of the main light, with presets whose error was measured.")]
     [PackagePage("renderer-feature.md")]
     public sealed class PenumbraShadows : ScriptableRendererFeature
     {
+        /// <summary>The name in menus and headers, of the Volume override, too.</summary>
+        internal const string Title = "Penumbra Soft Shadows";
+
         internal const string ShaderName = "Hidden/Penumbra/Shadows";
 
         /// <summary>Path of that shader in the package, as graphs refer to it.</summary>
@@ -57,6 +63,9 @@ namespace Penumbra
         /// <summary>Why the last camera was skipped and has URP's shadows; None if it was not.</summary>
         internal SkipReason LastSkip { get; private set; }
 
+        /// <summary>The main light of the last camera that was no preview; null if it had none.</summary>
+        internal Light MainLight { get; private set; }
+
         /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string MissingPass { get; private set; }
 
@@ -98,6 +107,7 @@ namespace Penumbra
         {
             ShadowSource source = UrpFrame.Source(ref renderingData);
             LastSkip = Reason(source);
+            if (source.cameraType != CameraType.Preview) MainLight = source.light;
             if (LastSkip != SkipReason.None) return;
 
             ShadowOptions options = Options();

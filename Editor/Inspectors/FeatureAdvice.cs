@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Globalization;
 using UnityEditor;
 
 namespace Penumbra.Editor
@@ -15,6 +17,10 @@ namespace Penumbra.Editor
         internal string shaderErrors;
         internal bool compatibilityMode;
         internal bool mainLightShadows;
+
+        /// <summary>Those that URP gives the main light; 0 without one.</summary>
+        internal float depthBias;
+        internal float normalBias;
 
         /// <summary>URP's own Screen Space Shadows feature is active in the same renderer.</summary>
         internal bool urpScreenSpaceShadows;
@@ -50,6 +56,8 @@ namespace Penumbra.Editor
 
         /// <summary>The technique has passes that draw the casters per cascade.</summary>
         internal bool drawsCascades;
+
+        internal FeatureFixes fixes;
     }
 
     internal readonly struct Advice
@@ -57,10 +65,16 @@ namespace Penumbra.Editor
         internal readonly MessageType type;
         internal readonly string text;
 
-        internal Advice(MessageType type, string text)
+        /// <summary>What a button beside the text does; null for none.</summary>
+        internal readonly Action action;
+        internal readonly string button;
+
+        internal Advice(MessageType type, string text, Action action = null, string button = "Fix")
         {
             this.type = type;
             this.text = text;
+            this.action = action;
+            this.button = button;
         }
     }
 
@@ -70,7 +84,7 @@ namespace Penumbra.Editor
         internal static List<Advice> For(in FeatureState state)
         {
             var found = new List<Advice>();
-            void Say(MessageType type, string text) => found.Add(new Advice(type, text));
+            void Say(MessageType type, string text, Action fix = null) => found.Add(new Advice(type, text, fix));
 
             if (state.shaderErrors != null)
                 Say(MessageType.Error, "Shaders of the technique do not compile, so that another is drawn or none:\n" +
@@ -81,24 +95,37 @@ namespace Penumbra.Editor
             if (state.lastSkip == SkipReason.MissingPass)
                 Say(MessageType.Error, "A pass of the technique cannot run: " + state.missingPass + ". Reimport the " +
                                        "package, or choose another technique; URP draws its own shadows meanwhile.");
+            // Other features of the project may need that mode, and URP does not follow an undo of it.
             if (state.compatibilityMode)
-                Say(MessageType.Error, "The render graph is switched off (Project Settings > Graphics > Compatibility " +
-                                       "Mode). Penumbra records with the render graph only on Unity 6: switch " +
-                                       "Compatibility Mode off. URP draws its own shadows meanwhile.");
+                found.Add(new Advice(MessageType.Error,
+                                     "The render graph is switched off (Project Settings > Graphics > Compatibility Mode). " +
+                                     "Penumbra records with the render graph only on Unity 6: switch Compatibility Mode " +
+                                     "off. URP draws its own shadows meanwhile.",
+                                     () => SettingsService.OpenProjectSettings("Project/Graphics"), "Open"));
             if (state.tileOnly && state.depthPriming)
                 Say(MessageType.Error, "Tile-Only Mode and Depth Priming are on in this renderer. For the depth texture that " +
                                        "this feature reads, URP then copies the primed depth, which Tile-Only Mode does not " +
                                        "allow: the frame ends with an exception. Set Depth Priming (Renderer > Rendering) to " +
-                                       "Disabled.");
+                                       "Disabled.", state.fixes.depthPriming);
             if (!state.mainLightShadows)
                 Say(MessageType.Warning, "Cast Shadows of the main light is off in the URP asset: there is no shadow " +
-                                         "map to filter. Switch it on under Lighting > Main Light.");
+                                         "map to filter. Switch it on under Lighting > Main Light.",
+                    state.fixes.mainLightShadows);
             if (state.urpScreenSpaceShadows)
                 Say(MessageType.Warning, "URP's Screen Space Shadows feature is active in this renderer and writes the " +
-                                         "same texture. Remove it: which of the two results receivers read is undefined.");
+                                         "same texture. Remove it, or switch it off: which of the two results receivers read is " +
+                                         "undefined.", state.fixes.urpScreenSpaceShadows);
+            bool hasOwnBias = state.settings.Options().technique.HasOwnBias();
+            if (!hasOwnBias && state.normalBias > 0.0f)
+                Say(MessageType.Warning, string.Format(CultureInfo.InvariantCulture,
+                                                       "The main light's Normal Bias is {0:0.##}, which makes casters smaller: " +
+                                                       "light leaks in where objects stand on the ground, and much of this " +
+                                                       "feature's advantage is lost. Set it to 0: on the light (Shadows > Bias: " +
+                                                       "Custom), or for all lights in the URP asset.", state.normalBias),
+                    state.fixes.lightBias);
             if (state.layersWithoutDepth != 0)
                 Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
-                                         "(Renderer > Filtering), or let Window > Rendering > Penumbra Receivers do it.");
+                                         "(Renderer > Filtering).", state.fixes.prepassLayers);
             // Made for this: nothing is to be mended.
             bool isOfPreset = state.settings.preset != QualityPreset.Custom &&
                               state.asked.technique == ShadowPresets.Options(state.settings.preset).technique;
@@ -111,13 +138,14 @@ namespace Penumbra.Editor
                                          state.replaced + ". Drawn instead: " + Substitute(state) + ".");
             if (state.missingGround != null)
                 Say(MessageType.Warning, "Far Shadows are on, but " + state.missingGround + ". Nothing beyond the shadow distance " +
-                                         "is shadowed by the ground meanwhile.");
+                                         "is shadowed by the ground meanwhile.", state.fixes.ground);
             bool showsView = state.settings.debugView != DebugView.None;
             if (showsView && !state.debugShaderFound)
                 Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +
                                          "this platform: no debug view is drawn. Reimport the package.");
             string skip = Skipped(state);
-            if (skip != null) Say(MessageType.Info, "The last camera was skipped and has URP's shadows: " + skip);
+            if (skip != null) Say(MessageType.Info, "The last camera was skipped and has URP's shadows: " + skip,
+                                  state.fixes.lightShadows);
             if (state.settings.noise == NoiseMode.PerFrame)
                 Say(MessageType.Info, "The noise of samples changes every frame. Use that only where temporal antialiasing or " +
                                       "an upscaler averages frames; elsewhere sampled penumbrae flicker.");
@@ -128,9 +156,9 @@ namespace Penumbra.Editor
                                       "shadow map: here it is replaced by " +
                                       TechniqueName.Of(TechniqueTable.Fallbacks[(int)options.technique]) +
                                       ". Vulkan, Direct3D and Metal support it.");
-            if (options.technique.HasOwnBias())
+            if (hasOwnBias)
                 Say(MessageType.Info, technique + " biases receivers itself, as its engine does. Set Bias of the light to " +
-                                      "Custom, with Depth and Normal 0.");
+                                      "Custom, with Depth and Normal 0.", state.fixes.lightBias);
             if (state.drawsCascades)
                 Say(MessageType.Info, "This technique draws the casters once more, from Unity's lists of visible objects. " +
                                       "Objects whose Cast Shadows is Shadows Only are missing there, and those with " +

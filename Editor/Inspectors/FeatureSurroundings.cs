@@ -32,8 +32,24 @@ namespace Penumbra.Editor
             state.openGl = DeviceLimits.IsOpenGl;
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
+            if (!state.mainLightShadows) state.fixes.mainLightShadows = () => FeatureFix.CastShadows(asset);
+            if (asset != null && feature.MainLight != null) ReadLight(feature.MainLight, asset, ref state);
+            if (state.missingGround == FarShadowGround.NoGround) state.fixes.ground = FeatureFix.AddGround();
             ReadRenderer(RendererOf(feature), ref state);
             return state;
+        }
+
+        // As URP chooses between the light's biases and the asset's.
+        private static void ReadLight(Light light, UniversalRenderPipelineAsset asset, ref FeatureState state)
+        {
+            bool own = light.TryGetComponent(out UniversalAdditionalLightData data) && !data.usePipelineSettings;
+            state.depthBias = own ? light.shadowBias : asset.shadowDepthBias;
+            state.normalBias = own ? light.shadowNormalBias : asset.shadowNormalBias;
+            float depth = state.settings.Options().technique.HasOwnBias() ? 0.0f : state.depthBias;
+            if (state.normalBias > 0.0f || state.depthBias > depth)
+                state.fixes.lightBias = () => FeatureFix.SetBias(light, depth);
+            if (state.lastSkip == SkipReason.LightWithoutShadows)
+                state.fixes.lightShadows = () => FeatureFix.CastShadows(light);
         }
 
         private static bool IsFound(string shaderName)
@@ -48,16 +64,20 @@ namespace Penumbra.Editor
         private static void ReadRenderer(ScriptableRendererData renderer, ref FeatureState state)
         {
             if (renderer == null) return;
-            foreach (ScriptableRendererFeature other in renderer.rendererFeatures)
-                state.urpScreenSpaceShadows |= other != null && other.isActive &&
-                                               other.GetType().FullName == UrpScreenSpaceShadows;
+            ScriptableRendererFeature urps = renderer.rendererFeatures.FirstOrDefault(
+                other => other != null && other.isActive && other.GetType().FullName == UrpScreenSpaceShadows);
+            state.urpScreenSpaceShadows = urps != null;
+            if (urps != null) state.fixes.urpScreenSpaceShadows = () => FeatureFix.Deactivate(urps);
             if (!(renderer is UniversalRendererData universal)) return;
             state.layersWithoutDepth = PrepassLayers.LeftOut(new SerializedObject(renderer));
+            if (state.layersWithoutDepth != 0)
+                state.fixes.prepassLayers = () => PrepassLayers.Add(new SerializedObject(renderer));
             state.depthPriming = universal.depthPrimingMode != DepthPrimingMode.Disabled;
             state.deferred = IsDeferred(universal);
 #if UNITY_6000_5_OR_NEWER
             state.tileOnly = universal.tileOnlyMode;
 #endif
+            if (state.depthPriming) state.fixes.depthPriming = () => FeatureFix.DisableDepthPriming(universal);
         }
 
         /// <summary>Also true for a renderer type that is not URP's own, as it may be deferred.</summary>

@@ -38,8 +38,7 @@ namespace Penumbra.Editor
             CustomFields.BeginAsMeasured(settings, ((PenumbraShadows)target).Settings);
             serializedObject.ApplyModifiedProperties();
 
-            foreach (Advice advice in FeatureAdvice.For(FeatureSurroundings.Of((PenumbraShadows)target)))
-                EditorGUILayout.HelpBox(advice.text, advice.type);
+            AdviceBox.Show(FeatureAdvice.For(FeatureSurroundings.Of((PenumbraShadows)target)));
         }
 
         private void ShowOptions(SerializedProperty custom)

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEditor.Rendering;
+using UnityEngine;
 using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
@@ -36,6 +37,9 @@ namespace Penumbra.Editor
             renderers = null;
         }
 
+        /// <summary>The name of the menu, where Unity would make one of the class's name.</summary>
+        public override GUIContent GetDisplayTitle() => new GUIContent(PenumbraShadows.Title, "");
+
         /// <inheritdoc/>
         public override void OnInspectorGUI()
         {
@@ -50,7 +54,7 @@ namespace Penumbra.Editor
             PropertyField(contactShadows, OptionFields.ContactShadows.label);
             PropertyField(contactShadowSteps, OptionFields.ContactShadowSteps.label);
             PropertyField(debugView, OptionFields.DebugView.label);
-            foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
+            AdviceBox.Show(VolumeAdvice.For(state));
         }
 
         // The first entry does not override the look.

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using UnityEditor;
+using UnityEngine;
 
 namespace Penumbra.Editor
 {
@@ -36,14 +37,15 @@ namespace Penumbra.Editor
         WritePasses,
     }
 
-    internal readonly struct ReceiverProblem
+    [Serializable]
+    internal struct ReceiverProblem
     {
-        internal readonly string path;
-        internal readonly ReceiverFix fix;
+        [SerializeField] internal string path;
+        [SerializeField] internal ReceiverFix fix;
 
-        /// <summary>Whether the keyword is missing, and which passes are; null for none.</summary>
-        internal readonly bool lacksScreen;
-        internal readonly string passes;
+        /// <summary>Whether the keyword is missing, and which passes are; null or empty for none.</summary>
+        [SerializeField] internal bool lacksScreen;
+        [SerializeField] internal string passes;
 
         internal ReceiverProblem(string path, ReceiverFix fix, bool lacksScreen = true, string passes = null)
         {
@@ -57,7 +59,9 @@ namespace Penumbra.Editor
         internal bool CanApply =>
             fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder && fix != ReceiverFix.WritePasses;
 
-        private string Lacks => !lacksScreen ? NoDepth : passes == null ? NoScreen : NoScreen + " " + NoDepth;
+        internal bool LacksPasses => !string.IsNullOrEmpty(passes);
+
+        private string Lacks => !lacksScreen ? NoDepth : !LacksPasses ? NoScreen : NoScreen + " " + NoDepth;
 
         private const string NoScreen = "A multi_compile of " + ShadowKeywords.MapName + " without " +
                                         ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
@@ -197,7 +201,7 @@ namespace Penumbra.Editor
             if (problem.fix == ReceiverFix.CopyToProject) text = ShaderCopy.TextOf(text, problem.path, exists);
             if (!problem.CanApply) return text;
             if (problem.lacksScreen) text = ReceiverPragma.WithScreen(text);
-            return problem.passes != null ? ReceiverDepth.WithPasses(text) : text;
+            return problem.LacksPasses ? ReceiverDepth.WithPasses(text) : text;
         }
 
         /// <summary>

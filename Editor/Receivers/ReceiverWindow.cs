@@ -12,48 +12,65 @@ namespace Penumbra.Editor
     /// </summary>
     internal sealed class ReceiverWindow : EditorWindow
     {
-        private List<ReceiverProblem> problems;
-        private List<(ScriptableRendererData renderer, int layers)> renderers;
+        [SerializeField] private ReceiverSearch search = new ReceiverSearch();
         private string failure;  // of the last fix; null if it succeeded
         private Vector2 scroll;
 
         [MenuItem("Window/Rendering/Penumbra Receivers")]
-        private static void Open() => GetWindow<ReceiverWindow>("Penumbra Receivers");
-
-        private void Look()
+        private static void Open()
         {
-            problems = ReceiverReport.Find();
-            renderers = PrepassLayers.In(FeaturesInProject.Renderers());
+            ReceiverSearch search = GetWindow<ReceiverWindow>("Penumbra Receivers").search;
+            if (!search.done || search.outdated) search.Run();
+        }
+
+        private void OnEnable() => EditorApplication.projectChanged += Outdate;
+
+        private void OnDisable() => EditorApplication.projectChanged -= Outdate;
+
+        private void Outdate()
+        {
+            search.outdated = true;
+            Repaint();
         }
 
         private void OnGUI()
         {
-            if (GUILayout.Button("Search the project") || problems == null)
+            if (GUILayout.Button("Search the project"))
             {
                 failure = null;
-                Look();
+                search.Run();
             }
-            int count = problems.Count + renderers.Count;
+            if (!search.done)
+            {
+                EditorGUILayout.HelpBox("The project has not been searched yet.", MessageType.Info);
+                return;
+            }
+            if (search.outdated)
+                EditorGUILayout.HelpBox("The project has changed since this search.", MessageType.Info);
+            ShowFound();
+        }
+
+        private void ShowFound()
+        {
+            List<(ScriptableRendererData renderer, int layers)> renderers = search.Renderers();
+            int count = search.problems.Count + renderers.Count;
             EditorGUILayout.HelpBox(ReceiverReport.Summary(count), count == 0 ? MessageType.Info : MessageType.Warning);
             if (failure != null) EditorGUILayout.HelpBox(failure, MessageType.Error);
             scroll = EditorGUILayout.BeginScrollView(scroll);
-            bool changed = false;
-            foreach ((ScriptableRendererData renderer, int layers) in renderers) changed |= Show(renderer, layers);
-            foreach (ReceiverProblem problem in problems) changed |= Show(problem);
+            foreach ((ScriptableRendererData renderer, int layers) in renderers) Show(renderer, layers);
+            search.problems.RemoveAll(problem => Mends(problem));
             EditorGUILayout.EndScrollView();
-            if (changed) Look();
         }
 
-        private static bool Show(ScriptableRendererData renderer, int layers)
+        private static void Show(ScriptableRendererData renderer, int layers)
         {
             EditorGUILayout.LabelField(renderer.name, EditorStyles.boldLabel);
             EditorGUILayout.LabelField(PrepassLayers.Explanation(layers), EditorStyles.wordWrappedLabel);
-            if (!GUILayout.Button("Add these layers to the prepass")) return false;
-            PrepassLayers.Add(new SerializedObject(renderer));
-            return true;
+            if (GUILayout.Button("Add these layers to the prepass")) PrepassLayers.Add(new SerializedObject(renderer));
         }
 
-        private bool Show(in ReceiverProblem problem)
+        // Whether the button has been pressed, and the problem mended.
+        private bool Mends(in ReceiverProblem problem)
         {
             EditorGUILayout.LabelField(problem.path, EditorStyles.boldLabel);
             EditorGUILayout.LabelField(problem.Explanation, EditorStyles.wordWrappedLabel);
@@ -67,7 +84,7 @@ namespace Penumbra.Editor
             {
                 failure = kept.Message;
             }
-            return true;
+            return failure == null;
         }
 
         private static string ButtonText(ReceiverFix fix)

@@ -28,6 +28,9 @@ namespace Penumbra
         /// <summary>-1 without a main light.</summary>
         internal int mainLightIndex;
 
+        /// <summary>The main light; null without one, or without shadows of it in the asset.</summary>
+        internal Light light;
+
         internal LightShadows lightShadows;
 
         /// <summary>Towards the main light, world space, of length 1.</summary>

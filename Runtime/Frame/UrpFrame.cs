@@ -52,6 +52,7 @@ namespace Penumbra
             NativeArray<VisibleLight> lights = data.lightData.visibleLights;
             if (!source.supported || source.mainLightIndex < 0 || source.mainLightIndex >= lights.Length) return;
             Light light = lights[source.mainLightIndex].light;
+            source.light = light;
             source.lightShadows = light != null ? light.shadows : LightShadows.None;
             if (source.lightShadows == LightShadows.None) return;
             Vector3 forward = light.transform.forward;

@@ -12,10 +12,10 @@ namespace Penumbra
     [Serializable]
     [PackagePage("installation.md")]
 #if UNITY_6000_0_OR_NEWER
-    [VolumeComponentMenu("Lighting/Penumbra Soft Shadows")]
+    [VolumeComponentMenu("Lighting/" + PenumbraShadows.Title)]
     [SupportedOnRenderPipeline(typeof(UniversalRenderPipelineAsset))]
 #else
-    [VolumeComponentMenuForRenderPipeline("Lighting/Penumbra Soft Shadows", typeof(UniversalRenderPipeline))]
+    [VolumeComponentMenuForRenderPipeline("Lighting/" + PenumbraShadows.Title, typeof(UniversalRenderPipeline))]
 #endif
     public sealed class PenumbraShadowsVolume : VolumeComponent
     {
@@ -28,7 +28,8 @@ namespace Penumbra
                                       OptionTable.AngularDiameterDegrees.Max);
 
         [Tooltip(OptionTable.Technique.Tooltip)]
-        public ShadowTechniqueParameter technique = new ShadowTechniqueParameter(ShadowTechnique.Pcss);
+        public ShadowTechniqueParameter technique =
+            new ShadowTechniqueParameter(ShadowPresets.Options(QualityPreset.Medium).technique);
 
         [Tooltip(OptionTable.BlockerSamples.Tooltip)]
         public ClampedIntParameter blockerSamples = new ClampedIntParameter(12, OptionTable.BlockerSamples.Min,

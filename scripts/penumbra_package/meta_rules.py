@@ -1,8 +1,8 @@
-"""A .meta for every visible path, a path for every .meta, and each GUID the one derived from its path."""
+"""A .meta for every path that Unity imports, a path for every .meta, and each GUID the one derived from its path."""
 import re
 
 from .metas import guid, importer, wants_meta
-from .package import is_visible
+from .package import is_imported
 from .problem import Problem, at_offset
 
 REMAKE = "remove it and run scripts/package --metas"
@@ -32,12 +32,6 @@ def importer_problem(package, meta, text):
     return None
 
 
-def is_below_samples(path):
-    """Samples are copied into the user's project with their .meta files, so that assets of a sample can refer to
-    each other; no .meta file is read below other hidden folders."""
-    return path.startswith("Samples~/")
-
-
 def check(package):
     for path in sorted(wants_meta(package)):
         if f"{path}.meta" not in package.files:
@@ -46,7 +40,7 @@ def check(package):
     for meta in package.ending(".meta"):
         if meta[:-5] not in package.files | package.folders:
             yield Problem(meta, f"belongs to {meta[:-5]}, which is not in the package: remove it, or bring that back")
-        elif not is_visible(meta) and not is_below_samples(meta):
+        elif not is_imported(meta):
             yield Problem(meta, "is in a folder where Unity reads no .meta files: remove it")
         else:
             text = package.text(meta)

@@ -1,12 +1,12 @@
-"""The .meta file that Unity requires beside every visible path, with a GUID that is derived from the path.
+"""The .meta file that Unity requires beside every path that it imports, with a GUID that is derived from the path.
 
 The GUID is the MD5 of the package's name and the path: whoever refers to an asset of the package finds it again in
-every version, as long as its path stays.
+every version, as long as its path stays. So do scenes that refer to scripts of a sample when the sample is imported again.
 """
 import hashlib
 import posixpath
 
-from .package import NAME, folders_above, is_visible
+from .package import NAME, folders_above, is_imported
 from .problem import Problem
 
 NAMES_OF_FILES = {"package.json": "PackageManifestImporter"}
@@ -38,9 +38,9 @@ def meta_text(path, importer_name, is_folder):
 
 
 def wants_meta(package):
-    """The visible files and folders, each of which has a .meta."""
-    visible = {path for path in package.paths if is_visible(path) and not path.endswith(".meta")}
-    return visible | {above for path in visible for above in folders_above(path)}
+    """The imported files and folders, each of which has a .meta."""
+    imported = {path for path in package.paths if is_imported(path) and not path.endswith(".meta")}
+    return imported | {above for path in imported for above in folders_above(path) if is_imported(above)}
 
 
 def missing_metas(package):
@@ -60,6 +60,6 @@ def missing_metas(package):
 
 
 def orphaned_metas(package):
-    """Metas of visible paths that are gone; on disk the path may be there without shipping."""
+    """Metas of imported paths that are gone; on disk the path may be there without shipping."""
     return [Problem(path, f"belongs to {path[:-5]}, which is gone: remove it")
-            for path in package.ending(".meta") if is_visible(path) and not (package.root / path[:-5]).exists()]
+            for path in package.ending(".meta") if is_imported(path) and not (package.root / path[:-5]).exists()]

@@ -35,6 +35,13 @@ def is_visible(path):
     return not any(hides_from_unity(part) for part in path.split("/"))
 
 
+def is_imported(path):
+    """Whether Unity imports the path: from the package, or from a project into which a sample's content was copied, which
+    takes the .meta files along."""
+    parts = path.split("/")
+    return is_visible("/".join(parts[2:]) if parts[0] == "Samples~" and len(parts) > 2 else path)
+
+
 def folders_above(path):
     above = posixpath.dirname(path)
     while above:

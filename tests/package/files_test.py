@@ -108,13 +108,19 @@ class Metas(UnpackedTarball):
         self.write("Documentation~/bias.md.meta", "")
         self.assert_problems("Documentation~/bias.md.meta: is in a folder where Unity reads no .meta files: remove it")
 
-    def test_samples_may_have_them(self):
-        self.add_sample("Made", "Made.cs", "class Made {}\n")
-        self.write("Samples~/Made/Made.cs.meta", metas.meta_text("Samples~/Made/Made.cs", "MonoImporter", False))
-        self.assert_problems()
-        self.write("Samples~/Made/Made.cs.meta", metas.meta_text("Samples~/Made/Other.cs", "MonoImporter", False))
-        self.assert_problems("Samples~/Made/Made.cs.meta:2:7: has another guid than the "
-                             f"{metas.guid('Samples~/Made/Made.cs')} that its path gives: {REMAKE}")
+    def test_a_file_of_a_sample_without_one(self):
+        (self.folder / "Samples~/Scenes/SampleScene.cs.meta").unlink()
+        self.assert_problems("Samples~/Scenes/SampleScene.cs: has no Samples~/Scenes/SampleScene.cs.meta in the package: "
+                             "run scripts/package --metas")
+
+    def test_a_file_of_a_sample_with_the_guid_of_another(self):
+        meta = "Samples~/Scenes/SampleScene.cs.meta"
+        self.replace(meta, metas.guid("Samples~/Scenes/SampleScene.cs"), metas.guid("Samples~/Scenes/SceneConstruction.cs"))
+        self.assert_problems(f"{meta}:2:7: has the guid of Samples~/Scenes/SceneConstruction.cs: {REMAKE}")
+
+    def test_a_samples_own_folder_has_none(self):
+        self.write("Samples~/Scenes.meta", metas.meta_text("Samples~/Scenes", "DefaultImporter", True))
+        self.assert_problems("Samples~/Scenes.meta: is in a folder where Unity reads no .meta files: remove it")
 
 
 if __name__ == "__main__":

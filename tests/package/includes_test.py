@@ -61,7 +61,7 @@ class Includes(UnpackedTarball):
 
     def test_one_that_leaves_a_sample(self):
         self.add_sample("Made", "Made.shader", '\n#include "Own.hlsl"\n#include "../../ShaderLibrary/Shadows.hlsl"\n')
-        self.write("Samples~/Made/Own.hlsl", "")
+        self.add("Samples~/Made/Own.hlsl", "")
         self.assert_problems("Samples~/Made/Made.shader:3:10: ../../ShaderLibrary/Shadows.hlsl leads out of the sample, "
                              "which is copied into projects: write \"Packages/com.penumbra.shadows/...\"")
 

@@ -108,7 +108,8 @@ class Samples(UnpackedTarball):
 
     def test_one_whose_folder_is_not_there(self):
         self.add_sample("Made", "Made.cs", "class Made {}\n")
-        (self.folder / "Samples~/Made/Made.cs").unlink()
+        for path in ("Made.cs", "Made.cs.meta"):
+            (self.folder / "Samples~/Made" / path).unlink()
         self.assert_problems(f"{self.place(PATH, json.dumps('Samples~/Made'))}: {NO_FOLDER}")
 
     def test_one_that_lies_elsewhere(self):
@@ -117,7 +118,7 @@ class Samples(UnpackedTarball):
         self.assertIn(f"{self.place(PATH, json.dumps('Samples/Made'))}: {NO_FOLDER}", self.problems())
 
     def test_a_folder_that_nobody_can_import(self):
-        self.write("Samples~/Unlisted/Made.cs", "class Made {}\n")
+        self.add("Samples~/Unlisted/Made.cs", "class Made {}\n")
         lines = self.problems()
         self.assertEqual([line.split(": ", 1)[1] for line in lines],
                          ["Samples~/Unlisted is in no entry of 'samples', so nobody can import it: add one"])

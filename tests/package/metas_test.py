@@ -34,7 +34,8 @@ class Forms(unittest.TestCase):
 class Metas(CopiedRepository):
     def test_those_taken_away_come_back(self):
         before = self.contents()
-        gone = [path for path in before if path.endswith(".meta") and not path.startswith("Samples~/")]
+        gone = [path for path in before if path.endswith(".meta")]
+        self.assertTrue({"Runtime.meta", "Samples~/Scenes/SampleScene.cs.meta"} <= set(gone))
         for path in gone:
             (self.folder / path).unlink()
         self.assertEqual(self.assert_run(0, "--metas").stdout.splitlines(), sorted(gone))
@@ -42,10 +43,12 @@ class Metas(CopiedRepository):
 
     def test_those_of_new_files_and_folders(self):
         self.write("Shaders/Made/Deep/Made.compute", "#pragma kernel Main\n")
-        self.write("Samples~/Made/Made.cs", "")
+        self.write("Samples~/Made/Deep/Made.cs", "")
+        self.write("Samples~/Made/Hidden~/made.md", "")
         self.write("Documentation~/made.md", "")
         self.assertEqual([line for line in self.assert_run(0, "--metas").stdout.splitlines() if line != "Shaders.meta"],
-                         ["Shaders/Made.meta", "Shaders/Made/Deep.meta", "Shaders/Made/Deep/Made.compute.meta"])
+                         ["Samples~/Made/Deep.meta", "Samples~/Made/Deep/Made.cs.meta", "Shaders/Made.meta",
+                          "Shaders/Made/Deep.meta", "Shaders/Made/Deep/Made.compute.meta"])
         self.assertEqual(self.text("Shaders/Made.meta"), metas.meta_text("Shaders/Made", "DefaultImporter", True))
 
     def test_nothing_is_missing(self):

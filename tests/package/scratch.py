@@ -78,8 +78,8 @@ class Folder(unittest.TestCase):
         self.write("package.json", json.dumps(kept, indent=2))
 
     def add_sample(self, name, file, text):
-        """A sample of one file, and its entry in package.json."""
-        self.write(f"Samples~/{name}/{file}", text)
+        """A sample of one file with its .meta, and its entry in package.json."""
+        self.add(f"Samples~/{name}/{file}", text)
         samples = json.loads(self.text("package.json")).get("samples", [])
         entry = {"displayName": name, "description": f"{name}, made up.", "path": f"Samples~/{name}"}
         self.change_manifest(samples=[*samples, entry])

@@ -258,7 +258,7 @@ namespace Penumbra.Tests
             options.conservativeMask = true;
             Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
             {
-"QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
+                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
                 "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent,
             }));

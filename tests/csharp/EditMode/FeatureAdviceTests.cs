@@ -242,7 +242,17 @@ namespace Penumbra.Tests
             FeatureState state = Sound();
             state.layersWithoutDepth = 1 << 4;
             Assert.That(Texts(state, MessageType.Warning).Single(),
-                        Does.Contain("Water").And.Contain("Prepass Layer Mask").And.Contain("Penumbra Receivers"));
+                        Does.Contain("Water").And.Contain("Prepass Layer Mask"));
+        }
+
+        [TestCase(1.0f, "1")]
+        [TestCase(0.125f, "0.13")]
+        public void ANormalBiasIsNamedWithTheWayOut(float bias, string said)
+        {
+            FeatureState state = Sound();
+            state.normalBias = bias;
+            Assert.That(Texts(state, MessageType.Warning).Single(),
+                        Does.StartWith("The main light's Normal Bias is " + said + ",").And.Contain("Set it to 0"));
         }
 
         [Test]

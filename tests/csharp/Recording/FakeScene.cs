@@ -12,6 +12,9 @@ namespace Penumbra.Tests
         internal CameraType Camera = CameraType.Game;
         internal bool Supported = true;
         internal bool MainLight = true;
+
+        /// <summary>The main light; null: one of no game object.</summary>
+        internal Light Sun;
         internal LightShadows Shadows = LightShadows.Soft;
         internal float Distance = 50.0f;
 
@@ -75,7 +78,10 @@ namespace Penumbra.Tests
         internal VisibleLight[] Lights()
         {
             if (!MainLight) return new VisibleLight[0];
-            var light = new Light { shadows = Shadows, shadowStrength = 0.75f, bakingOutput = Baking };
+            Light light = Sun ?? new Light();
+            light.shadows = Shadows;
+            light.shadowStrength = 0.75f;
+            light.bakingOutput = Baking;
             light.transform.forward = Forward;
             return new[] { new VisibleLight { Source = light } };
         }

@@ -27,7 +27,9 @@ namespace UnityEngine.Rendering
     [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
-        public VolumeComponentMenu(string menu) { }
+        public readonly string menu;
+
+        public VolumeComponentMenu(string menu) { this.menu = menu; }
     }
 
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]

@@ -53,7 +53,9 @@ namespace UnityEngine.Rendering
     [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
-        public VolumeComponentMenu(string menu) { }
+        public readonly string menu;
+
+        public VolumeComponentMenu(string menu) { this.menu = menu; }
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/Common/ContextContainer.cs")]

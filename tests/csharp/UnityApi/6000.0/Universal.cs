@@ -1,3 +1,4 @@
+using System;
 using Penumbra.UnityApi;
 using Unity.Collections;
 using UnityEngine.Experimental.Rendering;
@@ -5,6 +6,15 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal
 {
+    [ReadFrom(At.Universal17, "universal", "Runtime/SupportedOnRenderer.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
+    public class SupportedOnRendererAttribute : Attribute
+    {
+        public Type[] rendererTypes { get; }
+
+        public SupportedOnRendererAttribute(Type renderer) { rendererTypes = new[] { renderer }; }
+    }
+
 #if !UNITY_6000_5_OR_NEWER
     [ReadFrom(At.Universal17, "universal", "Runtime/Settings/RenderGraphSettings.cs")]
     public class RenderGraphSettings : IRenderPipelineGraphicsSettings

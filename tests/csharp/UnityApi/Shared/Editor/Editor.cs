@@ -36,7 +36,10 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
     {
-        public static bool Button(string text, params GUILayoutOption[] options) => false;
+        /// <summary>The text of the button that is pressed; null: none is.</summary>
+        [OwnBehaviour] public static string Pressed { get; set; }
+
+        public static bool Button(string text, params GUILayoutOption[] options) => text == Pressed;
     }
 }
 
@@ -82,11 +85,53 @@ namespace UnityEditor
         public static bool development { get; set; }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorApplication.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorApplication.cs")]
+    public sealed partial class EditorApplication
+    {
+        public static event Action projectChanged;
+
+        [OwnBehaviour] public static int Listeners => projectChanged?.GetInvocationList().Length ?? 0;
+
+        [OwnBehaviour] public static void ChangeProject() => projectChanged?.Invoke();
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorWindow.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorWindow.cs")]
     public partial class EditorWindow : ScriptableObject
     {
-        public static T GetWindow<T>(string title) where T : EditorWindow => CreateInstance<T>();
+        [OwnBehaviour] public static EditorWindow Shown { get; set; }
+
+        public static T GetWindow<T>(string title) where T : EditorWindow
+        {
+            Shown = Shown as T ?? CreateInstance<T>();
+            return (T)Shown;
+        }
+
+        public void Repaint() { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Settings/SettingsService.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Settings/SettingsService.cs")]
+    public static class SettingsService
+    {
+        [OwnBehaviour] public static string Opened { get; set; }
+
+        public static EditorWindow OpenProjectSettings(string settingsPath = null)
+        {
+            Opened = settingsPath;
+            return null;
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
+    public sealed partial class PrefabUtility
+    {
+        [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Recorded { get; } =
+            new System.Collections.Generic.HashSet<Object>();
+
+        public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
     }
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
@@ -97,7 +142,10 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
     {
-        public static void HelpBox(string message, MessageType type) { }
+        [OwnBehaviour] public static System.Collections.Generic.List<string> Boxes { get; } =
+            new System.Collections.Generic.List<string>();
+
+        public static void HelpBox(string message, MessageType type) => Boxes.Add(message);
         public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) { }
         public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => default;
         public static void EndScrollView() { }
@@ -140,11 +188,16 @@ namespace UnityEditor
         {
             foreach (var asset in Assets)
                 if (ReferenceEquals(asset.Value, assetObject)) return asset.Key;
+            if (assetObject is not null && Contained.TryGetValue(assetObject, out Object main)) return GetAssetPath(main);
             return "";
         }
-        public static Object LoadMainAssetAtPath(string assetPath) => null;
+        public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);
         [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, Object> Assets { get; } =
             new System.Collections.Generic.Dictionary<string, Object>();
+
+        /// <summary>The main assets that others are parts of.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, Object> Contained { get; } =
+            new System.Collections.Generic.Dictionary<Object, Object>();
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
@@ -156,7 +209,15 @@ namespace UnityEditor
             };
 
         public static string GUIDToAssetPath(string guid) => Guids.TryGetValue(guid, out string path) ? path : "";
-        public static string[] GetAllAssetPaths() => new string[0];
+        [OwnBehaviour] public static int Listed { get; set; }
+        [OwnBehaviour] public static string[] Paths { get; set; } = new string[0];
+
+        public static string[] GetAllAssetPaths()
+        {
+            ++Listed;
+            return Paths;
+        }
+
         public static void ImportAsset(string path) { }
         public static bool CopyAsset(string path, string newPath) => false;
         public static string GenerateUniqueAssetPath(string path) => path;

@@ -68,7 +68,26 @@ namespace UnityEditor
 
         internal static void Remember(Action step) => Steps.Push(step);
 
-        public static void RecordObject(UnityEngine.Object objectToUndo, string name) { }
+        public static void RecordObject(Object objectToUndo, string name) =>
+            RecordObjects(new[] { objectToUndo }, name);
+
+        /// <summary>One step for all, which writes the fields back.</summary>
+        public static void RecordObjects(Object[] objectsToUndo, string name)
+        {
+            var before = new List<(Object owner, FieldInfo field, object value)>();
+            foreach (Object owner in objectsToUndo)
+                for (Type type = owner.GetType(); type != null; type = type.BaseType)
+                    foreach (FieldInfo field in type.GetFields(SerializedPath.All | BindingFlags.DeclaredOnly))
+                        before.Add((owner, field, field.GetValue(owner)));
+            Remember(() => before.ForEach(entry => entry.field.SetValue(entry.owner, entry.value)));
+        }
+
+        public static T AddComponent<T>(UnityEngine.GameObject gameObject) where T : UnityEngine.Component
+        {
+            T component = gameObject.AddComponent<T>();
+            Remember(() => gameObject.Components.Remove(component));
+            return component;
+        }
 
         public static void PerformUndo()
         {
@@ -79,7 +98,7 @@ namespace UnityEditor
     /// <summary>A path's value by reflection; what a struct on the way holds is written back into its owner.</summary>
     internal static class SerializedPath
     {
-        private const BindingFlags All = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+        internal const BindingFlags All = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
         internal static object Get(object owner, string path)
         {

@@ -3,6 +3,20 @@ using UnityEngine;
 
 namespace UnityEditor.Rendering
 {
+    [ReadFrom(At.Core14, "core", "Editor/CoreEditorUtils.cs")]
+    [ReadFrom(At.Core17, "core", "Editor/CoreEditorUtils.cs")]
+    public static class CoreEditorUtils
+    {
+        /// <summary>What was drawn; tests press the buttons.</summary>
+        [OwnBehaviour] public static System.Collections.Generic.List<(string message, string button, System.Action action)> Boxes
+        {
+            get;
+        } = new System.Collections.Generic.List<(string, string, System.Action)>();
+
+        public static void DrawFixMeBox(string message, MessageType messageType, string buttonLabel, System.Action action) =>
+            Boxes.Add((message, buttonLabel, action));
+    }
+
     [ReadFrom(At.Core14, "core", "Editor/Volume/SerializedDataParameter.cs")]
     [ReadFrom(At.Core17, "core", "Editor/Volume/SerializedDataParameter.cs")]
     public sealed class SerializedDataParameter
@@ -16,6 +30,7 @@ namespace UnityEditor.Rendering
     {
         public virtual void OnEnable() { }
         public override void OnInspectorGUI() { }
+        public virtual GUIContent GetDisplayTitle() => new GUIContent(GetType().Name, "");
 
         protected SerializedDataParameter Unpack(SerializedProperty property) => new SerializedDataParameter();
         protected bool PropertyField(SerializedDataParameter property, GUIContent title) => false;

@@ -10,6 +10,7 @@ namespace UnityEngine
         public TerrainData terrainData { get; set; }
         public Material materialTemplate { get; set; }
         public bool drawInstanced { get; set; }
+        public static Terrain[] activeTerrains { get; [OwnBehaviour] set; } = new Terrain[0];
 
         public Vector3 GetPosition() => transform.position;
     }

@@ -9,7 +9,9 @@ namespace UnityEngine.Rendering.Universal
     [AttributeUsage(AttributeTargets.Class)]
     public class DisallowMultipleRendererFeature : Attribute
     {
-        public DisallowMultipleRendererFeature(string customTitle = null) { }
+        public string customTitle { get; private set; }
+
+        public DisallowMultipleRendererFeature(string customTitle = null) { this.customTitle = customTitle; }
     }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererFeature.cs")]
@@ -78,7 +80,7 @@ namespace UnityEngine.Rendering.Universal
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
-    public enum DepthPrimingMode { Disabled = 0 }
+    public enum DepthPrimingMode { Disabled = 0, Auto = 1, Forced = 2 }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRendererData.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererData.cs")]
@@ -104,7 +106,14 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public partial class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
-        public bool supportsMainLightShadows { get; [OwnBehaviour] set; }
+        // Serialized.
+        private bool m_MainLightShadowsSupported;
+
+        public bool supportsMainLightShadows
+        {
+            get => m_MainLightShadowsSupported;
+            [OwnBehaviour] set => m_MainLightShadowsSupported = value;
+        }
         public int mainLightShadowmapResolution { get; [OwnBehaviour] set; }
         public float shadowDepthBias { get; set; }
         public float shadowNormalBias { get; set; }

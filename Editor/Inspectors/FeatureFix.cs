@@ -1,0 +1,78 @@
+using System;
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Rendering.Universal;
+using Object = UnityEngine.Object;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// What the Fix buttons of the feature's inspector do. Each can be undone, and changes nothing but what its message
+    /// names. Null: there is nothing to fix, or its author has to decide.
+    /// </summary>
+    internal struct FeatureFixes
+    {
+        internal Action mainLightShadows;
+        internal Action lightShadows;
+        internal Action lightBias;
+        internal Action urpScreenSpaceShadows;
+        internal Action prepassLayers;
+        internal Action depthPriming;
+        internal Action ground;
+    }
+
+    internal static class FeatureFix
+    {
+        private const string Name = "Fix for " + PenumbraShadows.Title;
+
+        internal static void CastShadows(UniversalRenderPipelineAsset asset)
+        {
+            var serialized = new SerializedObject(asset);
+            serialized.FindProperty("m_MainLightShadowsSupported").boolValue = true;
+            serialized.ApplyModifiedProperties();
+        }
+
+        internal static void CastShadows(Light light) => Change(() => light.shadows = LightShadows.Soft, light);
+
+        /// <summary>
+        /// A normal bias of 0 for this light alone: point and spot lights, which keep URP's filter, may need that of the
+        /// asset.
+        /// </summary>
+        internal static void SetBias(Light light, float depth)
+        {
+            if (!light.TryGetComponent(out UniversalAdditionalLightData data))
+                data = Undo.AddComponent<UniversalAdditionalLightData>(light.gameObject);
+            Change(() =>
+            {
+                data.usePipelineSettings = false;
+                light.shadowBias = depth;
+                light.shadowNormalBias = 0.0f;
+            }, light, data);
+        }
+
+        internal static void Deactivate(ScriptableRendererFeature feature) =>
+            Change(() => feature.SetActive(false), feature);
+
+        internal static void DisableDepthPriming(UniversalRendererData renderer) =>
+            Change(() => renderer.depthPrimingMode = DepthPrimingMode.Disabled, renderer);
+
+        /// <summary>
+        /// Null unless it is clear where the component belongs: on the only Terrain, which has none, not even a disabled
+        /// one.
+        /// </summary>
+        internal static Action AddGround()
+        {
+            Terrain[] terrains = Terrain.activeTerrains;
+            if (terrains.Length != 1 || terrains[0].TryGetComponent(out FarShadowGround _)) return null;
+            GameObject owner = terrains[0].gameObject;
+            return () => Undo.AddComponent<FarShadowGround>(owner);
+        }
+
+        private static void Change(Action change, params Object[] targets)
+        {
+            Undo.RecordObjects(targets, Name);
+            change();
+            foreach (Object target in targets) PrefabUtility.RecordPrefabInstancePropertyModifications(target);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// What the last search of the project found. A search reads every shader, so it runs on demand alone; what it found is
+    /// serialized with the window, and stays when scripts are compiled.
+    /// </summary>
+    [Serializable]
+    internal sealed class ReceiverSearch
+    {
+        [SerializeField] internal bool done;
+
+        /// <summary>The project has changed since.</summary>
+        [SerializeField] internal bool outdated;
+
+        [SerializeField] internal List<ReceiverProblem> problems = new List<ReceiverProblem>();
+
+        /// <summary>The renderers with the feature; whether their prepass excludes layers is read as it is shown.</summary>
+        [SerializeField] private List<ScriptableRendererData> renderers = new List<ScriptableRendererData>();
+
+        internal void Run()
+        {
+            problems = ReceiverReport.Find();
+            renderers = FeaturesInProject.Renderers();
+            done = true;
+            outdated = false;
+        }
+
+        internal List<(ScriptableRendererData renderer, int layers)> Renderers()
+        {
+            renderers.RemoveAll(renderer => renderer == null);  // deleted since
+            return PrepassLayers.In(renderers);
+        }
+    }
+}
