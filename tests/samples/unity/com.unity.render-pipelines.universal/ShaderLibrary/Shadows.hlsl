@@ -9,8 +9,6 @@
 #define MAIN_LIGHT_CALCULATE_SHADOWS
 #endif
 
-float4 _ShadowBias;
-
 half GetMainLightShadowFade(float3 positionWS)
 {
     return half(saturate(length(positionWS) * _MainLightShadowParams.z + _MainLightShadowParams.w));
