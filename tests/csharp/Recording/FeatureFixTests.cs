@@ -1,4 +1,7 @@
+using System.Collections.Generic;
+using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Penumbra.Editor;
 using UnityEditor;
@@ -232,6 +235,28 @@ namespace Penumbra.Tests
             Assert.That(SettingsService.Opened, Is.EqualTo("Project/Graphics"));
         }
 #endif
+
+        [Test]
+        public void TheFirstStepsNameEveryButton()
+        {
+            var words = new Dictionary<string, string>
+            {
+                [nameof(FeatureFixes.mainLightShadows)] = "*Cast Shadows* in the URP asset",
+                [nameof(FeatureFixes.lightShadows)] = "light's *Shadow Type*",
+                [nameof(FeatureFixes.lightBias)] = "**Normal Bias to 0**",
+                [nameof(FeatureFixes.urpScreenSpaceShadows)] = "URP's own *Screen Space Shadows*",
+                [nameof(FeatureFixes.prepassLayers)] = "layers outside the prepass",
+                [nameof(FeatureFixes.depthPriming)] = "*Depth Priming* in Tile-Only Mode",
+                [nameof(FeatureFixes.ground)] = "*Penumbra Far Shadow Ground*",
+            };
+            string page = File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), "Documentation~/installation.md"));
+            string steps = Regex.Match(page, "## First steps\n(.*?)\n## ", RegexOptions.Singleline).Groups[1].Value;
+            steps = Regex.Replace(steps, @"\s+", " ");
+            Assert.That(steps, Does.Contain("a button *Fix*").And.Contain("*Open* leads to"));
+            foreach (System.Reflection.FieldInfo fix in typeof(FeatureFixes).GetFields(
+                         System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic))
+                Assert.That(steps, Does.Contain(words[fix.Name]), fix.Name);
+        }
 
         [Test]
         public void OnlyWhatCanBeActedOnHasAButton()
