@@ -4,8 +4,8 @@ namespace Penumbra.UnityApi
     public static class At
     {
         public const string Unity2022 = "2022.3.17f1";
-        public const string Core14 = "14.0.12";
-        public const string Universal14 = "14.0.12";
+        public const string Core14 = "14.0.9";
+        public const string Universal14 = "14.0.9";
 
         public const string Unity6 = "6000.0.23f1";
         public const string Core17 = "17.0.3";
