@@ -77,6 +77,20 @@ TEST_F(ValidateFxc, AProgramThatFxcDoesNotFinishFailsAloneAndIsKept) {
   EXPECT_THAT(result.output, HasSubstr("1 failed"));
 }
 
+TEST_F(ValidateFxc, PragmasOfFxcHold) {
+  PENUMBRA_NEEDS_FXC();
+  write("Quiet.compute",
+        "#pragma kernel Main\n#pragma warning(disable : 3556)\n#pragma pack_matrix(row_major)\n#define "
+        "NOTHING()\nNOTHING()\n"
+        "RWStructuredBuffer<float> o; float4x4 m;\n[numthreads(8, 1, 1)] void Main(uint3 id : "
+        "SV_DispatchThreadID)\n"
+        "{\n    int a = id.x;\n    o[id.x] = a / 3 + m[0][1];\n}\n");
+  const auto result =
+      run_with_fxc({"validate", path("Quiet.compute").string(), "--target", "spirv,d3d11", "--no-cache"});
+  EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
+  EXPECT_THAT(result.output, Not(HasSubstr("X3556")));
+}
+
 TEST_F(ValidateFxc, WithoutFxcItIsSaidOrRefused) {
   const std::string file = four_variants();
   const auto asked = run({"validate", file, "--target", "d3d11"});

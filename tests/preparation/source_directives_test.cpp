@@ -28,6 +28,20 @@ TEST(SourceDirectives, PragmasAndWarningsAreBlanked) {
   EXPECT_EQ(prepared("#pragma x /* 1\n2 */ e"), "          /* 1\n2 */ e");
 }
 
+TEST(SourceDirectives, PragmasOfFxcComeBackInTheExpandedText) {
+  const std::string source =
+      "#pragma warning (disable : 3205 3206) // why\n#pragma warning(default:3557)\n#pragma "
+      "pack_matrix(row_major)\n"
+      "#pragma warning(disable : 1; enable : 2)\n#pragma warning(no : 3)\nfloat a;";
+  const std::string text = prepared(source);
+  EXPECT_EQ(text.find('#'), std::string::npos);
+  EXPECT_EQ(with_pragmas(text).substr(0, 99),
+            "#pragma warning(disable : 3205 3206)\n#pragma warning(default : 3557)\n#pragma "
+            "pack_matrix(row_major)");
+  EXPECT_EQ(with_pragmas(text).find("penumbra"), std::string::npos);
+  EXPECT_EQ(with_pragmas("int a;\nb;\n"), "int a;\nb;\n");
+}
+
 TEST(SourceDirectives, OnceIsSeenOutsideComments) {
   EXPECT_TRUE(prepare_source("\n  # pragma once // here\n").once);
   EXPECT_TRUE(prepare_source("#pragma once").once);

@@ -35,11 +35,17 @@ class MatrixPacking {
     return text_.is(at, kPackedByRows) || text_.is(at, kPackedByColumns) || text_.is(at, kPackedOtherwise);
   }
 
-  // Removes the pragmas; true if there were any. For each remaining token, records the last pragma before it.
+  // Removes the pragmas, with those that are for FXC alone; true if there were any about packing. For each
+  // remaining token, records the last pragma before it.
   bool take_markers_out() {
     bool rows = false;
     bool found = false;
     for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (text_[at].spelling.starts_with(kWarningPragma)) {
+        text_.erase(at, text_.is(at + 1, ";") ? 2 : 1);
+        if (text_.is(at + 1, ";")) ++at;
+        continue;
+      }
       if (!is_marker(at)) {
         by_rows_.push_back(rows);
         continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "preparation/characters.h"
@@ -10,6 +12,27 @@
 namespace penumbra::preparation {
 
 namespace {
+
+// The specifier of a warning that begins with these two letters; empty if there is none.
+std::string_view specifier_of(std::string_view letters) {
+  for (const std::string_view specifier : {"disable", "enable", "default", "error", "once"})
+    if (specifier.starts_with(letters)) return specifier;
+  return {};
+}
+
+// What a line that holds one of the identifiers stands for.
+std::optional<std::string> pragma_of(std::string_view line) {
+  while (!line.empty() && (is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  if (line == kPackedByRows) return "#pragma pack_matrix(row_major)";
+  if (line == kPackedByColumns) return "#pragma pack_matrix(column_major)";
+  if (!line.starts_with(kWarningPragma)) return std::nullopt;
+  line.remove_prefix(kWarningPragma.size());
+  std::string pragma("#pragma warning(");
+  pragma.append(specifier_of(line.substr(0, 2))).append(" :");
+  for (const char c : line.substr(std::min<std::size_t>(2, line.size()))) pragma += c == '_' ? ' ' : c;
+  return pragma + ")";
+}
 
 class SourceScan {
  public:
@@ -143,7 +166,8 @@ class SourceScan {
       const std::size_t end = end_of_directive();
       const std::string_view rest = std::string_view(text_).substr(word_end, end - word_end);
       once_ = once_ || (name == "pragma" && first_word(rest) == "once");
-      const std::string marker = name == "pragma" ? packing_marker(rest) : std::string();
+      std::string marker = name == "pragma" ? packing_marker(rest) + warning_marker(rest) : std::string();
+      if (marker.size() > end - at_) marker.clear();
       const std::size_t begin = at_;
       for (; at_ < end; ++at_)
         if (text_[at_] != '\n') text_[at_] = ' ';
@@ -151,6 +175,30 @@ class SourceScan {
     } else {
       at_ = word_end;
     }
+  }
+
+  // The replacement of `#pragma warning(disable : 3206)`; empty for other pragmas, and for one with several
+  // specifiers.
+  static std::string warning_marker(std::string_view pragma) {
+    if (first_word(pragma) != "warning") return {};
+    const std::string_view list = pragma.substr(0, pragma.find("//")).substr(pragma.find("warning") + 7);
+    std::string marker;
+    std::string word;
+    for (const char c : std::string(list) + ' ') {
+      if (is_identifier_character(c)) {
+        word += c;
+        continue;
+      }
+      if (c == ';') return {};
+      if (marker.empty() && word.size() > 1 && specifier_of(word.substr(0, 2)) == word)
+        marker.append(kWarningPragma).append(word, 0, 2);
+      else if (!word.empty() && !marker.empty() && word.find_first_not_of("0123456789") == std::string::npos)
+        marker.append("_").append(word);
+      else if (!word.empty())
+        return {};
+      word.clear();
+    }
+    return marker.empty() ? marker : marker + ";";
   }
 
   // The replacement of `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; shorter than the
@@ -182,6 +230,18 @@ class SourceScan {
 
 PreparedSource prepare_source(std::string text) {
   return SourceScan(std::move(text)).run();
+}
+
+std::string with_pragmas(const std::string& expanded) {
+  std::string text;
+  for (std::size_t begin = 0; begin <= expanded.size();) {
+    const std::size_t end = std::min(expanded.find('\n', begin), expanded.size());
+    const std::string_view line = std::string_view(expanded).substr(begin, end - begin);
+    text += pragma_of(line).value_or(std::string(line));
+    if (end < expanded.size()) text += '\n';
+    begin = end + 1;
+  }
+  return text;
 }
 
 }  // namespace penumbra::preparation

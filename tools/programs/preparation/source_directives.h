@@ -5,6 +5,8 @@
 //   `#include`: its pragmas are read by the variants room.
 // - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
 // - `#pragma pack_matrix(...)` becomes an identifier that matrix_packing.h reads after the preprocessor.
+// - `#pragma warning(disable : 3206)` becomes an identifier, too, which is for FXC alone (with_pragmas), if
+// it fits.
 // - `#warning` is blanked: it is not an error in Unity, and glslang does not know the directive.
 // - The half literal `1.0h` becomes `1.0f`: half is float here. `1.#INF` becomes `1e9999`, which is infinite
 //   too, and is accepted by the preprocessor.
@@ -26,11 +28,19 @@ inline constexpr std::string_view kPackedByRows = "penumbra_by_rows";
 inline constexpr std::string_view kPackedByColumns = "penumbra_by_columns";
 inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";
 
+// Begins the identifier that replaces #pragma warning: the specifier's first two letters and the numbers
+// follow, as in "penumbra_w_di_3206_3556".
+inline constexpr std::string_view kWarningPragma = "penumbra_w_";
+
 struct PreparedSource {
   std::string text;
   bool once = false;  // the file says `#pragma once` outside comments
 };
 
 PreparedSource prepare_source(std::string text);
+
+// The expanded text with these identifiers as pragmas again, for a compiler that knows them. No line is added
+// or moved.
+std::string with_pragmas(const std::string& expanded);
 
 }  // namespace penumbra::preparation
