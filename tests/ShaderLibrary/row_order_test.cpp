@@ -18,7 +18,8 @@ TEST(RowOrder, CountsAlongRows) {
     for (int index = 0; index < 1 << 24; index += 4095) add(index, 16384);
   }
   expect_exact(
-      {"RowOrder", "int2 p = PlaceInRows(int(In(0)), int(In(1))); Out(0, float(p.x)); Out(1, float(p.y));", 2, 2},
+      {"RowOrder", "int2 p = PlaceInRows(int(In(0)), int(In(1))); Out(0, float(p.x)); Out(1, float(p.y));", 2,
+       2},
       DepthDirection::conventional, inputs,
       [](const float* in) {
         const int index = int(in[0]);
