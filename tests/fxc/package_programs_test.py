@@ -1,5 +1,5 @@
-"""Every program of the package and of its samples, with every keyword set that a build can contain, through FXC, which is Unity's
-compiler: no error and no warning, for the macros of every graphics API that Unity compiles for.
+"""Every program of the package, with every keyword set that a build can contain, and of its samples, with some of their thousands,
+through FXC, which is Unity's compiler: no error and no warning, with the macros of Direct3D 11.
 
 URP's include files are stand-ins of the tests; with PENUMBRA_URP_PACKAGES, a folder that contains
 com.unity.render-pipelines.core and .universal, they are URP's own."""
@@ -14,8 +14,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = os.environ["PENUMBRA_PROGRAM"]
 URP = os.environ.get("PENUMBRA_URP_PACKAGES")
 STAND_INS = {"Shaders": ROOT / "tools/programs/shaders/unity", "Samples~": ROOT / "tests/samples/unity"}
-# Where the text for an API is that of another, its verdict comes from the cache.
-APIS = ("d3d11", "vulkan", "metal", "glcore", "gles3", "switch")
+APIS = ("d3d11",)
 
 
 def package_roots(folder):
@@ -45,20 +44,20 @@ class PackagePrograms(unittest.TestCase):
         if result.returncode == 3:
             raise unittest.SkipTest(result.stderr.strip())
 
-    def variants(self, folder, api):
+    def variants(self, folder, api, most):
         roots = [word for name, place in package_roots(folder).items() for word in ("--package-root", f"{name}={place}")]
         report = self.scratch / "report.json"
         result = subprocess.run([PROGRAM, "validate", ROOT / folder, "--target", "d3d11", "--api", api, *roots, "--stripping",
-                                 ROOT / "tests/samples/both_eyes.json", "--limit", "100000", "--format", "json", "-o", report,
+                                 ROOT / "tests/samples/both_eyes.json", "--limit", "100000", "--sample", str(most), "--format", "json", "-o", report,
                                  "--cache", self.scratch / "cache"],
                                 env=self.environment, capture_output=True, text=True)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         return json.loads(report.read_text())["variants"]
 
-    def check(self, folder, least):
+    def check(self, folder, least, most=0):
         for api in APIS:
             with self.subTest(api=api):
-                variants = self.variants(folder, api)
+                variants = self.variants(folder, api, most)
                 self.assertGreater(len(variants), least)
                 said = {f"{message['file']}:{message.get('line', 0)}: {message['severity']}: {message['message']}"
                         for variant in variants for message in variant.get("diagnostics", ()) if is_ours(message)}
@@ -68,7 +67,7 @@ class PackagePrograms(unittest.TestCase):
         self.check("Shaders", 400)
 
     def test_the_samples_compile_without_a_message(self):
-        self.check("Samples~", 20)
+        self.check("Samples~", 20, most=4)
 
 
 if __name__ == "__main__":
