@@ -243,22 +243,21 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
             float gap = blocks.whole ? 0.0 : kAnyGap;
             float smallestGap = kAnyGap;
             bool allAbove = blocks.whole;
-            int2 at = low;
             UNITY_LOOP
-            while (all(at <= high))
+            for (int y = low.y; y <= high.y; ++y)
             {
-                const float2 away = (float2(blocks.low + at) + 0.5) * blockTexels - group.first.centre;
-                const DepthPlanes planes = UnpackPlanes(clusterBlocks[firstBlock + at.y * MOST_BLOCKS_ACROSS + at.x]);
-                const GroupBounds block = BoundBlock(planes, away, blockTexels, reach, group);
-                if (!(block.nearest > reach))
+                UNITY_LOOP
+                for (int x = low.x; x <= high.x; ++x)
                 {
+                    const float2 away = (float2(blocks.low + int2(x, y)) + 0.5) * blockTexels - group.first.centre;
+                    const DepthPlanes planes = UnpackPlanes(clusterBlocks[firstBlock + y * MOST_BLOCKS_ACROSS + x]);
+                    const GroupBounds block = BoundBlock(planes, away, blockTexels, reach, group);
+                    if (block.nearest > reach) continue;
                     const float offset = ConeOffset(block.nearest, cone.slackTexels, cone.largestOffset, cone.scales);
                     if (!block.noneAbove && block.largestGap > offset) gap = max(gap, block.largestGap);
                     smallestGap = min(smallestGap, max(block.smallestGap, 0.0));
                     allAbove = allAbove && block.allAbove;
                 }
-                const bool endsRow = at.x == high.x;
-                at = int2(endsRow ? low.x : at.x + 1, endsRow ? at.y + 1 : at.y);
             }
             const float next = max(min(PenumbraRadius(gap, scales), decision.radius), narrowest);
             if (!(gap > 0.0)) decision.visibility = 1.0;

@@ -1,6 +1,6 @@
 // Penumbra: the visibility of receivers that no window of TileWindows.hlsl takes, each by the 16 threads of a part.
 //
-// Computes:   the stages of RingVisibility of Filters/DepthRingFilter.hlsl for one receiver, whose cells the threads share; 16
+// Computes:   what RingVisibility of Filters/DepthRingFilter.hlsl does for one receiver, whose cells the threads share; 16
 //             receivers of a tile at once. One thread alone would keep its group waiting for some 50 reads, one after the other.
 // Source:     Penumbra's own.
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel; the receivers, from
@@ -8,8 +8,8 @@
 // Cost:       that of FilterDepthRings, less its exits: some 50 fetches for each receiver. No groupshared memory but what
 //             TileWindows.hlsl has, whose windows are lost.
 // Guarantees: [0, 1]; that of RingVisibility but for the order of the sums; the same threads add in the same order.
-// Use it:     in kernels of WINDOW_THREADS threads, all of which call StageByPart for each stage in turn; after the windows have
-//             been used, and a barrier.
+// Use it:     in kernels of WINDOW_THREADS threads, all of which call RingVisibilityByPart; after the windows have been used, and
+//             a barrier.
 #ifndef PENUMBRA_TILE_RINGS_HLSL
 #define PENUMBRA_TILE_RINGS_HLSL
 
@@ -84,64 +84,76 @@ float TotalOf(uint sum, uint part)
     return asfloat(windowSpreads[REST_TOTALS + part * REST_SUMS + sum]);
 }
 
-// Before the first receiver, and a barrier.
-void ResetGround(uint part, uint lane)
+void PutSearch(RingSearch search, uint thread)
 {
-    if (lane == 0) partGround[part] = 0x7f7fffffu;
+    PutSum(search.sums.inside.x, 0, thread);
+    PutSum(search.sums.inside.y, 1, thread);
+    PutSum(search.sums.nearby.x, 2, thread);
+    PutSum(search.sums.nearby.y, 3, thread);
+    PutSum(search.low, 4, thread);
 }
 
-void PutSums(RingState state, int stage, uint thread)
+// With what the part's threads have found.
+RingSearch SearchOfPart(RingSearch search, uint part)
 {
-    const bool filters = stage > kCellStage;
-    PutSum(filters ? state.filtered.x : state.search.sums.inside.x, 0, thread);
-    PutSum(filters ? state.filtered.y : state.search.sums.inside.y, 1, thread);
-    PutSum(state.search.sums.nearby.x, 2, thread);
-    PutSum(state.search.sums.nearby.y, 3, thread);
-    PutSum(state.search.low, 4, thread);
+    RingSearch all = search;
+    all.sums.inside = float2(TotalOf(0, part), TotalOf(1, part));
+    all.sums.nearby = float2(TotalOf(2, part), TotalOf(3, part));
+    all.low = TotalOf(4, part);
+    return all;
 }
 
-// With what all threads of the part have found.
-RingState StateOfPart(RingState own, int stage, uint part, ConeScales scales)
-{
-    RingState state = own;
-    if (stage == kTexelStage) state.search.ground = GroundOfPart(part, scales);
-    if (stage == kCellStage)
-    {
-        state.search.sums.inside = float2(TotalOf(0, part), TotalOf(1, part));
-        state.search.sums.nearby = float2(TotalOf(2, part), TotalOf(3, part));
-        state.search.low = TotalOf(4, part);
-    }
-    if (stage > kCellStage) state.filtered = float2(TotalOf(0, part), TotalOf(1, part));
-    return state;
-}
-
-// A stage of the receiver of that index, by the threads of a part; the first stage begins anew.
-RingState StageByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                      TYPED_TEXTURE2D(uint4, coarseSpreads), RingState before, int stage, bool active, uint index,
-                      ShadowTile tile, uint thread)
+// Of the receiver of that index, by the threads of a part; 1 of threads that are not active.
+float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                           TYPED_TEXTURE2D(uint4, coarseSpreads), bool active, uint index, ShadowTile tile, uint thread)
 {
     const uint part = thread / PART_LANES;
-    const uint lane = thread % PART_LANES;
-    const ConeScales scales = ConeScalesOf(tile);
-    RingState state = before;
-    UNITY_BRANCH
+    QuadShare share;
+    share.first = int(thread % PART_LANES);
+    share.step = PART_LANES;
+    QuadReceiver receiver = (QuadReceiver)0;
+    ConeScales scales = (ConeScales)0;
+    RingSearch search = (RingSearch)0;
+    float radius = 0.0;
+    if (share.first == 0) partGround[part] = 0x7f7fffffu;
+    GroupMemoryBarrierWithGroupSync();
     if (active)
     {
-        QuadShare share;
-        share.first = int(lane);
-        share.step = PART_LANES;
-        const float radius = asfloat(windowSpreads[REST_RADII + index]);
-        if (stage == kTexelStage) state = BeginRings(scales);
-        state = SumStage(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, state,
-                         StageOf(stage, radius, state, scales), share, RestReceiver(index, tile), scales);
-        PutSums(state, stage, thread);
-        if (stage == kTexelStage && state.search.groundFound) InterlockedMin(partGround[part], asuint(state.search.ground));
+        receiver = RestReceiver(index, tile);
+        scales = ConeScalesOf(tile);
+        radius = asfloat(windowSpreads[REST_RADII + index]);
+        search = BeginSearch(scales);
+        search = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), search, share, radius, receiver, scales);
+        if (search.groundFound) InterlockedMin(partGround[part], asuint(search.ground));
+    }
+    GroupMemoryBarrierWithGroupSync();
+    if (active)
+    {
+        search.ground = GroundOfPart(part, scales);
+        search = SearchRingCells(depthSpreads, coarseSpreads, search, share, radius, receiver, scales);
+        PutSearch(search, thread);
     }
     AddSums(active, thread);
-    UNITY_BRANCH
-    if (active) state = EndStage(StateOfPart(state, stage, part, scales), stage);
-    if (stage == kBlockStage) ResetGround(part, lane);
-    return state;
+    RingPenumbra penumbra = (RingPenumbra)0;
+    if (active)
+    {
+        penumbra = PenumbraOf(SearchOfPart(search, part), radius, scales);
+        float2 block = float2(0.0, 0.0);
+        float2 disc = float2(0.0, 0.0);
+        if (penumbra.blocked && penumbra.readsBlock)
+            block = SumRingBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, share, receiver);
+        if (penumbra.blocked && penumbra.readsDisc)
+            disc = SumRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, penumbra, share, receiver);
+        PutSum(block.x, 0, thread);
+        PutSum(block.y, 1, thread);
+        PutSum(disc.x, 2, thread);
+        PutSum(disc.y, 3, thread);
+    }
+    AddSums(active, thread);
+    float visibility = 1.0;
+    if (penumbra.blocked && penumbra.readsBlock) visibility = LitShare(TotalOf(0, part), TotalOf(1, part));
+    if (penumbra.blocked && penumbra.readsDisc) visibility = min(visibility, LitShare(TotalOf(2, part), TotalOf(3, part)));
+    return SanitizeVisibility(visibility);
 }
 
 #endif

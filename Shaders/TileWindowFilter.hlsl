@@ -25,6 +25,29 @@ static const float kNearBlockerTexels = 12.0;
 static const float2 kSumSteps = float2(1048576.0, 32768.0);
 static const float kLargestSum = 134217728.0;
 
+// The texels of the first ring.
+RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
+{
+    RingSearch search = BeginSearch(scales);
+    const DepthWindow texels = levelWindows[0];
+    const float farthest = min(kSearchRingCells, radius) + 0.5;
+    const int2 rows = CellsAlong(receiver.centre.y, farthest, texels.low.y, texels.size.y);
+    UNITY_LOOP
+    for (int y = rows.x; y <= rows.y; ++y)
+    {
+        const int2 row = CellsOfRow(receiver.centre, farthest, y, texels);
+        UNITY_LOOP
+        for (int x = row.x; x <= row.y; ++x)
+        {
+            const float2 away = AwayFrom(receiver, int2(x, y), 1.0);
+            const float area = ShareInRing(length(away), 0, radius, kSearchRingCells);
+            if (area > 0.0)
+                search = SearchTexel(search, DepthInWindow(texels, int2(x, y)), away, area, receiver, scales);
+        }
+    }
+    return search;
+}
+
 // Of a cell, where the receiver's ring has it. filled: with what the ring encloses.
 RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadReceiver receiver, float ground, ConeScales scales,
                      float radius)
@@ -36,12 +59,33 @@ RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadRecei
     const float share = filled ? ShareInDisc(distance, level, radius, kSearchRingCells)
                                : ShareInRing(distance, level, radius, kSearchRingCells);
     const float area = share * width * width;
+    if (!(area > 0.0) || !IsInWindow(window, cell)) return sums;
+    const CellBlockers blockers = BlockersOfCell(SpreadInWindow(window, cell), away, width, ground, receiver);
+    if (!(blockers.share > 0.0)) return sums;
+    return AddBlockers(sums, blockers, distance, width, area, scales);
+}
+
+// The rings beyond the first, by one thread.
+RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales scales, float radius)
+{
     RingSums all = sums;
-    UNITY_BRANCH
-    if (area > 0.0 && IsInWindow(window, cell))
+    const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
+    UNITY_LOOP
+    for (int level = 1; level <= levels; ++level)
     {
-        const CellBlockers blockers = BlockersOfCell(SpreadInWindow(window, cell), away, width, ground, receiver);
-        if (blockers.share > 0.0) all = AddBlockers(sums, blockers, distance, width, area, scales);
+        const float width = PowerOfTwo(level);
+        const float2 centre = receiver.centre / width;
+        const float farthest = min(kSearchRingCells, radius / width) + 0.5;
+        const DepthWindow window = levelWindows[level];
+        const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
+        UNITY_LOOP
+        for (int y = rows.x; y <= rows.y; ++y)
+        {
+            const int2 row = CellsOfRow(centre, farthest, y, window);
+            UNITY_LOOP
+            for (int x = row.x; x <= row.y; ++x)
+                all = AddRingCell(all, level, int2(x, y), false, receiver, ground, scales, radius);
+        }
     }
     return all;
 }
@@ -75,15 +119,16 @@ void FindNearOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint la
     const float reach = asfloat(partSpread[part]) + kSearchRingCells + 0.5;
     const int2 low = max(int2(floor(receiver.centre - reach)), texels.low);
     const int2 high = min(int2(floor(receiver.centre + reach)), texels.low + texels.size - 1);
-    int2 texel = low + PixelOfPart(lane);
     UNITY_LOOP
-    while (all(texel <= high) && partNear[part] == 0)
+    for (int2 texel = low + PixelOfPart(lane); texel.y <= high.y && partNear[part] == 0; texel.y += PART_PIXELS)
     {
-        const CellBlockers blockers = BlockersOfTexel(DepthInWindow(texels, texel), AwayFrom(receiver, texel, 1.0), receiver);
-        if (blockers.share > 0.0 && blockers.gap * scales.texelsPerDepth < kNearBlockerTexels) partNear[part] = 1;
-        const bool endsRow = texel.x + PART_PIXELS > high.x;
-        texel.x = endsRow ? low.x + int(lane % PART_PIXELS) : texel.x + PART_PIXELS;
-        texel.y += endsRow ? PART_PIXELS : 0;
+        UNITY_LOOP
+        for (texel.x = low.x + int(lane % PART_PIXELS); texel.x <= high.x; texel.x += PART_PIXELS)
+        {
+            const CellBlockers blockers =
+                BlockersOfTexel(DepthInWindow(texels, texel), AwayFrom(receiver, texel, 1.0), receiver);
+            if (blockers.share > 0.0 && blockers.gap * scales.texelsPerDepth < kNearBlockerTexels) partNear[part] = 1;
+        }
     }
 }
 
@@ -107,20 +152,14 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
     {
         const float radius = partDepth[part].y;
         const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
-        int level = 1;
-        int n = int(thread % PART_LANES);
         UNITY_LOOP
-        while (level <= levels)
+        for (int level = 1; level <= levels; ++level)
         {
             const int2 first = int2(floor(receiver.centre / PowerOfTwo(level))) - SEARCH_CELLS / 2;
-            sums = AddRingCell(sums, level, first + PlaceInRows(n, SEARCH_CELLS), level == 1 && !near, receiver, ground, scales,
-                               radius);
-            n += PART_LANES;
-            if (n >= SEARCH_CELLS * SEARCH_CELLS)
-            {
-                ++level;
-                n = int(thread % PART_LANES);
-            }
+            UNITY_LOOP
+            for (int n = int(thread % PART_LANES); n < SEARCH_CELLS * SEARCH_CELLS; n += PART_LANES)
+                sums = AddRingCell(sums, level, first + PlaceInRows(n, SEARCH_CELLS), level == 1 && !near, receiver,
+                                   ground, scales, radius);
         }
     }
     if (sums.nearby.x > 0.0)
@@ -144,107 +183,76 @@ RingSums AddPart(RingSums sums, uint part)
     return all;
 }
 
-// Bits of the depth of a texel in its window, or the packed spread of a cell.
-uint CellInWindow(DepthWindow window, int level, int2 cell)
+// The first of the block's quads, of level 0.
+float4 DepthsInWindow(DepthWindow texels, int2 first)
 {
-    const int2 at = cell - window.low;
-    const int place = window.offset + at.y * window.size.x + at.x;
-    uint found;
-    UNITY_BRANCH
-    if (level > 0) found = windowSpreads[min(place, WINDOW_CELLS - 1)];
-    else found = asuint(sharedDepths[place]);
-    return found;
+    float4 depths;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 texel = min(max(first + int2(k & 1, k >> 1), texels.low), texels.low + texels.size - 1);
+        depths[k] = DepthInWindow(texels, texel);
+    }
+    return depths;
 }
 
-RingState AddWindowCell(RingState state, RingStage stage, CellWalk walk, int level, QuadReceiver receiver, ConeScales scales)
-{
-    const float2 away = AwayFrom(receiver, walk.cell, PowerOfTwo(level));
-    const float area = AreaOfCell(length(away), level, stage);
-    RingState next = state;
-    UNITY_BRANCH
-    if (area > 0.0)
-        next = AddCell(state, stage, CellInWindow(walk.window, level, walk.cell), away, level, area, receiver, scales);
-    return next;
-}
-
-// As FilterBlock of PcssAngular.hlsl.
 float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
 {
     const DepthWindow texels = levelWindows[0];
     float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
-    for (int k = 0; k < 16; ++k)
+    for (int k = 0; k < 4; ++k)
     {
-        const int2 texel = CellOfQuad(QuadOfBlock(receiver, k >> 2), k & 3);
-        const bool inTile = all(float2(texel) >= receiver.bounds.minimum) && all(float2(texel) < receiver.bounds.maximum);
-        const float depth = DepthInWindow(texels, min(max(texel, texels.low), texels.low + texels.size - 1));
-        const float2 away = AwayFrom(receiver, texel, 1.0);
-        const float distance = length(away);
-        const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
-        const float weight = inTile && blockers.gap < penumbra.blockGap ? ShareInBlock(distance, penumbra) : 0.0;
-        sums = FilterCell(sums, blockers, distance, 1.0, weight, ConeOfBlock(penumbra));
+        const int2 first = QuadOfBlock(receiver, k);
+        sums = FilterBlockQuad(sums, DepthsInWindow(texels, first), first, penumbra, receiver);
     }
     return LitShare(sums.x, sums.y);
 }
 
-// The search of the levels from the first to the last, and the filter over the disc that it finds, in one walk over cells:
-// two loops take FXC twice as long.
-RingState SumWindows(RingState before, RingStage search, bool nearPart, uint part, float filterCells, QuadReceiver receiver,
-                     ConeScales scales)
+// As FilterDisc of PcssAngular.hlsl, over every cell of the disc, of DiscLevel.
+float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filterCells)
 {
-    RingState state = before;
-    RingStage stage = search;
-    int level = search.levels.x - 1;
-    CellWalk walk = EndedWalk();
+    const int level = DiscLevel(penumbra.radius, filterCells);
+    const DepthWindow window = levelWindows[level];
+    const float width = PowerOfTwo(level);
+    const float2 centre = receiver.centre / width;
+    const float farthest = min(filterCells, penumbra.radius / width) + 0.5;
+    const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
+    float2 sums = float2(0.0, 0.0);
     UNITY_LOOP
-    while (level <= stage.levels.y)
+    for (int y = rows.x; y <= rows.y; ++y)
     {
-        UNITY_BRANCH
-        if (IsAtCell(walk))
+        const int2 row = CellsOfRow(centre, farthest, y, window);
+        UNITY_LOOP
+        for (int x = row.x; x <= row.y; ++x)
         {
-            state = AddWindowCell(state, stage, walk, level, receiver, scales);
-            ++walk.cell.x;
-        }
-        else
-        {
-            UNITY_BRANCH
-            if (IsLastRow(walk))
-            {
-                ++level;
-                UNITY_BRANCH
-                if (level > stage.levels.y && stage.index != kDiscStage)
-                {
-                    if (nearPart) state.search.sums = AddPart(state.search.sums, part);
-                    stage = StageOf(kDiscStage, search.radius, state, scales);
-                    stage.ringCells = filterCells;
-                    level = DiscLevel(stage.radius, filterCells);
-                    stage.levels = int2(level, stage.penumbra.readsDisc ? level : -1);
-                }
-                else if (stage.index != kDiscStage) stage.index = level > 0 ? kCellStage : kTexelStage;
-                walk = WalkDisc(receiver, min(level, WINDOW_LEVELS - 1), stage.radius, stage.ringCells);
-            }
-            walk = EnterNextRow(walk);
+            const float2 away = AwayFrom(receiver, int2(x, y), width);
+            const float distance = length(away);
+            CellBlockers blockers;
+            if (level == 0) blockers = BlockersOfTexel(DepthInWindow(window, int2(x, y)), away, receiver);
+            else blockers = BlockersOfCell(SpreadInWindow(window, int2(x, y)), away, width, penumbra.ground, receiver);
+            const float share = ShareInDisc(distance, level, penumbra.radius, filterCells);
+            sums = FilterCell(sums, blockers, distance, width, share, penumbra.cone);
         }
     }
-    return EndStage(state, kDiscStage);
+    return LitShare(sums.x, sums.y);
 }
 
 // radius: of the search, texels.
 float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, FlagshipParameters parameters, uint part)
 {
     const bool nearPart = IsNearPart(receiver, scales, part);
-    const bool searchesTexels = !nearPart || partNear[part] != 0;
-    RingState state = BeginRings(scales);
-    if (!searchesTexels) state.search.ground = GroundOfPart(part, scales);
-    RingStage search = StageOf(kCellStage, radius, state, scales);
-    if (searchesTexels) search.levels.x = 0;
-    if (nearPart) search.levels.y = 0;
-    state = SumWindows(state, search, nearPart, part, FilterCells(parameters), receiver, scales);
-    const RingPenumbra penumbra = PenumbraOf(state.search, radius, scales);
-    UNITY_BRANCH
-    if (penumbra.readsBlock && state.visibility > 0.0)
-        state.visibility = min(state.visibility, FilterWindowBlock(receiver, penumbra));
-    return SanitizeVisibility(state.visibility);
+    RingSearch search = BeginSearch(scales);
+    search.ground = GroundOfPart(part, scales);
+    if (!nearPart || partNear[part] != 0) search = SumTexels(receiver, scales, radius);
+    if (nearPart) search.sums = AddPart(search.sums, part);
+    else search.sums = SumRings(search.sums, receiver, search.ground, scales, radius);
+    const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
+    if (!penumbra.blocked) return 1.0;
+    float visibility = 1.0;
+    if (penumbra.readsBlock) visibility = FilterWindowBlock(receiver, penumbra);
+    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowDisc(receiver, penumbra, FilterCells(parameters)));
+    return SanitizeVisibility(visibility);
 }
 
 #endif

@@ -173,42 +173,31 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
             if (all(at >= 0) && all(at < texels.size)) sharedDepths[at.y * texels.size.x + at.x] = depths[k];
         }
     }
-    int level = 0;
-    DepthWindow window = texels;
-    window.size = int2(0, 0);
-    int2 firstBlock = int2(0, 0);
-    int2 blocks = int2(0, 0);
+    int offset = 0;
     UNITY_LOOP
-    while (level <= bounds.levels)
+    for (int level = 1; level <= bounds.levels; ++level)
     {
-        UNITY_BRANCH
-        if (level > 0 && i < blocks.x * blocks.y)
+        DepthWindow window = WindowOf(bounds, level);
+        window.offset = offset;
+        if (thread == 0) levelWindows[level] = window;
+        const int2 firstBlock = window.low >> 1;
+        const int2 blocks = any ? ((window.low + window.size + 1) >> 1) - firstBlock : int2(0, 0);
+        UNITY_LOOP
+        for (i = int(thread); i < blocks.x * blocks.y; i += WINDOW_THREADS)
         {
-            const int2 block = firstBlock + PlaceInRows(i, max(blocks.x, 1));
+            const int2 block = firstBlock + PlaceInRows(i, blocks.x);
             uint4 cells;
-            UNITY_BRANCH
             if (level == 1) cells = LOAD_TEXTURE2D(spreads, block);
             else cells = LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
             UNITY_UNROLL
             for (int k = 0; k < 4; ++k)
             {
                 const int2 at = 2 * block + int2(k & 1, k >> 1) - window.low;
-                const int place = window.offset + at.y * window.size.x + at.x;
+                const int place = offset + at.y * window.size.x + at.x;
                 if (all(at >= 0) && all(at < window.size) && place < WINDOW_CELLS) windowSpreads[place] = cells[k];
             }
-            i += WINDOW_THREADS;
         }
-        else
-        {
-            const int offset = window.offset + window.size.x * window.size.y;
-            ++level;
-            window = WindowOf(bounds, level);
-            window.offset = offset;
-            if (thread == 0 && level <= bounds.levels) levelWindows[level] = window;
-            firstBlock = window.low >> 1;
-            blocks = any ? ((window.low + window.size + 1) >> 1) - firstBlock : int2(0, 0);
-            i = int(thread);
-        }
+        offset += window.size.x * window.size.y;
     }
     GroupMemoryBarrierWithGroupSync();
 }
@@ -238,61 +227,10 @@ int2 CellsAlong(float centre, float distance, int low, int size)
     return int2(max(int(ceil(centre - distance - 0.5)), low), min(int(floor(centre + distance - 0.5)), low + size - 1));
 }
 
-// A walk over the cells of a level whose centres lie within a distance of a receiver, row by row.
-struct CellWalk
+int2 CellsOfRow(float2 centre, float distance, int row, DepthWindow window)
 {
-    int2 cell;
-    int lastOfRow;
-    int lastRow;
-    float2 centre;  // of the receiver, cells
-    float farthest; // cells
-    DepthWindow window;
-};
-
-// That of a level, before its first row. radius: texels.
-CellWalk WalkDisc(QuadReceiver receiver, int level, float radius, float ringCells)
-{
-    const float width = PowerOfTwo(level);
-    CellWalk walk;
-    walk.centre = receiver.centre / width;
-    walk.farthest = min(ringCells, radius / width) + 0.5;
-    walk.window = levelWindows[level];
-    const int2 rows = CellsAlong(walk.centre.y, walk.farthest, walk.window.low.y, walk.window.size.y);
-    walk.cell = int2(0, rows.x - 1);
-    walk.lastRow = rows.y;
-    walk.lastOfRow = -1;
-    return walk;
-}
-
-// One without cells.
-CellWalk EndedWalk()
-{
-    CellWalk walk = (CellWalk)0;
-    walk.lastOfRow = -1;
-    walk.lastRow = -1;
-    return walk;
-}
-
-bool IsAtCell(CellWalk walk)
-{
-    return walk.cell.x <= walk.lastOfRow && walk.cell.y <= walk.lastRow;
-}
-
-bool IsLastRow(CellWalk walk)
-{
-    return walk.cell.y >= walk.lastRow;
-}
-
-CellWalk EnterNextRow(CellWalk walk)
-{
-    const int row = walk.cell.y + 1;
-    const float across = float(row) + 0.5 - walk.centre.y;
-    const float reach = sqrt(max(walk.farthest * walk.farthest - across * across, 0.0));
-    const int2 cells = CellsAlong(walk.centre.x, reach, walk.window.low.x, walk.window.size.x);
-    CellWalk entered = walk;
-    entered.cell = int2(cells.x, row);
-    entered.lastOfRow = cells.y;
-    return entered;
+    const float across = float(row) + 0.5 - centre.y;
+    return CellsAlong(centre.x, sqrt(max(distance * distance - across * across, 0.0)), window.low.x, window.size.x);
 }
 
 #endif

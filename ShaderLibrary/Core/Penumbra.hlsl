@@ -76,10 +76,9 @@ float ConeOffset(float radius, float slack, float largestOffset, ConeScales scal
 // weights is 0.
 float LitShare(float litWeight, float blockedWeight)
 {
-    const bool blocked = blockedWeight > 0.0;
-    // Compilers warn of a division by a constant 0, also where its result is not used.
-    const float share = max(litWeight, 0.0) / (blocked ? litWeight + blockedWeight : 1.0);
-    return blocked ? share : 1.0;
+    if (!(blockedWeight > 0.0)) return 1.0;
+    if (!(litWeight > 0.0)) return 0.0;
+    return litWeight / (litWeight + blockedWeight);
 }
 
 // Mean of `count` visibilities, exact at both ends: count * (1 / count) is not 1 for every count.

@@ -89,45 +89,11 @@ RingDecision DecideRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitRe
     return decision;
 }
 
-// Four cells, row by row: bits of the depths of texels, or packed spreads. first: of the cells.
-uint4 CellsOfQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                  TYPED_TEXTURE2D(uint4, coarseSpreads), int2 first, int level, QuadReceiver receiver)
+// Four texels from the first on, row by row.
+float4 DepthsOfQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), int2 first, QuadReceiver receiver)
 {
-    uint4 cells;
-    UNITY_BRANCH
-    if (level > 0)
-        cells = SpreadsOfLevel(depthSpreads, coarseSpreads, first >> 1, level);
-    else
-    {
-        const float2 corner = float2(first + 1) * receiver.texelSize;
-        cells = asuint(SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner)).wzxy);
-    }
-    return cells;
-}
-
-QuadRange QuadsOfStage(RingStage stage, int level, QuadReceiver receiver)
-{
-    QuadRange quads = QuadsAround(receiver, level, stage.radius, stage.ringCells);
-    if (stage.index == kBlockStage)
-    {
-        quads.low = QuadOfBlock(receiver, 0);
-        quads.size = int2(2, 2);
-    }
-    return quads;
-}
-
-bool IsInTile(int2 cell, int level, QuadReceiver receiver)
-{
-    const float width = PowerOfTwo(level);
-    return all(float2(cell) >= ceil(receiver.bounds.minimum / width)) &&
-           all(float2(cell) < floor(receiver.bounds.maximum / width));
-}
-
-// In place of an index, for which HLSL makes arrays of vectors.
-uint ComponentOf(uint4 vector4, int k)
-{
-    const uint2 pair = k > 1 ? vector4.zw : vector4.xy;
-    return (k & 1) != 0 ? pair.y : pair.x;
+    const float2 corner = float2(first + 1) * receiver.texelSize;
+    return SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner)).wzxy;
 }
 
 // Which quads of each level a thread sums: from the first, each step-th.
@@ -145,65 +111,107 @@ QuadShare AllQuads()
     return share;
 }
 
-// With the thread's share of a stage.
-RingState SumStage(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                   TYPED_TEXTURE2D(uint4, coarseSpreads), RingState before, RingStage stage, QuadShare share,
-                   QuadReceiver receiver, ConeScales scales)
+// The texels of the first ring.
+RingSearch SearchRingTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), RingSearch found, QuadShare share, float radius,
+                            QuadReceiver receiver, ConeScales scales)
 {
-    RingState state = before;
-    int level = stage.levels.x;
-    QuadRange quads = QuadsOfStage(stage, level, receiver);
-    int quad = share.first;
-    int k = 0; // of the quad's cells
-    uint4 cells = uint4(0, 0, 0, 0);
-    bool areRead = false;
+    RingSearch search = found;
+    const QuadRange quads = QuadsAround(receiver, 0, radius, kSearchRingCells);
     UNITY_LOOP
-    while (level <= stage.levels.y)
+    for (int i = share.first; i < CountOf(quads); i += share.step)
     {
-        UNITY_BRANCH
-        if (quad < CountOf(quads))
+        const int2 quad = QuadAt(quads, i);
+        const float4 areas = AreasInRing(quad, 0, radius, kSearchRingCells, receiver);
+        if (!AnyArea(areas)) continue;
+        search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
+                              receiver, scales);
+    }
+    return search;
+}
+
+// The cells of the rings beyond, for which the search knows the ground.
+RingSearch SearchRingCells(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), RingSearch found,
+                           QuadShare share, float radius, QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch search = found;
+    const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
+    UNITY_LOOP
+    for (int level = 1; level <= levels; ++level)
+    {
+        const QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
+        UNITY_LOOP
+        for (int i = share.first; i < CountOf(quads); i += share.step)
         {
-            const int2 first = QuadAt(quads, quad);
-            const int2 cell = CellOfQuad(first, k);
-            const float2 away = AwayFrom(receiver, cell, PowerOfTwo(level));
-            const float area = AreaOfCell(length(away), level, stage);
-            UNITY_BRANCH
-            if (area > 0.0 && IsInTile(cell, level, receiver))
-            {
-                UNITY_BRANCH
-                if (!areRead)
-                    cells = CellsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, first, level,
-                                        receiver);
-                areRead = true;
-                state = AddCell(state, stage, ComponentOf(cells, k), away, level, area, receiver, scales);
-            }
-            areRead = areRead && k < 3;
-            quad += k < 3 ? 0 : share.step;
-            k = (k + 1) & 3;
-        }
-        else
-        {
-            ++level;
-            quads = QuadsOfStage(stage, level, receiver);
-            quad = share.first;
+            const int2 quad = QuadAt(quads, i);
+            const float4 areas = AreasInRing(quad, level, radius, kSearchRingCells, receiver);
+            if (!AnyArea(areas)) continue;
+            search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
+                                 receiver, scales);
         }
     }
-    return state;
+    return search;
+}
+
+// Lit and blocked areas of the disc's cells.
+float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
+                   TYPED_TEXTURE2D(uint4, coarseSpreads), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
+{
+    float2 sums = float2(0.0, 0.0);
+    const int level = DiscLevel(penumbra.radius, kRingCells);
+    const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
+    UNITY_LOOP
+    for (int i = share.first; i < CountOf(quads); i += share.step)
+    {
+        const int2 quad = QuadAt(quads, i);
+        const float4 areas = AreasInDisc(quad, level, penumbra.radius, kRingCells, receiver);
+        if (!AnyArea(areas)) continue;
+        if (level == 0)
+            sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
+                                penumbra, receiver);
+        else
+            sums = FilterCells(sums, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas, penumbra,
+                               receiver);
+    }
+    return sums;
+}
+
+// Lit and blocked weights of the 4 x 4 texels.
+float2 SumRingBlock(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
+{
+    float2 sums = float2(0.0, 0.0);
+    UNITY_LOOP
+    for (int k = share.first; k < 4; k += share.step)
+    {
+        const int2 first = QuadOfBlock(receiver, k);
+        sums = FilterBlockQuad(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), first, receiver), first, penumbra,
+                               receiver);
+    }
+    return sums;
 }
 
 // radius: no blocker's penumbra is wider, texels.
 float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
                      TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
 {
-    RingState state = BeginRings(scales);
-    UNITY_LOOP
-    for (int stage = 0; stage < RING_STAGES; ++stage)
+    const RingSearch nearby = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), BeginSearch(scales), AllQuads(), radius,
+                                               receiver, scales);
+    const RingSearch search =
+        SearchRingCells(depthSpreads, coarseSpreads, nearby, AllQuads(), radius, receiver, scales);
+    const RingPenumbra penumbra = PenumbraOf(search, radius, scales);
+    if (!penumbra.blocked) return 1.0;
+    float visibility = 1.0;
+    if (penumbra.readsBlock)
     {
-        state = SumStage(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, state,
-                         StageOf(stage, radius, state, scales), AllQuads(), receiver, scales);
-        state = EndStage(state, stage);
+        const float2 block = SumRingBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, AllQuads(), receiver);
+        visibility = LitShare(block.x, block.y);
     }
-    return SanitizeVisibility(state.visibility);
+    if (penumbra.readsDisc && visibility > 0.0)
+    {
+        const float2 disc = SumRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, penumbra,
+                                        AllQuads(), receiver);
+        visibility = min(visibility, LitShare(disc.x, disc.y));
+    }
+    return SanitizeVisibility(visibility);
 }
 
 float FilterDepthRings(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point), TEXTURE2D(depthPlanes),

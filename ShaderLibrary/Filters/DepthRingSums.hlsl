@@ -23,17 +23,17 @@ static const int kMostRingLevels = 8;
 static const float kKernelNarrowing = 0.25;
 static const float kNarrowestRadius = 1.125;
 
-// Quads of cells of one level.
+// Quads of cells of one level: low, size in quads.
 struct QuadRange
 {
-    int2 low;  // first cell of the first
-    int2 size; // quads
+    int2 low;
+    int2 size;
 };
 
-// The k-th cell of a quad, row by row. first: of its cells.
-int2 CellOfQuad(int2 first, int k)
+// The k-th cell of a quad, row by row.
+int2 CellOfQuad(int2 quad, int k)
 {
-    return first + int2(k & 1, k >> 1);
+    return 2 * quad + int2(k & 1, k >> 1);
 }
 
 // From the receiver to a cell's centre, texels. width: of the cell.
@@ -51,8 +51,8 @@ QuadRange QuadsAround(QuadReceiver receiver, int level, float radius, float ring
     const int2 low = int2(max(floor(here - reach), ceil(receiver.bounds.minimum / width)));
     const int2 high = int2(min(floor(here + reach), floor(receiver.bounds.maximum / width) - 1.0));
     QuadRange quads;
-    quads.low = low & ~1;
-    quads.size = max((high >> 1) - (low >> 1) + 1, 0);
+    quads.low = low >> 1;
+    quads.size = max((high >> 1) - quads.low + 1, 0);
     return quads;
 }
 
@@ -61,10 +61,34 @@ int CountOf(QuadRange quads)
     return quads.size.x * quads.size.y;
 }
 
-// Its first cell.
 int2 QuadAt(QuadRange quads, int index)
 {
-    return quads.low + 2 * PlaceInRows(index, quads.size.x);
+    return quads.low + PlaceInRows(index, quads.size.x);
+}
+
+// What of each cell's area belongs to the level's ring, texels. filled: and to what the ring encloses.
+float4 AreasOfQuad(int2 quad, int level, float radius, float ringCells, bool filled, QuadReceiver receiver)
+{
+    const float width = PowerOfTwo(level);
+    const float2 low = ceil(receiver.bounds.minimum / width);
+    const float2 high = floor(receiver.bounds.maximum / width);
+    float4 areas;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const float2 cell = float2(CellOfQuad(quad, k));
+        const float distance = length(AwayFrom(receiver, CellOfQuad(quad, k), width));
+        const bool inTile = all(cell >= low) && all(cell < high);
+        const float share = filled ? ShareInDisc(distance, level, radius, ringCells)
+                                   : ShareInRing(distance, level, radius, ringCells);
+        areas[k] = inTile ? share * width * width : 0.0;
+    }
+    return areas;
+}
+
+float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadReceiver receiver)
+{
+    return AreasOfQuad(quad, level, radius, ringCells, false, receiver);
 }
 
 // The level of the filter's cells, filterCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
@@ -72,6 +96,17 @@ int2 QuadAt(QuadRange quads, int index)
 int DiscLevel(float radius, float filterCells)
 {
     return RingLevels(radius + 0.5, filterCells, kMostRingLevels);
+}
+
+// Of the filter's disc. level: DiscLevel.
+float4 AreasInDisc(int2 quad, int level, float radius, float filterCells, QuadReceiver receiver)
+{
+    return AreasOfQuad(quad, level, radius, filterCells, true, receiver);
+}
+
+bool AnyArea(float4 areas)
+{
+    return max(max(areas.x, areas.y), max(areas.z, areas.w)) > 0.0;
 }
 
 struct RingSearch
@@ -92,25 +127,49 @@ RingSearch BeginSearch(ConeScales scales)
     return search;
 }
 
-// area: what of the cell belongs to its ring, above 0.
-RingSearch SearchCell(RingSearch search, CellBlockers blockers, float distance, float width, float area, ConeScales scales)
+// depth: of a texel. area: what of it belongs to the first ring, above 0.
+RingSearch SearchTexel(RingSearch search, float depth, float2 away, float area, QuadReceiver receiver, ConeScales scales)
 {
     RingSearch next = search;
-    if (blockers.share > 0.0)
+    const float distance = length(away);
+    if (distance < kGroundReach)
+        next.ground = GroundWithTexel(next.ground, next.groundFound, depth, away, receiver, scales);
+    const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
+    if (!(blockers.share > 0.0)) return next;
+    next.sums = AddBlockers(next.sums, blockers, distance, 1.0, area, scales);
+    const bool isLow = blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
+    if (isLow && next.sums.inside.x > search.sums.inside.x) next.low += area;
+    return next;
+}
+
+// depths: of a quad of texels. areas: AreasInRing of level 0.
+RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 areas, QuadReceiver receiver, ConeScales scales)
+{
+    RingSearch next = search;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
     {
-        next.sums = AddBlockers(search.sums, blockers, distance, width, area, scales);
-        const bool isLow = width == 1.0 && blockers.gap < kLowBlockerTexels * scales.depthPerTexel;
-        if (isLow && next.sums.inside.x > search.sums.inside.x) next.low += area;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+        if (areas[k] > 0.0) next = SearchTexel(next, depths[k], away, areas[k], receiver, scales);
     }
     return next;
 }
 
-// With a texel of the first ring, where it may be the ground. distance: length(away).
-RingSearch SearchGround(RingSearch search, float depth, float2 away, float distance, QuadReceiver receiver, ConeScales scales)
+// cells: packed spreads of a quad of cells of that level, from 1.
+RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, float4 areas, QuadReceiver receiver,
+                       ConeScales scales)
 {
     RingSearch next = search;
-    if (distance < kGroundReach)
-        next.ground = GroundWithTexel(next.ground, next.groundFound, depth, away, receiver, scales);
+    const float width = PowerOfTwo(level);
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, search.ground, receiver);
+        if (blockers.share > 0.0)
+            next.sums = AddBlockers(next.sums, blockers, length(away), width, areas[k], scales);
+    }
     return next;
 }
 
@@ -135,10 +194,10 @@ RingPenumbra PenumbraOf(RingSearch search, float radius, ConeScales scales)
     const float2 found = inside ? sums.inside : sums.nearby;
     RingPenumbra penumbra;
     penumbra.blocked = sums.nearby.x > 0.0;
-    penumbra.radius = penumbra.blocked ? min(found.y / (penumbra.blocked ? found.x : 1.0), radius) : 0.0;
+    penumbra.radius = penumbra.blocked ? min(found.y / found.x, radius) : 0.0;
     const float gap = penumbra.radius * scales.depthPerTexel;
     const bool narrow = penumbra.radius <= kWidestBlockTexels;
-    penumbra.readsBlock = penumbra.blocked && (narrow || search.low > 0.0);
+    penumbra.readsBlock = narrow || search.low > 0.0;
     penumbra.readsDisc = !narrow;
     penumbra.blockRadius = min(max(penumbra.radius - kKernelNarrowing, kNarrowestRadius), kWidestBlockTexels);
     penumbra.blockGap = narrow ? kAnyGap : min(kLowBlockerTexels * scales.depthPerTexel, kLowBlockerShare * gap);
@@ -155,18 +214,28 @@ int2 QuadOfBlock(QuadReceiver receiver, int k)
     return int2(floor(receiver.centre + 0.5)) - 2 + 2 * int2(k & 1, k >> 1);
 }
 
-// The weight of a texel of the block, as in FilterBlock of PcssAngular.hlsl.
-float ShareInBlock(float distance, RingPenumbra penumbra)
+// As FilterBlock of PcssAngular.hlsl: lit and blocked weights, with those of a quad of the block. first: QuadOfBlock.
+float2 FilterBlockQuad(float2 sums, float4 depths, int2 first, RingPenumbra penumbra, QuadReceiver receiver)
 {
-    return max(1.0 - distance / max(penumbra.blockRadius + kBlockReachTexels, kSmallestBlockTexels), 0.0);
-}
-
-// The cone of the light for the block.
-LightCone ConeOfBlock(RingPenumbra penumbra)
-{
-    LightCone cone = penumbra.cone;
-    cone.slackTexels = kWidestBlockTexels + kBlockReachTexels;
-    return cone;
+    const float outermost = max(penumbra.blockRadius + kBlockReachTexels, kSmallestBlockTexels);
+    const float slack = kWidestBlockTexels + kBlockReachTexels;
+    const float2 low = receiver.bounds.minimum;
+    const float2 high = receiver.bounds.maximum;
+    float2 next = sums;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        const int2 texel = first + int2(k & 1, k >> 1);
+        const float2 away = AwayFrom(receiver, texel, 1.0);
+        const float distance = length(away);
+        const bool inTile = all(float2(texel) >= low) && all(float2(texel) < high);
+        const CellBlockers blockers = BlockersOfTexel(depths[k], away, receiver);
+        const float weight = inTile && blockers.gap < penumbra.blockGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
+        const float offset = ConeOffset(distance, slack, penumbra.cone.largestOffset, penumbra.cone.scales);
+        const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
+        next += float2(weight - hidden, hidden);
+    }
+    return next;
 }
 
 // Lit and blocked areas, with those of one cell.
@@ -177,105 +246,35 @@ float2 FilterCell(float2 sums, CellBlockers blockers, float distance, float widt
     return sums + float2(area - hidden, hidden);
 }
 
-// A receiver's visibility is found in stages, each of which sums over quads of cells. One function does all of them: FXC compiles
-// a function anew for each call, and what is in a loop several times for each loop around it, so that four functions with loops
-// of their own, called from a loop, take it half a minute.
-#define RING_STAGES 4
-static const int kTexelStage = 0; // searches the texels of the first ring
-static const int kCellStage = 1;  // and the cells of the rings beyond, for which the texels have shown the ground
-static const int kBlockStage = 2; // filters the 4 x 4 texels
-static const int kDiscStage = 3;  // and the disc
-
-struct RingState
+// As FilterDisc of PcssAngular.hlsl, over texels. areas: AreasInDisc of level 0.
+float2 FilterTexels(float2 sums, float4 depths, int2 quad, float4 areas, RingPenumbra penumbra, QuadReceiver receiver)
 {
-    RingSearch search;
-    float2 filtered;  // lit and blocked, of the stage
-    float visibility; // of the stages that are over
-};
-
-RingState BeginRings(ConeScales scales)
-{
-    RingState state;
-    state.search = BeginSearch(scales);
-    state.filtered = float2(0.0, 0.0);
-    state.visibility = 1.0;
-    return state;
-}
-
-// What a stage sums.
-struct RingStage
-{
-    int index;
-    int2 levels; // first and last
-    float radius;
-    float ringCells;
-    RingPenumbra penumbra; // of the stages that filter
-};
-
-// radius: of the search, texels. A stage that is not needed has no levels.
-RingStage StageOf(int index, float radius, RingState state, ConeScales scales)
-{
-    const bool filters = index > kCellStage;
-    RingStage stage;
-    stage.index = index;
-    stage.penumbra = PenumbraOf(state.search, radius, scales);
-    stage.radius = filters ? stage.penumbra.radius : radius;
-    stage.ringCells = filters ? kRingCells : kSearchRingCells;
-    stage.levels = int2(0, 0);
-    if (index == kCellStage) stage.levels = int2(1, RingLevels(radius, kSearchRingCells, kMostRingLevels));
-    if (index == kBlockStage && !stage.penumbra.readsBlock) stage.levels.y = -1;
-    if (index == kDiscStage)
+    float2 next = sums;
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
     {
-        const int level = DiscLevel(stage.radius, kRingCells);
-        stage.levels = int2(level, stage.penumbra.readsDisc && state.visibility > 0.0 ? level : -1);
-    }
-    return stage;
-}
-
-// What of a cell's area counts, texels. distance: of its centre.
-float AreaOfCell(float distance, int level, RingStage stage)
-{
-    const float width = PowerOfTwo(level);
-    float share = stage.index > kCellStage ? ShareInDisc(distance, level, stage.radius, stage.ringCells)
-                                           : ShareInRing(distance, level, stage.radius, stage.ringCells);
-    if (stage.index == kBlockStage) share = ShareInBlock(distance, stage.penumbra);
-    return share * width * width;
-}
-
-// With a cell of a stage. cell: bits of the depth of a texel, or a packed spread. area: above 0.
-RingState AddCell(RingState state, RingStage stage, uint cell, float2 away, int level, float area, QuadReceiver receiver,
-                  ConeScales scales)
-{
-    RingState next = state;
-    const float width = PowerOfTwo(level);
-    const float distance = length(away);
-    CellBlockers blockers;
-    UNITY_BRANCH
-    if (level > 0) blockers = BlockersOfCell(UnpackSpread(cell), away, width, state.search.ground, receiver);
-    else blockers = BlockersOfTexel(asfloat(cell), away, receiver);
-    UNITY_BRANCH
-    if (stage.index > kCellStage)
-    {
-        LightCone cone = stage.penumbra.cone;
-        if (stage.index == kBlockStage) cone = ConeOfBlock(stage.penumbra);
-        const bool counts = stage.index != kBlockStage || blockers.gap < stage.penumbra.blockGap;
-        next.filtered = FilterCell(state.filtered, blockers, distance, width, counts ? area : 0.0, cone);
-    }
-    else
-    {
-        if (level == 0) next.search = SearchGround(state.search, asfloat(cell), away, distance, receiver, scales);
-        next.search = SearchCell(next.search, blockers, distance, width, area, scales);
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+        next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k], penumbra.cone);
     }
     return next;
 }
 
-// After all shares of a stage.
-RingState EndStage(RingState summed, int stage)
+// The same over larger cells.
+float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas, RingPenumbra penumbra,
+                   QuadReceiver receiver)
 {
-    RingState state = summed;
-    if (stage > kCellStage) state.visibility = min(summed.visibility, LitShare(summed.filtered.x, summed.filtered.y));
-    state.filtered = float2(0.0, 0.0);
-    return state;
+    float2 next = sums;
+    const float width = PowerOfTwo(level);
+    UNITY_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+        if (!(areas[k] > 0.0)) continue;
+        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground, receiver);
+        next = FilterCell(next, blockers, length(away), width, areas[k], penumbra.cone);
+    }
+    return next;
 }
 
 #endif

@@ -68,7 +68,8 @@ float ShareInDisc(float distance, int level, float radius, float ringCells)
 float ShareInRing(float distance, int level, float radius, float ringCells)
 {
     const float share = ShareInDisc(distance, level, radius, ringCells);
-    return level == 0 ? share : share * (1.0 - ShareInDisc(distance, level - 1, radius, ringCells));
+    if (level == 0) return share;
+    return share * (1.0 - ShareInDisc(distance, level - 1, radius, ringCells));
 }
 
 // The smallest number of levels beyond the first whose rings reach `radius`, at most `most`.
@@ -99,15 +100,13 @@ CellBlockers BlockersOfCell(DepthSpread spread, float2 away, float cell, float g
     const float plane = PlaneDepth(receiver, away);
     const float above = DepthGap(spread.mean, plane) + ground;
     const float rise = dot(abs(receiver.gradient), abs(away) + cell);
-    if (above > kLeastAbove + kSlopeError * rise)
-    {
-        // The plane itself spreads over the cell, too.
-        const float slope = (1.0 + kSquareError) * dot(receiver.gradient, receiver.gradient) * cell * cell / 12.0;
-        const float own = slope + 2.0 * kDeviationError * spread.deviation;
-        const float square = above * above + max(spread.deviation * spread.deviation - own, 0.0);
-        blockers.gap = square / above - ground + DepthGap(plane, receiver.depth);
-        blockers.share = blockers.gap > 0.0 ? above * above / square : 0.0;
-    }
+    if (!(above > kLeastAbove + kSlopeError * rise)) return blockers;
+    // The plane itself spreads over the cell, too.
+    const float slope = (1.0 + kSquareError) * dot(receiver.gradient, receiver.gradient) * cell * cell / 12.0;
+    const float own = slope + 2.0 * kDeviationError * spread.deviation;
+    const float square = above * above + max(spread.deviation * spread.deviation - own, 0.0);
+    blockers.gap = square / above - ground + DepthGap(plane, receiver.depth);
+    blockers.share = blockers.gap > 0.0 ? above * above / square : 0.0;
     return blockers;
 }
 
