@@ -46,9 +46,11 @@ class PackagePrograms(unittest.TestCase):
 
     def variants(self, folder, api, most):
         roots = [word for name, place in package_roots(folder).items() for word in ("--package-root", f"{name}={place}")]
+        # Flagship's kernels take FXC minutes: they are compiled by hand until that is mended.
+        skipped = ("--skip", "*Flagship*", "--time-limit", "120") if folder == "Shaders" else ()
         report = self.scratch / "report.json"
         result = subprocess.run([PROGRAM, "validate", ROOT / folder, "--target", "d3d11", "--api", api, *roots, "--stripping",
-                                 ROOT / "tests/samples/both_eyes.json", "--limit", "100000", "--sample", str(most), "--format", "json", "-o", report,
+                                 ROOT / "tests/samples/both_eyes.json", "--limit", "100000", "--sample", str(most), *skipped, "--format", "json", "-o", report,
                                  "--cache", self.scratch / "cache"],
                                 env=self.environment, capture_output=True, text=True)
         self.assertIn(result.returncode, (0, 1), result.stderr)
