@@ -7,8 +7,8 @@ using Object = UnityEngine.Object;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// What the Fix buttons of the feature's inspector do. Each can be undone, and changes nothing but what its message
-    /// names. Null: there is nothing to fix, or its author has to decide.
+    /// The Fix buttons of the feature's inspector. Each fix can be undone, and changes nothing but what its message names.
+    /// A fix is null where there is nothing to fix, or where the project's author has to decide.
     /// </summary>
     internal struct FeatureFixes
     {

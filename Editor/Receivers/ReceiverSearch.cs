@@ -6,8 +6,8 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// What the last search of the project found. A search reads every shader, so it runs on demand alone; what it found is
-    /// serialized with the window, and stays when scripts are compiled.
+    /// The findings of the last search of the project. A search reads every shader, so it runs on demand alone; its findings are
+    /// serialized with the window, and stay when scripts are compiled.
     /// </summary>
     [Serializable]
     internal sealed class ReceiverSearch

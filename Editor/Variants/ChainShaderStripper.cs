@@ -47,8 +47,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Of the chains' keywords. One that a stage does not declare is off in all its variants: vertex programs do not have
-        /// the fragment programs' keywords.
+        /// The chains' keywords that the variants declare. One that a stage does not declare is off in all its variants: vertex
+        /// programs do not have the fragment programs' keywords.
         /// </summary>
         internal static List<string> Declared(KeywordsOfVariants keywords, IList<ShaderCompilerData> data)
         {

@@ -36,7 +36,7 @@ struct HeightFieldRay
     float2 channels;     // factors of the heights' red and green
 };
 
-// Of two channels, which no sampler joins: between the four texels around a place.
+// The height in two channels, which no sampler joins, is interpolated between the four texels around a place.
 float HeightBetweenTexels(TEXTURE2D(heights), float2 texels, float2 groundUv, float2 channels)
 {
     const float2 last = float2(BoundedOrLow(texels.x, 2.0, 65536.0), BoundedOrLow(texels.y, 2.0, 65536.0)) - 1.0;
