@@ -116,7 +116,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
-  settings.compiler = compiling_process(options);
+  settings.compiler = chosen_compiler(options);
   settings.penumbra_pixels = options.penumbra_pixels;
   reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
@@ -216,6 +216,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   measured.results.device = device.info().name;
   measured.results.driver = device.info().driver;
   measured.results.is_software = device.info().is_software;
+  measured.results.front_end = front_end_name(options);
   measured.results.frames = std::move(outcome.frames);
   measured.results.records = std::move(outcome.records);
   measured.pictures = std::move(outcome.pictures);

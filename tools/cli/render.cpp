@@ -34,7 +34,7 @@ study::StudySettings study_settings(const StudyOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
-  settings.compiler = compiling_process(options);
+  settings.compiler = chosen_compiler(options);
   reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;

@@ -13,6 +13,7 @@
 #include "shaders/compiler_failure.h"
 #include "shaders/counted_module.h"
 #include "shaders/spirv_module.h"
+#include "shaders/translation_steps.h"
 
 namespace penumbra::resolve {
 
@@ -80,7 +81,8 @@ CompiledModules translate_here(const ModuleOrder& order, const StageTexts& bytec
     made.named_at = named_places(made.plain, sources, kAdapterFunction.name);
   }
   if (order.is_adapter) check_adapter(module.untouched, order.name, made.named_at);
-  made.counting = shaders::counted_module(module.untouched, order.plain.entry, order.plain.vulkan);
+  made.counting = shaders::counted_module(module.untouched, order.plain.entry, order.plain.vulkan,
+                                          shaders::translation_steps(module.untouched));
   return made;
 }
 

@@ -174,6 +174,7 @@ struct Results {
   std::string device;    // the Vulkan device's own name
   std::string driver;
   bool is_software = true;
+  std::optional<std::string> front_end{};  // of all programs; absent: glslang
   std::vector<EarlierRun> earlier{};  // whose records are among these
   std::vector<MeasuredFrame> frames;  // one per scene and light, in the order of the records
   std::vector<Record> records;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "shaders/dxbc.h"
+#include "fxc/bytecode.h"
 
 namespace penumbra::shaders {
 
@@ -41,10 +41,37 @@ struct Type {
   bool is_matrix() const { return kind == matrix_rows || kind == matrix_columns; }
 };
 
+// A chunk's bytes, which may come from anywhere: every read beyond them throws std::invalid_argument.
+class ChunkReader {
+ public:
+  ChunkReader(std::string_view bytecode, const char* name) {
+    const std::optional<std::string_view> found = fxc::chunk(bytecode, name);
+    if (!found) throw std::invalid_argument("the bytecode has no chunk " + std::string(name));
+    bytes_ = *found;
+  }
+
+  std::uint32_t byte(std::size_t offset) const {
+    if (offset >= bytes_.size()) throw std::invalid_argument("bytecode that ends too early");
+    return static_cast<unsigned char>(bytes_[offset]);
+  }
+  std::uint32_t half(std::size_t offset) const { return byte(offset) | byte(offset + 1) << 8U; }
+  std::uint32_t word(std::size_t offset) const { return half(offset) | half(offset + 2) << 16U; }
+
+  std::string text(std::size_t offset) const {
+    std::string text;
+    for (; byte(offset) != 0; ++offset) text += static_cast<char>(byte(offset));
+    return text;
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+// The chunk RDEF: Microsoft publishes its layout as the structures of d3d11shader.h.
 class DefinitionReader {
  public:
   explicit DefinitionReader(std::string_view bytecode)
-      : part_(dxbc_part(bytecode, "RDEF")), longer_(part_.byte(17) >= 5) {}
+      : part_(bytecode, "RDEF"), longer_(part_.byte(17) >= 5) {}
 
   std::vector<BytecodeResource> resources() const {
     const std::size_t step = 32;
@@ -200,7 +227,7 @@ class DefinitionReader {
     }
   }
 
-  DxbcPart part_;
+  ChunkReader part_;
   bool longer_;  // shader model 5
   mutable std::uint32_t types_read_ = 0;
 };
@@ -218,7 +245,7 @@ SignatureType signature_type(std::uint32_t component) {  // D3D_REGISTER_COMPONE
   }
 }
 
-void add_elements(const DxbcPart& part, bool output, Signature& signature) {
+void add_elements(const ChunkReader& part, bool output, Signature& signature) {
   const std::size_t step = 24;
   for (std::uint32_t i = 0; i < part.word(0); ++i) {
     const std::size_t at = part.word(4) + step * i;
@@ -247,8 +274,8 @@ std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode) {
 
 Signature bytecode_signature(std::string_view bytecode) {
   Signature signature;
-  add_elements(dxbc_part(bytecode, "ISGN"), false, signature);
-  add_elements(dxbc_part(bytecode, "OSGN"), true, signature);
+  add_elements(ChunkReader(bytecode, "ISGN"), false, signature);
+  add_elements(ChunkReader(bytecode, "OSGN"), true, signature);
   return signature;
 }
 
