@@ -175,8 +175,8 @@ struct Results {
   std::string driver;
   bool is_software = true;
   std::optional<std::string> front_end{};  // of all programs; absent: glslang
-  std::vector<EarlierRun> earlier{};  // whose records are among these
-  std::vector<MeasuredFrame> frames;  // one per scene and light, in the order of the records
+  std::vector<EarlierRun> earlier{};       // whose records are among these
+  std::vector<MeasuredFrame> frames;       // one per scene and light, in the order of the records
   std::vector<Record> records;
 
   bool operator==(const Results&) const = default;
