@@ -19,7 +19,7 @@ inline CostRow row(const std::string& family, std::vector<CostVariant> variants,
   made.measured.subgroup_size = 64;
   made.measured.statistics = {
       {"Driver pipeline hash", 12345}, {"Instructions", instructions},  {"VGPRs", 24},
-      {"Subgroups per SIMD", 16},      {"Code size", 8 * instructions}, {"Branches", 3}};
+      {"SGPRs", 0}, {"Spilled VGPRs", 0}, {"Subgroups per SIMD", 16},      {"Code size", 8 * instructions}, {"Branches", 3}};
   made.measured.figures = figures_of(made.measured.statistics);
   return made;
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
@@ -197,6 +198,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
   refuse_idle_bake_options(command, subjects);
+  refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   gpu::Device device = open_device(options);
   // A software device's times rank nothing, and take as long as everything else together.
   settings.timing_repeats = options.timing_repeats.value_or(device.info().is_software ? 1 : 5);

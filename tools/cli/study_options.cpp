@@ -184,6 +184,7 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
   add("--front-end", options.front_end, "COMPILER",
       "What compiles the shaders: glslang, or fxc, Unity's own, whose bytecode is then run")
       ->check(one_of({"glslang", kFxc}));
+  add_fxc(command, options.fxc)->group("Study");
   command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
   add_package_roots(command, options.package_roots)->group("Study");
   add_project(command, options.project)->group("Study");
@@ -277,14 +278,12 @@ void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context)
 resolve::Compiler chosen_compiler(const StudyOptions& options) {
   platform::WorkerPool process{worker_arguments(resolve::modules_mode), 1, worker_limits(options.worker)};
   if (options.front_end != kFxc) return process;
+  if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
   if (!shaders::translates_bytecode())
     throw EnvironmentError(
-        "--front-end fxc: this program was built without vkd3d-shader, which translates FXC's bytecode; "
-        "build it "
-        "where pkg-config finds libvkd3d-shader (libvkd3d-dev on Debian)");
-  fxc::JudgeLimits limits;
-  limits.processor_seconds = static_cast<unsigned>(process.limits.processor_time.count());
-  limits.megabytes = static_cast<unsigned>(process.limits.memory >> 20U);
+        "--front-end fxc: this program was built without vkd3d-shader, which translates FXC's bytecode; build "
+        "it where pkg-config finds libvkd3d-shader (libvkd3d-dev on Debian)");
+  const fxc::JudgeLimits limits = fxc::limits_of(process.limits);
   return {std::move(process), resolve::bytecode_by_fxc(fxc::require_fxc(), limits)};
 }
 

@@ -51,6 +51,7 @@ struct StudyOptions {
   scene::ImportOptions import;
   std::string device;
   std::string front_end = "glslang";  // or fxc
+  std::string fxc;                    // its library; empty: where it is found
   bool validation = false;
   int reference_samples = 1024;
   int noise_seeds = 2;

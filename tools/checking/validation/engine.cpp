@@ -48,8 +48,7 @@ int serve_units(const std::vector<std::string>& targets_with_drivers) {
         open_drivers(targets_with_drivers);
         if (std::find(targets_with_drivers.begin(), targets_with_drivers.end(), fxc_target) !=
             targets_with_drivers.end())
-          service.start_fxc({static_cast<unsigned>(limits.processor_time.count()),
-                             static_cast<unsigned>(limits.memory >> 20U)});
+          service.start_fxc(fxc::limits_of(limits));
       });
 }
 

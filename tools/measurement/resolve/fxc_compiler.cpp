@@ -1,25 +1,15 @@
 #include "resolve/fxc_compiler.h"
 
-#include <algorithm>
-#include <charconv>
 #include <memory>
 
 #include "fxc/messages.h"
-#include "fxc/profile.h"
 #include "hlsl/diagnostic.h"
 #include "input/input_error.h"
 #include "platform/worker_pool.h"
+#include "shaders/fxc_program.h"
 
 namespace penumbra::resolve {
 namespace {
-
-// The harness's own programs tell no target: they may use all of shader model 5.
-int target_of(const shaders::CompileRequest& request) {
-  int target = 50;
-  for (const auto& [name, value] : request.defines)
-    if (name == "SHADER_TARGET") std::from_chars(value.data(), value.data() + value.size(), target);
-  return target;
-}
 
 std::string errors_in(const fxc::Verdict& verdict, const shaders::CompileRequest& request,
                       const std::string& expanded) {
@@ -36,10 +26,8 @@ BytecodeCompiler bytecode_by_fxc(const fxc::Installation& installation, const fx
   const auto judge = std::make_shared<std::unique_ptr<fxc::Judge>>();
   return [installation, limits, judge](const shaders::CompileRequest& request, const std::string& expanded) {
     if (*judge == nullptr) *judge = std::make_unique<fxc::Judge>(installation, limits);
-    const fxc::Program program{fxc::text_for_fxc(expanded), request.entry,
-                               fxc::profile_for(request.stage, target_of(request))};
     try {
-      fxc::Verdict verdict = (*judge)->compile(program);
+      fxc::Verdict verdict = (*judge)->compile(shaders::fxc_program(request, expanded));
       if (verdict.compiled) return Bytecode{std::move(verdict.bytecode), {}};
       return Bytecode{{}, errors_in(verdict, request, expanded)};
     } catch (const platform::WorkerSpent& spent) {
