@@ -52,15 +52,16 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
 // As Unity's inspector counts them, for the macros of Direct3D 11.
 TEST_F(Cost, BytecodeIsCountedWithoutADriver) {
   PENUMBRA_NEEDS_FXC();
-  const std::string file = write("Group.compute",
-                                 "#pragma kernel Main\n#if !defined(SHADER_API_D3D11)\n#error another API\n"
-                                 "#endif\ngroupshared float4 shared_values[64];\nTexture2D<float4> t;\n"
-                                 "RWStructuredBuffer<float4> o;\n[numthreads(64, 1, 1)] void Main(uint i : "
-                                 "SV_GroupIndex)\n{\n    shared_values[i] = t.Load(int3(i, 0, 0));\n    "
-                                 "GroupMemoryBarrierWithGroupSync();\n    o[i] = shared_values[63 - i] * 2;\n}\n")
-                               .string();
-  const auto result = run_with_fxc({"cost", file, "--family", "d3d11", "--format", "json", "-o",
-                                    path("cost.json").string()});
+  const std::string file =
+      write("Group.compute",
+            "#pragma kernel Main\n#if !defined(SHADER_API_D3D11)\n#error another API\n"
+            "#endif\ngroupshared float4 shared_values[64];\nTexture2D<float4> t;\n"
+            "RWStructuredBuffer<float4> o;\n[numthreads(64, 1, 1)] void Main(uint i : "
+            "SV_GroupIndex)\n{\n    shared_values[i] = t.Load(int3(i, 0, 0));\n    "
+            "GroupMemoryBarrierWithGroupSync();\n    o[i] = shared_values[63 - i] * 2;\n}\n")
+          .string();
+  const auto result =
+      run_with_fxc({"cost", file, "--family", "d3d11", "--format", "json", "-o", path("cost.json").string()});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   const nlohmann::json report = nlohmann::json::parse(read("cost.json"));
   EXPECT_THAT(report["driver"].get<std::string>(), StartsWith("FXC "));

@@ -179,16 +179,10 @@ cost::CostReport checked_baseline(const CostOptions& options) {
     ours = cost::read_cost_report(options.from);
   } else {
     cost::CostRequest request;
-    request.families = compared_families(options, baseline);
     // All of RADV's have one driver.
-    if (request.families.empty()) request.families = families_of(options);
-    const auto second = std::min<std::size_t>(1, request.families.size());
-    request.families.erase(std::remove_if(request.families.begin() + static_cast<std::ptrdiff_t>(second),
-                                          request.families.end(),
-                                          [](const std::string& name) {
-                                            return name != cost::direct3d_family.name;
-                                          }),
-                           request.families.end());
+    for (const std::string& family : families_of(options))
+      if (request.families.empty() || family == cost::direct3d_family.name)
+        request.families.push_back(family);
     request.worker = platform::program_path();
     ours.families = cost::open_families(request);
     ours.driver = cost::driver_of(ours.families);
@@ -306,7 +300,8 @@ void add_cost(CLI::App& app, Context& context) {
   add_worker_limits(*command, options->worker, "one shader");
   end_help(*command,
            "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
-           "missing, or FXC\nfor d3d11, or the baseline is from other compiler versions. The figures are static: they include "
+           "missing, or FXC\nfor d3d11, or the baseline is from other compiler versions. The figures are "
+           "static: they include "
            "no cache misses and no overdraw.",
            {{"penumbra cost", "every technique on three families"},
             {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},

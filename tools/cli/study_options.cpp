@@ -281,7 +281,8 @@ resolve::Compiler chosen_compiler(const StudyOptions& options) {
   if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
   if (!shaders::translates_bytecode())
     throw EnvironmentError(
-        "--front-end fxc: this program was built without vkd3d-shader, which translates FXC's bytecode; build "
+        "--front-end fxc: this program was built without vkd3d-shader, which translates FXC's bytecode; "
+        "build "
         "it where pkg-config finds libvkd3d-shader (libvkd3d-dev on Debian)");
   const fxc::JudgeLimits limits = fxc::limits_of(process.limits);
   return {std::move(process), resolve::bytecode_by_fxc(fxc::require_fxc(), limits)};

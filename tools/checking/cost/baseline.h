@@ -26,8 +26,8 @@ struct BaselineComparison {
   bool passed() const { return worse.empty() && unknown.empty() && gone.empty(); }
 };
 
-// The extent of the run: a baseline may contain more. Empty lists mean everything; rows of other families than
-// these are not compared.
+// The extent of the run: a baseline may contain more. Empty lists mean everything; rows of other families
+// than these are not compared.
 struct ComparedExtent {
   std::vector<std::string> families;
   std::vector<std::string> techniques;

@@ -15,7 +15,8 @@ namespace {
 
 // What `penumbra validate` calls it.
 std::string target_of(Compiler compiler) {
-  return std::string(compiler == Compiler::fxc ? validation::fxc_target : validation::spirv_targets().front());
+  return std::string(compiler == Compiler::fxc ? validation::fxc_target
+                                               : validation::spirv_targets().front());
 }
 
 validation::ValidationRequest as_validated(const CostRequest& request, Compiler compiler) {
@@ -71,15 +72,6 @@ std::vector<hlsl::Diagnostic> errors_of(std::vector<hlsl::Diagnostic> said) {
   return said;
 }
 
-void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
-  for (const hlsl::Diagnostic& diagnostic : more) {
-    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
-      return hlsl::format(other) == hlsl::format(diagnostic);
-    });
-    if (!known) said.push_back(diagnostic);
-  }
-}
-
 // As `penumbra validate` compiles the file for Vulkan or Direct3D 11: with its pragmas and Unity's macros.
 // Without keyword sets a program of a .shader or .compute is its first variant, the one with the fewest
 // keywords.
@@ -123,6 +115,15 @@ void add_file(const CostRequest& request, const ShaderFile& shader, Compiler com
 
 }  // namespace
 
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
+  for (const hlsl::Diagnostic& diagnostic : more) {
+    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
+      return hlsl::format(other) == hlsl::format(diagnostic);
+    });
+    if (!known) said.push_back(diagnostic);
+  }
+}
+
 CostModules compile_modules(const CostRequest& request, Compiler compiler) {
   CostModules made;
   std::vector<Source> sources = sources_of(request, compiler);
@@ -143,11 +144,9 @@ CostModules compile_modules(const CostRequest& request, Compiler compiler) {
       continue;
     }
     compiled[i].diagnostics.clear();
-    const auto [place, is_new] =
-        places.try_emplace({file, compile.stage, compile.entry, {compiled[i].spirv, compiled[i].bytecode}},
-                           made.modules.size());
-    if (is_new)
-      made.modules.push_back({file, compile.entry, compile.stage, {}, std::move(compiled[i])});
+    const auto [place, is_new] = places.try_emplace(
+        {file, compile.stage, compile.entry, {compiled[i].spirv, compiled[i].bytecode}}, made.modules.size());
+    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, std::move(compiled[i])});
     made.modules[place->second].variants.push_back(variant);
   }
   return made;

@@ -21,6 +21,9 @@ struct CostModules {
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
+// Of `more` what was not said yet: two variants, or two compilers, may refuse a file for the same reason.
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more);
+
 CostModules compile_modules(const CostRequest& request, Compiler compiler);
 
 }  // namespace penumbra::cost

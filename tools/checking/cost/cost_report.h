@@ -30,7 +30,7 @@ struct CostRow {
   std::string entry;
   std::string stage;
   std::vector<CostVariant> variants;  // all that compile to this one module
-  SpirvCounts spirv;  // 0 for Direct3D's bytecode
+  SpirvCounts spirv;                  // 0 for Direct3D's bytecode
   Measurement measured;
 };
 

@@ -30,12 +30,10 @@ std::vector<CostRow> empty_rows(const std::string& family, const std::vector<Cos
 
 Measurement measurement_of(const fxc::BytecodeCost& cost) {
   Measurement measurement;
-  measurement.statistics = {{"Instructions", cost.instructions},
-                            {"Arithmetic instructions", cost.arithmetic},
-                            {"Texture instructions", cost.textures},
-                            {"Dynamic branches", cost.branches},
-                            {"Temporary registers", cost.temporaries},
-                            {"LDS size", cost.group_shared}};
+  measurement.statistics = {
+      {"Instructions", cost.instructions},       {"Arithmetic instructions", cost.arithmetic},
+      {"Texture instructions", cost.textures},   {"Dynamic branches", cost.branches},
+      {"Temporary registers", cost.temporaries}, {"LDS size", cost.group_shared}};
   measurement.figures = figures_of(measurement.statistics);
   return measurement;
 }
@@ -77,17 +75,9 @@ std::vector<CostRow> measured_by_radv(const CostRequest& request, const std::vec
 
 std::vector<CostRow> counted_in_bytecode(const std::vector<CostModule>& modules) {
   std::vector<CostRow> rows = empty_rows(direct3d_family.name, modules);
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].measured = measurement_of(modules[i].compiled.direct3d);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i].measured = measurement_of(modules[i].compiled.direct3d);
   return rows;
-}
-
-// Both compilers may refuse a file for the same reason, such as an include that is absent.
-void add_new(std::vector<hlsl::Diagnostic>& said, std::vector<hlsl::Diagnostic> more) {
-  std::erase_if(more, [&said](const hlsl::Diagnostic& one) {
-    return std::any_of(said.begin(), said.end(),
-                       [&](const hlsl::Diagnostic& other) { return hlsl::format(other) == hlsl::format(one); });
-  });
-  said.insert(said.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -101,9 +91,9 @@ std::string driver_of(const std::vector<RadvFamily>& families) {
 std::vector<RadvFamily> open_families(const CostRequest& request) {
   std::vector<RadvFamily> families;
   for (const std::string& family : request.families)
-    families.push_back(is_direct3d(family)
-                           ? RadvFamily{family, direct3d_family.architecture, fxc::name_of(fxc::require_fxc())}
-                           : open_family({family, request.worker, request.time_limit}));
+    families.push_back(is_direct3d(family) ? RadvFamily{family, direct3d_family.architecture,
+                                                        fxc::name_of(fxc::require_fxc())}
+                                           : open_family({family, request.worker, request.time_limit}));
   return families;
 }
 
@@ -123,7 +113,7 @@ CostOutcome measure_cost(const CostRequest& request) {
   std::vector<CostRow> direct3d;
   if (of_radv.size() != request.families.size()) {
     CostModules compiled = compile_modules(request, Compiler::fxc);
-    add_new(outcome.diagnostics, std::move(compiled.diagnostics));
+    add_new(outcome.diagnostics, compiled.diagnostics);
     direct3d = counted_in_bytecode(compiled.modules);
   }
   for (const RadvFamily& family : outcome.report.families)

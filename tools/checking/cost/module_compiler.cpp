@@ -55,8 +55,12 @@ CompiledModule compiled_by_fxc(const shaders::CompileRequest& request) {
     module.direct3d = *cost;
     module.bytecode = std::move(verdict.bytecode);
   } else if (!hlsl::has_errors(module.diagnostics)) {
-    module.diagnostics.push_back({request.file.string(), 0, 0, hlsl::Severity::error,
-                                  "FXC gives no bytecode for it, and no message", {}});
+    module.diagnostics.push_back({request.file.string(),
+                                  0,
+                                  0,
+                                  hlsl::Severity::error,
+                                  "FXC gives no bytecode for it, and no message",
+                                  {}});
   }
   return module;
 }

@@ -19,7 +19,7 @@ enum class Compiler : std::uint64_t { glslang, fxc };
 struct CompiledModule {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error, or of FXC
   SpirvCounts counts;
-  std::string bytecode;         // FXC's; empty when a diagnostic is an error, or of glslang
+  std::string bytecode;          // FXC's; empty when a diagnostic is an error, or of glslang
   fxc::BytecodeCost direct3d{};  // of the bytecode
   std::vector<hlsl::Diagnostic> diagnostics;
 

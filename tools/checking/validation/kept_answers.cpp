@@ -38,8 +38,9 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
       .update(encode(unit.lint))
       .update(source.text)
       .update(encode(source.diagnostics))
-      .update(compiled_by_fxc(unit) ? context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile)
-                                    : std::string())
+      .update(compiled_by_fxc(unit)
+                  ? context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile)
+                  : std::string())
       .hex();
 }
 
