@@ -207,6 +207,20 @@ class PresetSteps(unittest.TestCase):
         with self.assertRaises(page.Problem):
             page.device_differences(first, second)
 
+    def test_front_ends_are_paired_by_technique(self):
+        glslang = results(record("tent", operations_per_pixel=100.0), record("pcss", operations_per_pixel=400.0))
+        fxc = results(record("pcss", operations_per_pixel=100.0, rmse_penumbra=0.15),
+                      record("tent", operations_per_pixel=50.0, fetches_mean=3.0))
+        with self.assertRaises(page.Problem):
+            page.front_end_differences(glslang, fxc)
+        fxc["front_end"] = "FXC 10"
+        text = page.front_end_differences(glslang, fxc)
+        self.assertIn("| `tent` | 0.1000 | 0.1000 | 4.00 | 3.00 | 100 | 50 | 0.50 |", text)
+        self.assertIn("| `pcss` | 0.1000 | 0.1500 | 4.00 | 4.00 | 400 | 100 | 0.25 |", text)
+        self.assertIn("from 0.25 to 0.50. The largest difference of the RMSE in penumbrae is 0.0500.", text)
+        with self.assertRaises(page.Problem):
+            page.front_end_differences(glslang, {**fxc, "records": fxc["records"][:1]})
+
     def test_differences_are_paired_by_scene(self):
         def preset(name, scene, error):
             return record("preset-" + name, scene, rmse_penumbra=error)

@@ -78,7 +78,14 @@ void open_device(DeviceState& state) {
   state.info.half_storage = half.storage.storageBuffer16BitAccess;
   state.info.subgroup = subgroup_of(state.physical);
   vk::DeviceCreateInfo create({}, queue, {}, extensions, &state.features);
-  half.storage.pNext = half.arithmetic.shaderFloat16 ? &half.arithmetic : nullptr;
+  // A vertex program of translated Direct3D bytecode counts instances from 0 with it.
+  auto draws =
+      state.physical
+          .getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceShaderDrawParametersFeatures>()
+          .get<vk::PhysicalDeviceShaderDrawParametersFeatures>();
+  draws.pNext = nullptr;
+  half.arithmetic.pNext = &draws;
+  half.storage.pNext = half.arithmetic.shaderFloat16 ? static_cast<void*>(&half.arithmetic) : &draws;
   create.pNext = &half.storage;
   state.device = vk::raii::Device(state.physical, create);
   state.queue = state.device.getQueue(state.queue_family, 0);

@@ -86,11 +86,14 @@ static DWORD WINAPI watch(LPVOID unused) {
     Sleep(50);
     if (!compiling) continue;
     DWORD status = kCompiled;
-    if (processor_time() - used > most_time) status = kTooLong;
+    // Read first: the next request may begin in between.
+    const ULONGLONG begun = used;
+    const ULONGLONG now = processor_time();
+    if (now > begun && now - begun > most_time) status = kTooLong;
     if (memory() > most_memory) status = kTooLarge;
     if (status == kCompiled) continue;
     EnterCriticalSection(&answering);
-    if (compiling) {
+    if (compiling && used == begun) {
       answer(status, NULL, 0, NULL, 0);
       ExitProcess(2);
     }
