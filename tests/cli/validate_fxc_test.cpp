@@ -57,6 +57,7 @@ TEST_F(ValidateFxc, TheReportHasCountsAndIsReadAgain) {
     EXPECT_EQ(report["front_ends"]["compared"], 4);
     EXPECT_EQ(report["front_ends"]["fxc_alone_refuses"], 1);
     EXPECT_EQ(report["front_ends"]["glslang_alone_refuses"], 1);
+    EXPECT_THAT(read("report.json"), Not(HasSubstr("choose another name"))) << "FXC has said it";
     EXPECT_EQ(report["summary"]["cached"].dump(), cached);
   }
   EXPECT_EQ(run({"merge", path("report.json").string()}).exit_code, 1);
@@ -101,6 +102,7 @@ TEST_F(ValidateFxc, WithoutFxcItIsSaidOrRefused) {
   const auto silent = run({"validate", file, "--no-cache"});
   EXPECT_THAT(silent.errors, HasSubstr("note: FXC, Unity's compiler, checked nothing"));
   EXPECT_THAT(silent.output, Not(HasSubstr("d3d11")));
+  EXPECT_THAT(silent.output, HasSubstr("Include.hlsl:2:19: warning: 'pass' is a reserved word of FXC"));
   const auto wrong =
       run_with_fxc({"validate", file, "--fxc", "/nowhere/d3dcompiler_47.dll", "--target", "d3d11"});
   EXPECT_EQ(wrong.exit_code, 3);

@@ -4,6 +4,7 @@
 
 #include "validation/program_lint.h"
 #include "validation/shader_sources.h"
+#include "validation/unit_lint.h"
 #include "validation/validate_techniques.h"
 #include "validation/validation_units.h"
 
@@ -75,6 +76,32 @@ TEST_F(UnitLint, IsSilentWhereItIsNotWantedAndForRulesLeftOut) {
   EXPECT_THAT(found(validate(left_out)), ElementsAre("f.hlsl:4 negative-pow"));
   left_out.lint.left_out = {"negative-pow"};
   EXPECT_THAT(found(validate(left_out)), IsEmpty());
+}
+
+constexpr const char* reserved = "float4 Main() : SV_Target\n{\n    float pass = 1; return pass;\n}\n";
+
+TEST_F(UnitLint, FindsNamesThatFxcRefuses) {
+  const ValidationReport report = validate(request(reserved));
+  ASSERT_THAT(found(report), ElementsAre("f.hlsl:3 reserved-name"));
+  EXPECT_EQ(report.records[0].diagnostics[0].column, 11);
+  EXPECT_EQ(report.records[0].status, VariantStatus::passed) << "a warning";
+  std::string silenced = reserved;
+  silenced.insert(silenced.find("\n}"), "  // penumbra-lint: disable=reserved-name");
+  EXPECT_THAT(found(validate(request(silenced))), IsEmpty());
+}
+
+TEST_F(UnitLint, LeavesToFxcWhatItCompilesAndToDxc) {
+  files_.write("f.hlsl", reserved);
+  std::vector<CompileUnit> units(4, fragment_unit(files_.path("f.hlsl")));
+  for (CompileUnit& unit : units) unit.lint.wanted = true;
+  units[1].targets = {"d3d11"};
+  units[2].keywords = {"OTHER"};
+  units[3].keywords = {"DXC"};
+  units[3].compile.dxc = true;
+  leave_to_compilers(units);
+  EXPECT_THAT(units[0].lint.left_out, ElementsAre("early-return", "indexed-write", "reserved-name"));
+  EXPECT_THAT(units[2].lint.left_out, IsEmpty()) << "another variant than FXC's";
+  EXPECT_THAT(units[3].lint.left_out, SizeIs(3));
 }
 
 TEST_F(UnitLint, ChangesNoModule) {

@@ -78,8 +78,17 @@ bool ControlFlow::dominates(std::size_t above, std::size_t below) const {
   return above == below;
 }
 
+bool ControlFlow::encloses(std::size_t header, std::size_t node) const {
+  return merge[header] != no_node && header != node && dominates(header, node) &&
+         !dominates(merge[header], node);
+}
+
 const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block) {
   return code.instructions()[block.end - 1];
+}
+
+const spirv::Instruction& merge_instruction(const spirv::Code& code, const spirv::Block& block) {
+  return code.instructions()[block.end - 2];
 }
 
 Graph reversed(const Graph& graph) {

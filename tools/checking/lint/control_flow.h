@@ -30,12 +30,16 @@ struct ControlFlow {
 
   bool reachable(std::size_t node) const { return dominator[node] != no_node; }
   bool dominates(std::size_t above, std::size_t below) const;
+  // Whether the header declares a merge block, and the node is in the condition or loop before it.
+  bool encloses(std::size_t header, std::size_t node) const;
 };
 
 ControlFlow control_flow(const spirv::Code& code, const spirv::Function& function);
 
 // The last instruction of a block.
 const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block);
+// OpSelectionMerge or OpLoopMerge of a block that has one.
+const spirv::Instruction& merge_instruction(const spirv::Code& code, const spirv::Block& block);
 
 Graph reversed(const Graph& graph);
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);

@@ -12,7 +12,9 @@
 #include "lint/arithmetic.h"
 #include "lint/barriers.h"
 #include "lint/control_flow.h"
+#include "lint/early_return.h"
 #include "lint/gradients.h"
+#include "lint/indexed_write.h"
 #include "lint/legalised.h"
 #include "lint/resources.h"
 #include "lint/suppression.h"
@@ -78,6 +80,8 @@ std::vector<Finding> all_findings(const ModuleToLint& module, const spirv::Modul
   const spirv::Code written(spirv);
   const LintedCode linted{written, module.sources, module.file};
   append(findings, unset_values(linted));
+  append(findings, early_return_findings(linted));
+  append(findings, indexed_write_findings(linted));
   append(findings, is_small(written) ? legalised_findings(module, spirv, legalised)
                                      : std::vector{finding_at(
                                            linted, "not-checked", {}, {},

@@ -15,6 +15,7 @@ struct RuleInfo {
   hlsl::Severity severity = hlsl::Severity::warning;  // the highest that it reports
   std::string summary;                                // one sentence
   std::string source;                                 // the page or section that documents it
+  bool of_fxc = false;  // stands in for FXC, which says the same of what it compiles
 };
 
 // In the order of the documentation.

@@ -7,6 +7,7 @@
 #include "fxc/judge.h"
 #include "fxc/messages.h"
 #include "input/input_error.h"
+#include "lint/reserved_names.h"
 #include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
 #include "validation/checked_declarations.h"
@@ -141,6 +142,9 @@ class UnitAtWork {
       const std::string& text = source_.sources.text(file);
       files.push_back({file, source_hash(text), job_.unit.lint.wanted && holds_suppression(text)});
     }
+    std::vector<lint::Finding> names;
+    if (job_.unit.lint.wanted)
+      names = lint::reserved_name_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
     shaders::CompileResult result = job_.sharing == Sharing::nothing
@@ -154,7 +158,7 @@ class UnitAtWork {
       answer.module_key = module_key(spirv_);
       answer.signature = std::make_shared<const std::string>(encode(result.signature));
     }
-    if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, answer);
+    if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
       if (file.silences || quotes(answer, file.name))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
@@ -163,9 +167,9 @@ class UnitAtWork {
     reply_.compile_cached = false;
   }
 
-  void lint(const shaders::CompileResult& result, CompileAnswer& answer) {
+  void lint(const shaders::CompileResult& result, std::vector<lint::Finding> names, CompileAnswer& answer) {
     link_.note(note_lint);
-    for (hlsl::Diagnostic& message : linted_.messages(job_.unit, result))
+    for (hlsl::Diagnostic& message : linted_.messages(job_.unit, result, std::move(names)))
       answer.diagnostics.push_back(std::move(message));
     answer.buffers = std::make_shared<const std::string>(encode(lint::constant_buffers(result.unoptimised)));
     link_.note(note_compile);

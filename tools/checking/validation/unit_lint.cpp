@@ -1,11 +1,13 @@
 #include "validation/unit_lint.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "lint/module_rules.h"
 #include "platform/byte_stream.h"
 #include "platform/content_hash.h"
+#include "validation/kept_answers.h"
 
 namespace penumbra::validation {
 
@@ -17,7 +19,8 @@ std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrde
 }
 
 std::vector<hlsl::Diagnostic> LintedModules::messages(const CompileUnit& unit,
-                                                      const shaders::CompileResult& compiled) {
+                                                      const shaders::CompileResult& compiled,
+                                                      std::vector<lint::Finding> of_text) {
   const std::string file = unit.compile.file.string();
   platform::ContentHash hash;
   hash.update(std::span<const std::uint32_t>(compiled.unoptimised)).update(file);
@@ -29,10 +32,27 @@ std::vector<hlsl::Diagnostic> LintedModules::messages(const CompileUnit& unit,
         key, lint::module_findings({compiled.unoptimised, unit.compile.stage, file, compiled.sources,
                                     unit.lint.shader_target, compiled.legalised}));
   std::vector<hlsl::Diagnostic> messages;
-  for (lint::Finding& finding : lint::with_suppressions(*known, compiled.sources))
+  of_text.insert(of_text.end(), known->begin(), known->end());
+  for (lint::Finding& finding : lint::with_suppressions(std::move(of_text), compiled.sources))
     if (std::optional<hlsl::Diagnostic> message = message_of(std::move(finding), unit.lint))
       messages.push_back(*std::move(message));
   return messages;
+}
+
+void leave_to_compilers(std::vector<CompileUnit>& units) {
+  const auto program_of = [](const CompileUnit& unit) {
+    platform::ContentHash names;
+    names.update(unit.file).update(unit.sub_shader);
+    add_names(names, unit);
+    return names.hex();
+  };
+  std::set<std::string> by_fxc;
+  for (const CompileUnit& unit : units)
+    if (compiled_by_fxc(unit)) by_fxc.insert(program_of(unit));
+  for (CompileUnit& unit : units)
+    if (unit.lint.wanted && (unit.compile.dxc || by_fxc.contains(program_of(unit))))
+      for (const lint::RuleInfo& rule : lint::rules())
+        if (rule.of_fxc) unit.lint.left_out.push_back(rule.name);
 }
 
 bool holds_suppression(std::string_view source) {

@@ -19,12 +19,18 @@ namespace penumbra::validation {
 // Equal modules are looked at once. Not for several threads at once.
 class LintedModules {
  public:
-  // `compiled` with its unoptimised module. Findings of rules that are left out are not among the messages.
-  std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled);
+  // `compiled` with its unoptimised module; `of_text`: what was found in its text. Findings of rules that are
+  // left out are not among the messages.
+  std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled,
+                                         std::vector<lint::Finding> of_text);
 
  private:
   RecentResults<std::vector<lint::Finding>> findings_{256};
 };
+
+// Leaves the rules that repeat FXC (lint::RuleInfo::of_fxc) out of the units whose program is among those
+// that FXC compiles, and out of those that Unity compiles by DXC.
+void leave_to_compilers(std::vector<CompileUnit>& units);
 
 bool holds_suppression(std::string_view source);  // a comment that silences a rule, or seems to
 

@@ -1,0 +1,33 @@
+"""The rules that stand in for FXC are silent on the package's programs and on its samples', which FXC takes without a message
+(tests/fxc/package_programs_test.py)."""
+import json
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PROGRAM = os.environ["PENUMBRA_PROGRAM"]
+STAND_INS = {"Shaders": ROOT / "tools/programs/shaders/unity", "Samples~": ROOT / "tests/samples/unity"}
+RULES = {"early-return", "indexed-write", "reserved-name"}
+
+
+class PackageShaders(unittest.TestCase):
+    def test_no_rule_of_fxc_speaks(self):
+        for folder, packages in STAND_INS.items():
+            with self.subTest(folder=folder):
+                roots = [word for place in packages.iterdir() for word in ("--package-root", f"{place.name}={place}")]
+                result = subprocess.run([PROGRAM, "validate", ROOT / folder, "--target", "spirv", "--fxc", "off", "--sample", "1", *roots,
+                                         "--package-root", f"com.penumbra.shadows={ROOT}", "--no-cache", "--format", "json"],
+                                        capture_output=True, text=True)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                report = json.loads(result.stdout)
+                self.assertLessEqual(RULES, report["rules"].keys())
+                self.assertGreater(len(report["variants"]), 10)
+                said = [message for variant in report["variants"] for message in variant.get("diagnostics", ())
+                        if message.get("rule") in RULES]
+                self.assertEqual(said, [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,115 @@
+#include "lint/early_return.h"
+
+#include <algorithm>
+
+#include "lint/components.h"
+#include "lint/control_flow.h"
+#include "lint/known_values.h"
+
+namespace penumbra::lint {
+
+namespace {
+
+// The most components of a result that FXC chooses without a branch.
+constexpr std::size_t most_chosen = 16;
+
+bool reads_texture(const spirv::Instruction& instruction) {
+  return instruction.op >= spv::OpImageSampleImplicitLod && instruction.op <= spv::OpImageQuerySamples &&
+         instruction.op != spv::OpImageWrite && instruction.op != spv::OpImage;
+}
+
+class ReturnsOf {
+ public:
+  ReturnsOf(const LintedCode& linted, const spirv::Function& function, const KnownValues& values)
+      : linted_(linted), function_(function), values_(values), flow_(control_flow(linted.code, function)) {}
+
+  // `large`: what the function returns makes every condition around a return a branch.
+  std::vector<Finding> findings(bool large) const {
+    std::vector<Finding> findings;
+    for (const std::size_t node : flow_.order) {
+      const spirv::Instruction& end = terminator(linted_.code, function_.blocks[node]);
+      if (end.op == spv::OpReturnValue && is_early(node, large)) findings.push_back(finding_of(end));
+    }
+    return findings;
+  }
+
+ private:
+  // A condition around the return, from the innermost to the outermost, that FXC makes a branch, with code
+  // behind it and outside of loops.
+  bool is_early(std::size_t returns, bool large) const {
+    bool early = false;
+    for (std::size_t at = returns; flow_.dominator[at] != at;) {
+      at = flow_.dominator[at];
+      if (!flow_.encloses(at, returns)) continue;
+      if (merge_instruction(linted_.code, function_.blocks[at]).op == spv::OpLoopMerge) {
+        early = false;
+      } else {
+        early = early || leaves_result_unset(at, large);
+      }
+    }
+    return early;
+  }
+
+  bool leaves_result_unset(std::size_t header, bool large) const {
+    const spirv::Instruction& branch = terminator(linted_.code, function_.blocks[header]);
+    if (branch.op != spv::OpBranchConditional || flow_.successors[header].size() < 2 ||
+        !flow_.reachable(flow_.merge[header]))
+      return false;
+    const std::uint32_t control = merge_instruction(linted_.code, function_.blocks[header]).operands[1];
+    if ((control & spv::SelectionControlFlattenMask) != 0) return false;
+    const bool branches = large || (control & spv::SelectionControlDontFlattenMask) != 0;
+    return (branches || encloses_texture_read(header)) && !values_.known(branch.operands[0]);
+  }
+
+  bool encloses_texture_read(std::size_t header) const {
+    const auto first = linted_.code.instructions().begin();
+    return std::any_of(flow_.order.begin(), flow_.order.end(), [&](std::size_t node) {
+      const spirv::Block& block = function_.blocks[node];
+      return flow_.encloses(header, node) &&
+             std::any_of(first + static_cast<std::ptrdiff_t>(block.begin),
+                         first + static_cast<std::ptrdiff_t>(block.end), reads_texture);
+    });
+  }
+
+  Finding finding_of(const spirv::Instruction& at) const {
+    std::string name = linted_.code.name(function_.id);
+    name = name.substr(0, name.find('('));
+    return finding_at(linted_, "early-return", at.place, {"return"},
+                      "FXC, Unity's compiler, takes the result of '" + name +
+                          "' for uninitialised because of this return from within a condition: set a "
+                          "variable on both sides of the condition, and return it at the function's end");
+  }
+
+  const LintedCode& linted_;
+  const spirv::Function& function_;
+  const KnownValues& values_;
+  const ControlFlow flow_;
+};
+
+// In a helper function of one return there is none that is early.
+bool has_several_returns(const spirv::Code& code, const spirv::Function& function) {
+  if (function.id == code.entry_function() || code.name(function.id).starts_with('@') ||
+      function.blocks.size() > most_blocks)
+    return false;
+  return std::count_if(function.blocks.begin(), function.blocks.end(), [&](const spirv::Block& block) {
+           return terminator(code, block).op == spv::OpReturnValue;
+         }) > 1;
+}
+
+}  // namespace
+
+std::vector<Finding> early_return_findings(const LintedCode& linted) {
+  const spirv::Code& code = linted.code;
+  const KnownValues values(code);
+  ComponentLayout layout(code);
+  std::vector<Finding> findings;
+  for (const spirv::Function& function : code.functions()) {
+    if (!has_several_returns(code, function)) continue;
+    const bool large = layout.count(function.result_type) > most_chosen;
+    for (Finding& finding : ReturnsOf(linted, function, values).findings(large))
+      findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace penumbra::lint

@@ -1,0 +1,20 @@
+// Rule early-return: a function that returns from within a condition, of which FXC says that its result may
+// be uninitialised (X4000) and which it may then refuse (X8000). Internal to this room.
+//
+// FXC makes a branch of a condition with [branch], of one with texture reads, and of one whose function
+// returns more than 16 components; it turns others into a choice of values, where nothing is left
+// uninitialised. It knows every path where both sides return, and it treats returns from loops in another
+// way. All of this has been tried with FXC 10.0.26100.
+#pragma once
+
+#include <vector>
+
+#include "lint/rule.h"
+#include "lint/source_place.h"
+
+namespace penumbra::lint {
+
+// Of a module before inlining.
+std::vector<Finding> early_return_findings(const LintedCode& linted);
+
+}  // namespace penumbra::lint

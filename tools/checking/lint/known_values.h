@@ -1,0 +1,34 @@
+// Whether a compiler that inlines functions and unrolls loops knows a value. Internal to this room.
+//
+// It knows what is computed from constants alone, loop counters among them. Where a value is known decides
+// what FXC makes of conditions: it removes those that it knows. Only data flow is followed, so "known" may be
+// wrong where a branch on something unknown chooses among constants.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "spirv/code.h"
+
+namespace penumbra::lint {
+
+// The variable or parameter of which a pointer is a part.
+spirv::Id base_of(const spirv::Code& code, spirv::Id pointer);
+
+class KnownValues {
+ public:
+  // Of a module before inlining, which must outlive this object.
+  explicit KnownValues(const spirv::Code& code);
+
+  bool known(spirv::Id value) const;
+
+ private:
+  bool comes_from_outside(const spirv::Instruction& definition) const;
+
+  const spirv::Code& code_;
+  // By variable or parameter: the values that are stored to it, and the arguments of calls.
+  std::map<spirv::Id, std::vector<spirv::Id>> stored_;
+  std::map<spirv::Id, std::vector<spirv::Id>> given_;
+};
+
+}  // namespace penumbra::lint

@@ -1,0 +1,20 @@
+// Rule reserved-name: a name that is a reserved word of FXC, Unity's compiler (X3000).
+//
+// The words are those that FXC 10.0.26100 refuses and glslang takes. Only names that are declared count: some
+// words mean something elsewhere (`: register(t0)`).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hlsl/source_text.h"
+#include "lint/rule.h"
+
+namespace penumbra::lint {
+
+// `expanded`: without comments and macros, with #line directives (hlsl/tokens.h); lines before the first that
+// names a file are in `main_file`. One finding for each place.
+std::vector<Finding> reserved_name_findings(const std::string& expanded, const std::string& main_file,
+                                            const hlsl::SourceFiles& sources);
+
+}  // namespace penumbra::lint
