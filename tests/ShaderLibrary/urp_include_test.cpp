@@ -83,8 +83,9 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   // The single loop loads depths without any sampler.
   const bool gathers = !compares && GetParam() != "_PENUMBRA_SINGLE_LOOP";
   EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
-  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later, and OpenGL.
-  for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {
+  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later, and OpenGL. WebGPU
+  // is treated as OpenGL.
+  for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE", "SHADER_API_WEBGPU"}) {
     for (const char* target : {"35", "45"}) {
       EXPECT_FALSE(binds(compile_umbrella({{GetParam(), "1"}, {api, "1"}, {"SHADER_TARGET", target}}),
                          "sampler_PenumbraPointClamp"))
@@ -96,10 +97,6 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
       EXPECT_EQ(compiled(GetParam()), compiled("_PENUMBRA_TENT_7X7")) << api << " " << target;
     }
   }
-  // Where the documentation says that it is compiled as for Vulkan.
-  EXPECT_EQ(
-      binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_WEBGPU", "1"}}), "sampler_PenumbraPointClamp"),
-      gathers);
 }
 
 // Alone and beside the other, which reads raw depths or compares; also where raw reads are undefined.

@@ -1,5 +1,8 @@
+#include <nlohmann/json.hpp>
+
 #include "cli/hostile_shaders.h"
 #include "cli/program.h"
+#include "fxc/at_hand.h"
 
 namespace penumbra {
 namespace {
@@ -44,6 +47,50 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   EXPECT_THAT(once.output, HasSubstr("Main,fragment,+UNUSED,"));
   EXPECT_THAT(once.output, HasSubstr("Main,fragment,+DARK,"));
   EXPECT_EQ(run(command).output, once.output);
+}
+
+// As Unity's inspector counts them, for the macros of Direct3D 11.
+TEST_F(Cost, BytecodeIsCountedWithoutADriver) {
+  PENUMBRA_NEEDS_FXC();
+  const std::string file =
+      write("Group.compute",
+            "#pragma kernel Main\n#if !defined(SHADER_API_D3D11)\n#error another API\n"
+            "#endif\ngroupshared float4 shared_values[64];\nTexture2D<float4> t;\n"
+            "RWStructuredBuffer<float4> o;\n[numthreads(64, 1, 1)] void Main(uint i : "
+            "SV_GroupIndex)\n{\n    shared_values[i] = t.Load(int3(i, 0, 0));\n    "
+            "GroupMemoryBarrierWithGroupSync();\n    o[i] = shared_values[63 - i] * 2;\n}\n")
+          .string();
+  const auto result =
+      run_with_fxc({"cost", file, "--family", "d3d11", "--format", "json", "-o", path("cost.json").string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json report = nlohmann::json::parse(read("cost.json"));
+  EXPECT_THAT(report["driver"].get<std::string>(), StartsWith("FXC "));
+  ASSERT_EQ(report["rows"].size(), 1U);
+  const nlohmann::json figures = report["rows"][0]["figures"];
+  EXPECT_EQ(figures["lds_bytes"], 64 * 16);
+  EXPECT_EQ(figures["textures"], 1);
+  EXPECT_EQ(figures["branches"], 0);
+  EXPECT_GE(figures["arithmetic"], 1);
+  EXPECT_GE(figures["temporaries"], 1);
+  EXPECT_GT(figures["instructions"], 4);
+  const auto table = run_with_fxc({"cost", file, "--family", "d3d11"});
+  EXPECT_THAT(table.output, AllOf(HasSubstr("d3d11: Direct3D bytecode, FXC "), HasSubstr("temporaries"),
+                                  Not(HasSubstr("SPIR-V")), Not(HasSubstr("VGPRs"))));
+}
+
+TEST_F(Cost, WhatFxcRefusesIsAFindingAtItsLine) {
+  PENUMBRA_NEEDS_FXC();
+  const std::string file =
+      write("reserved.hlsl", "float4 Main() : SV_Target\n{ float pass = 1; return pass; }\n").string();
+  const auto result = run_with_fxc({"cost", file, "--family", "d3d11"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("reserved.hlsl:2:9: error: X3000: syntax error: unexpected token"));
+}
+
+TEST_F(Cost, WithoutFxcBytecodeIsAnEnvironmentError) {
+  const auto result = run({"cost", shader(), "--family", "d3d11"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.errors, HasSubstr("FXC"));
 }
 
 TEST_F(Cost, StagesThatAreNotMeasuredAreNamed) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "cost/families.h"
 #include "cost/made_up_report.h"
 #include "input/input_error.h"
 
@@ -115,16 +116,42 @@ TEST(Baseline, TechniquesThatPartStillMeetTheirSharedFigures) {
 
 TEST(Baseline, OtherCompilersAreRefusedWithTheWayOut) {
   const CostReport baseline = made_up::report();
-  EXPECT_NO_THROW(require_same_compilers(baseline.driver, baseline.compiler, baseline, "cost.json"));
+  CostReport ours = baseline;
+  EXPECT_NO_THROW(require_same_compilers(ours, baseline, "cost.json"));
+  ours.driver = "radv Mesa 9";
   try {
-    require_same_compilers("radv Mesa 9", baseline.compiler, baseline, "cost.json");
+    require_same_compilers(ours, baseline, "cost.json");
     FAIL() << "figures of two drivers were compared";
   } catch (const EnvironmentError& error) {
     EXPECT_THAT(error.what(), HasSubstr("cost.json: measured with radv Mesa 1.2.3"));
     EXPECT_THAT(error.what(), HasSubstr("this machine has radv Mesa 9"));
     EXPECT_THAT(error.what(), HasSubstr("--any-driver"));
   }
-  EXPECT_THROW(require_same_compilers(baseline.driver, "glslang 9", baseline, "cost.json"), EnvironmentError);
+  ours = baseline;
+  ours.compiler = "glslang 9";
+  EXPECT_THROW(require_same_compilers(ours, baseline, "cost.json"), EnvironmentError);
+}
+
+TEST(Baseline, AnotherFxcIsRefusedWhereBothHaveItsBytecode) {
+  CostReport baseline = made_up::report();
+  CostReport ours = baseline;
+  ours.families.push_back({direct3d_family.name, direct3d_family.architecture, "FXC 2"});
+  EXPECT_NO_THROW(require_same_compilers(ours, baseline, "cost.json"));
+  baseline.families.push_back({direct3d_family.name, direct3d_family.architecture, "FXC 1"});
+  try {
+    require_same_compilers(ours, baseline, "cost.json");
+    FAIL() << "figures of two versions of FXC were compared";
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("glslang 1, SPIRV-Tools 2 and FXC 1, but this machine has radv Mesa "
+                                        "1.2.3 and glslang 1, SPIRV-Tools 2 and FXC 2"));
+  }
+}
+
+TEST(Baseline, FamiliesOutsideOfTheExtentAreNotCompared) {
+  CostReport now = made_up::report();
+  now.rows.push_back(made_up::row(direct3d_family.name, {{"hard", {}}}, 12));
+  EXPECT_TRUE(compare_with_baseline(now, made_up::report(), {{"old", "new"}, {}, {}}, 0.0).passed());
+  EXPECT_FALSE(compare_with_baseline(now, made_up::report(), {}, 0.0).passed());
 }
 
 }  // namespace

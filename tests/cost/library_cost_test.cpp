@@ -6,7 +6,9 @@
 #include <iostream>
 
 #include "cost/baseline.h"
+#include "cost/families.h"
 #include "cost/measure_cost.h"
+#include "fxc/at_hand.h"
 
 namespace penumbra::cost {
 namespace {
@@ -91,6 +93,31 @@ TEST(LibraryCost, IsTheCommittedOne) {
     EXPECT_EQ(same->spirv, row.spirv) << row_name(row);
     EXPECT_EQ(same->measured.subgroup_size, row.measured.subgroup_size) << row_name(row);
   }
+}
+
+// What OpenGL ES 3.1 and Vulkan promise every group. Bytecode is the one form in which a group's memory does
+// not depend on a driver.
+TEST(LibraryCost, BytecodeIsTheCommittedOneAndGroupsHaveTheirMemory) {
+  PENUMBRA_NEEDS_FXC();
+  const CostReport committed = read_cost_report(PENUMBRA_SOURCE_DIR "/Documentation~/results/cost.json");
+  CostRequest request = library_request();
+  request.families = {direct3d_family.name};
+  const CostOutcome measured = measure_cost(request);
+  EXPECT_THAT(measured.diagnostics, IsEmpty());
+  std::uint64_t most = 0;
+  for (const CostRow& row : measured.report.rows) {
+    const std::uint64_t bytes = row.measured.figures.lds_bytes.value_or(0);
+    EXPECT_LE(bytes, 16384U) << row_name(row);
+    most = std::max(most, bytes);
+  }
+  EXPECT_GT(most, 1024U) << "some technique has memory of its groups";
+  const BaselineComparison comparison =
+      compare_with_baseline(measured.report, committed, {{direct3d_family.name}, {}, {}}, 0.0);
+  EXPECT_THAT(comparison.unknown, IsEmpty()) << "techniques without committed figures: run scripts/publish";
+  EXPECT_THAT(comparison.gone, IsEmpty()) << "committed figures without a technique: run scripts/publish";
+  if (driver_of(measured.report, direct3d_family.name) != driver_of(committed, direct3d_family.name)) return;
+  EXPECT_TRUE(comparison.worse.empty() && comparison.better.empty())
+      << comparison_text(comparison) << "when that is meant, scripts/publish writes the new figures";
 }
 
 TEST(LibraryCost, TwoRunsGiveTheSameBytesWhateverTheThreads) {

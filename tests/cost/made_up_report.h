@@ -17,9 +17,14 @@ inline CostRow row(const std::string& family, std::vector<CostVariant> variants,
   made.variants = std::move(variants);
   made.spirv = {100, 60, 4, 10, 6};
   made.measured.subgroup_size = 64;
-  made.measured.statistics = {
-      {"Driver pipeline hash", 12345}, {"Instructions", instructions},  {"VGPRs", 24},
-      {"Subgroups per SIMD", 16},      {"Code size", 8 * instructions}, {"Branches", 3}};
+  made.measured.statistics = {{"Driver pipeline hash", 12345},
+                              {"Instructions", instructions},
+                              {"VGPRs", 24},
+                              {"SGPRs", 0},
+                              {"Spilled VGPRs", 0},
+                              {"Subgroups per SIMD", 16},
+                              {"Code size", 8 * instructions},
+                              {"Branches", 3}};
   made.measured.figures = figures_of(made.measured.statistics);
   return made;
 }

@@ -83,8 +83,11 @@ TEST(NullRadv, KnownFamiliesOpen) {
 TEST(NullRadv, EveryFigureIsThere) {
   const Measurement measured = measure_one(radv(), module_of(taps_shader(4)));
   ASSERT_THAT(measured.failure, IsEmpty());
-  for (const FigureName& name : figure_names())
+  for (const FigureName& name : figure_names()) {
+    // Those from here are of Direct3D's bytecode.
+    if (name.value == &Figures::arithmetic) break;
     EXPECT_TRUE((measured.figures.*name.value).has_value()) << name.key << " of " << name.driver_name;
+  }
   EXPECT_TRUE(measured.subgroup_size == 32 || measured.subgroup_size == 64) << measured.subgroup_size;
 }
 

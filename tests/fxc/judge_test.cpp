@@ -46,6 +46,18 @@ TEST(FxcJudge, CompilesManyProgramsInOneProcess) {
   }
 }
 
+// As URP's macros name them for mobile platforms.
+TEST(FxcJudge, KnowsUnitysTypesWithAPrecision) {
+  PENUMBRA_NEEDS_FXC();
+  Judge fxc = judge();
+  const Verdict verdict =
+      fxc.compile({"Texture2D_half t; TextureCube_float c; SamplerState_half s; sampler2D_half old;\n"
+                   "float4 Main(float2 uv : UV) : SV_Target { return t.Sample(s, uv) + c.Sample(s, uv.xyx) + "
+                   "tex2D(old, uv); }",
+                   "Main", "ps_5_0"});
+  EXPECT_TRUE(verdict.compiled) << verdict.messages;
+}
+
 TEST(FxcJudge, SaysWhatUnityWouldShow) {
   PENUMBRA_NEEDS_FXC();
   Judge fxc = judge();

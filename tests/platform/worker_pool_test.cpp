@@ -331,7 +331,9 @@ std::string sleep_for_long(const std::string&, WorkerLink&) {
 
 // Told before it is confined: after that it writes no file.
 int sleep_and_tell(const std::string& file) {
-  return serve_worker(sleep_for_long, [&] { std::ofstream(file) << ::getpid() << "\n" << std::flush; });
+  return serve_worker(sleep_for_long, [&](const WorkerLimits&) {
+    std::ofstream(file) << ::getpid() << "\n" << std::flush;
+  });
 }
 
 int run_a_sleeper(const std::string& file) {

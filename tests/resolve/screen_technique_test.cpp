@@ -2,13 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
-#include <random>
 
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
+#include "resolve/ground_at_random.h"
 #include "resolve/hand_graph.h"
 
 namespace penumbra::resolve {
@@ -94,39 +93,6 @@ std::vector<std::string> screen_techniques() {
     if (technique.graph.over_screen()) names.push_back(technique.name);
   }
   return names;
-}
-
-// Of techniques with needs: ground and an object without form, somewhere about the scene.
-FrameInputs ground_at_random() {
-  constexpr int kSide = 9;
-  std::mt19937 bits(5);
-  std::vector<std::uint16_t> texels;
-  for (int i = 0; i < kSide * kSide * 4; ++i) texels.push_back(static_cast<std::uint16_t>(bits()));
-  FrameInputs inputs;
-  inputs.uniforms.set("_PenumbraGroundArea", glm::vec4(-20.0F, -10.0F, 60.0F, 70.0F));
-  inputs.uniforms.set("_PenumbraGroundHeights", glm::vec4(-3.0F, 9.0F, kSide, kSide));
-  inputs.uniforms.set("_PenumbraGroundChannels", glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
-  const auto add = [&](const char* name, gpu::Format format, std::size_t channels) {
-    gpu::Image image(test_device(), format, kSide, kSide);
-    image.upload(std::span<const std::uint16_t>(texels).first(kSide * kSide * channels));
-    inputs.images.emplace(name, std::move(image));
-  };
-  add("_PenumbraGroundHeightsTexture", gpu::Format::r16, 1);
-  add("_PenumbraHorizonFirstTexture", gpu::Format::rgba16, 4);
-  add("_PenumbraHorizonSecondTexture", gpu::Format::rgba16, 4);
-  gpu::Image fields(test_device(),
-                    {.format = gpu::Format::r16, .width = kSide, .height = kSide, .depth = kSide});
-  std::vector<std::uint16_t> voxels;
-  for (int i = 0; i < kSide * kSide * kSide; ++i) voxels.push_back(static_cast<std::uint16_t>(bits()));
-  fields.upload(std::span<const std::uint16_t>(voxels));
-  inputs.images.emplace("_PenumbraFieldTexture", std::move(fields));
-  std::vector<glm::vec4> rows(96, glm::vec4(0.0F));
-  const glm::vec4 object[] = {{1.0F, 0.0F, 0.0F, 0.0F},  {0.0F, 1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F, 0.0F},
-                              {-4.0F, 0.0F, 4.0F, 3.0F}, {9.0F, 9.0F, 9.0F, 1.0F}, {0.0F, 0.0F, 0.0F, 0.0F}};
-  std::copy(std::begin(object), std::end(object), rows.begin());
-  inputs.uniforms.set("_PenumbraFieldAtlas", glm::vec4(kSide, kSide, kSide, 1.0F));
-  inputs.uniforms.set("_PenumbraFieldObjects", std::span<const glm::vec4>(rows));
-  return inputs;
 }
 
 class EveryScreenTechnique : public testing::TestWithParam<std::string> {};

@@ -52,6 +52,7 @@ class RandomResults {
   Results operator()() {
     Results results = synthetic::results(names());
     results.is_software = coin();
+    if (coin()) results.front_end = "FXC 10.0";
     if (coin()) results.commit = std::nullopt;
     if (coin()) results.packages.clear();
     for (Record& record : results.records) vary(record);

@@ -83,9 +83,10 @@ int main(int argc, char** argv) {
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == validation::worker_mode) return validation::serve_units({argv + 2, argv + argc});
   if (mode == validation::misbehaving_mode)
-    return penumbra::platform::serve_worker(validation::answer_or_misbehave, [argc, argv] {
-      validation::open_drivers({argv + 2, argv + argc});
-    });
+    return penumbra::platform::serve_worker(validation::answer_or_misbehave,
+                                            [argc, argv](const penumbra::platform::WorkerLimits&) {
+                                              validation::open_drivers({argv + 2, argv + argc});
+                                            });
   if (mode == validation::cache_user_mode) return validation::use_cache(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

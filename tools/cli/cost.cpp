@@ -19,6 +19,7 @@
 #include "cost/families.h"
 #include "cost/measure_cost.h"
 #include "cost/radv_worker.h"
+#include "fxc/fxc.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "input/visible_text.h"
@@ -39,6 +40,7 @@ struct CostOptions {
   std::vector<std::string> techniques;
   std::string technique_list;
   std::vector<std::string> families;
+  std::string fxc;
   std::string entry = "Main";
   std::string stage = "fragment";
   std::vector<std::string> defines;
@@ -64,7 +66,21 @@ std::vector<std::string> each_once(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> families_of(const CostOptions& options) {
-  return options.families.empty() ? cost::default_families() : each_once(options.families);
+  if (!options.families.empty()) return each_once(options.families);
+  std::vector<std::string> families = cost::default_families();
+  if (fxc::find_fxc().found) families.emplace_back(cost::direct3d_family.name);
+  return families;
+}
+
+// Of a baseline from a machine without FXC, or with it, only what both have.
+std::vector<std::string> compared_families(const CostOptions& options, const cost::CostReport& baseline) {
+  if (!options.from.empty() || !options.families.empty()) return options.families;
+  std::vector<std::string> families = families_of(options);
+  std::erase_if(families, [&baseline](const std::string& name) {
+    return std::none_of(baseline.families.begin(), baseline.families.end(),
+                        [&](const cost::RadvFamily& family) { return family.name == name; });
+  });
+  return families;
 }
 
 void add_techniques(const CostOptions& options, cost::CostRequest& request) {
@@ -162,29 +178,37 @@ cost::CostReport checked_baseline(const CostOptions& options) {
   if (!options.from.empty()) {
     ours = cost::read_cost_report(options.from);
   } else {
-    ours.driver = cost::open_family({families_of(options).front(), platform::program_path()}).driver;
+    cost::CostRequest request;
+    // All of RADV's have one driver.
+    for (const std::string& family : families_of(options))
+      if (request.families.empty() || family == cost::direct3d_family.name)
+        request.families.push_back(family);
+    request.worker = platform::program_path();
+    ours.families = cost::open_families(request);
+    ours.driver = cost::driver_of(ours.families);
     ours.compiler = shaders::compiler_version();
   }
-  cost::require_same_compilers(ours.driver, ours.compiler, baseline, options.baseline);
+  cost::require_same_compilers(ours, baseline, options.baseline);
   return baseline;
 }
 
 void compare(const CostOptions& options, const cost::CostReport& report, const cost::CostReport& baseline,
              Context& context) {
-  const std::vector<std::string> families = options.from.empty() ? families_of(options) : options.families;
   const cost::BaselineComparison comparison = cost::compare_with_baseline(
-      report, baseline, {families, options.techniques, options.files}, options.tolerance);
-  if (report.driver != baseline.driver || report.compiler != baseline.compiler)
-    std::fprintf(stderr, "note: %s was measured with %s and %s, this run with %s and %s\n",
-                 visible(options.baseline).c_str(), visible(baseline.driver).c_str(),
-                 visible(baseline.compiler).c_str(), visible(report.driver).c_str(),
-                 visible(report.compiler).c_str());
+      report, baseline, {compared_families(options, baseline), options.techniques, options.files},
+      options.tolerance);
+  const std::string before = cost::compilers_of(baseline, report);
+  const std::string now = cost::compilers_of(report, baseline);
+  if (before != now)
+    std::fprintf(stderr, "note: %s was measured with %s, this run with %s\n",
+                 visible(options.baseline).c_str(), visible(before).c_str(), visible(now).c_str());
   if (!context.quiet || !comparison.passed())
     std::fprintf(stderr, "%s", cost::comparison_text(comparison).c_str());
   if (!comparison.passed()) context.exit_code = findings;
 }
 
 void run_cost(const CostOptions& options, Context& context) {
+  if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
   check_output_file(options.output);
   refuse_report_over_source("--output", options.output);
   std::vector<std::string> inputs = options.files;
@@ -224,11 +248,14 @@ void add_what(CLI::App& command, CostOptions& options) {
   add_package_roots(command, options.package_roots);
   add_source_options(command, options.include_directories, options.defines);
   CLI::Option* family =
-      as_list(command.add_option("--family", options.families, "GPU families, as Mesa names them"));
+      as_list(command.add_option("--family", options.families,
+                                 "GPU families, as Mesa names them; d3d11: the bytecode of FXC, Unity's "
+                                 "compiler, as Unity's inspector counts it"));
   std::string without;
   for (const std::string& name : cost::default_families()) without += (without.empty() ? "" : ",") + name;
-  family->default_str(without);
+  family->default_str(without + "; where FXC is found also d3d11");
   takes(command, family, "FAMILY");
+  add_fxc(command, options.fxc);
 }
 
 void add_comparison(CLI::App& command, CostOptions& options) {
@@ -257,7 +284,7 @@ void add_worker(CLI::App& app) {
 void add_cost(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("cost",
                                          "Report instructions, registers, occupancy and cycles on AMD GPUs, "
-                                         "from Mesa's compiler; no GPU is needed");
+                                         "from Mesa's compiler, and Direct3D bytecode's; no GPU is needed");
   auto options = std::make_shared<CostOptions>();
   add_what(*command, *options);
   add_format(*command, options->format, {"table", "json", "csv"});
@@ -273,7 +300,8 @@ void add_cost(CLI::App& app, Context& context) {
   add_worker_limits(*command, options->worker, "one shader");
   end_help(*command,
            "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
-           "missing or the\nbaseline is from other compiler versions. The figures are static: they include "
+           "missing, or FXC\nfor d3d11, or the baseline is from other compiler versions. The figures are "
+           "static: they include "
            "no cache misses and no overdraw.",
            {{"penumbra cost", "every technique on three families"},
             {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
@@ -281,7 +309,7 @@ void add_cost(CLI::App& app, Context& context) {
             {"penumbra cost --format json -o cost.json", "a baseline to commit"},
             {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(*command, {"files", "--technique", "--technique-list", "--family", "--format",
+    refuse_beside_from(*command, {"files", "--technique", "--technique-list", "--family", "--fxc", "--format",
                                   "--output", "--baseline", "--tolerance", "--any-driver", "--readme"});
     refuse_idle(*command, {"--entry", "--stage", "--keyword-set"}, options->files.empty(), "without a file");
     refuse_idle(*command, {"--tolerance", "--any-driver"}, options->baseline.empty(), "without --baseline");

@@ -52,6 +52,7 @@ std::vector<KnownName> families() {
   std::vector<KnownName> names;
   for (const cost::KnownFamily& family : cost::known_families())
     names.push_back({family.name, family.architecture});
+  names.push_back({cost::direct3d_family.name, cost::direct3d_family.architecture});
   return names;
 }
 

@@ -20,8 +20,9 @@ std::optional<int> serve_as_worker(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "";
   if (mode == penumbra::validation::worker_mode)
     return penumbra::validation::serve_units({argv + 2, argv + argc});
+  if (mode == penumbra::cost::compiler_worker_mode)
+    return penumbra::cost::serve_compiler({argv + 2, argv + argc});
   if (argc != 2) return std::nullopt;
-  if (mode == penumbra::cost::compiler_worker_mode) return penumbra::cost::serve_compiler();
   if (mode == penumbra::resolve::modules_mode) return penumbra::resolve::serve_modules();
   if (mode == penumbra::scene::reading_mode) return penumbra::scene::serve_readings();
   return std::nullopt;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
@@ -116,7 +117,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
-  settings.compiler = compiling_process(options);
+  settings.compiler = chosen_compiler(options);
   settings.penumbra_pixels = options.penumbra_pixels;
   reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
@@ -197,6 +198,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
   refuse_idle_bake_options(command, subjects);
+  refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   gpu::Device device = open_device(options);
   // A software device's times rank nothing, and take as long as everything else together.
   settings.timing_repeats = options.timing_repeats.value_or(device.info().is_software ? 1 : 5);
@@ -216,6 +218,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   measured.results.device = device.info().name;
   measured.results.driver = device.info().driver;
   measured.results.is_software = device.info().is_software;
+  measured.results.front_end = front_end_name(options);
   measured.results.frames = std::move(outcome.frames);
   measured.results.records = std::move(outcome.records);
   measured.pictures = std::move(outcome.pictures);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/lit_options.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
@@ -34,7 +35,7 @@ study::StudySettings study_settings(const StudyOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
-  settings.compiler = compiling_process(options);
+  settings.compiler = chosen_compiler(options);
   reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
@@ -73,6 +74,7 @@ void render(const CLI::App& command, const RenderOptions& options, Context& cont
   const std::vector<study::Subject> subjects =
       varied_subjects(options, options.varied, study::light_kind(settings.scenes));
   refuse_idle_bake_options(command, subjects);
+  refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   study::SheetOptions sheet;
   if (!options.sheet.file.empty()) {
     sheet = sheet_options(options.sheet, settings, subjects);

@@ -19,6 +19,7 @@
 #include "cli/option_values.h"
 #include "cli/shader_arguments.h"
 #include "cli/shared_options.h"
+#include "fxc/fxc.h"
 #include "input/input_error.h"
 #include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
@@ -26,10 +27,14 @@
 #include "project/package_manifest.h"
 #include "project/unity_project.h"
 #include "reference/trace_visibility.h"
+#include "resolve/fxc_compiler.h"
 #include "resolve/module_order.h"
+#include "shaders/bytecode_module.h"
 
 namespace penumbra::cli {
 namespace {
+
+constexpr const char* kFxc = "fxc";
 
 scene::DepthFormat depth_format(const std::string& text) {
   if (text == "d16") return scene::DepthFormat::d16;
@@ -176,6 +181,10 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
       ->default_str("the user's cache");
   add("--device", options.device, "DEVICE", "Vulkan device: part of its name, or its number")
       ->default_str("the software device");
+  add("--front-end", options.front_end, "COMPILER",
+      "What compiles the shaders: glslang, or fxc, Unity's own, whose bytecode is then run")
+      ->check(one_of({"glslang", kFxc}));
+  add_fxc(command, options.fxc)->group("Study");
   command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
   add_package_roots(command, options.package_roots)->group("Study");
   add_project(command, options.project)->group("Study");
@@ -266,8 +275,22 @@ void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context)
   }
 }
 
-platform::WorkerPool compiling_process(const StudyOptions& options) {
-  return {worker_arguments(resolve::modules_mode), 1, worker_limits(options.worker)};
+resolve::Compiler chosen_compiler(const StudyOptions& options) {
+  platform::WorkerPool process{worker_arguments(resolve::modules_mode), 1, worker_limits(options.worker)};
+  if (options.front_end != kFxc) return process;
+  if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
+  if (!shaders::translates_bytecode())
+    throw EnvironmentError(
+        "--front-end fxc: this program was built without vkd3d-shader, which translates FXC's bytecode; "
+        "build "
+        "it where pkg-config finds libvkd3d-shader (libvkd3d-dev on Debian)");
+  const fxc::JudgeLimits limits = fxc::limits_of(process.limits);
+  return {std::move(process), resolve::bytecode_by_fxc(fxc::require_fxc(), limits)};
+}
+
+std::optional<std::string> front_end_name(const StudyOptions& options) {
+  if (options.front_end != kFxc) return std::nullopt;
+  return fxc::name_of(fxc::require_fxc());
 }
 
 scene::FrameSettings frame_settings(const StudyOptions& options) {

@@ -11,6 +11,7 @@
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "gpu/device.h"
+#include "resolve/compiler.h"
 #include "resolve/shadow_shader.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
@@ -49,6 +50,8 @@ struct StudyOptions {
   std::vector<double> camera;  // position, target and perhaps the field of view; empty: the scene's own
   scene::ImportOptions import;
   std::string device;
+  std::string front_end = "glslang";  // or fxc
+  std::string fxc;                    // its library; empty: where it is found
   bool validation = false;
   int reference_samples = 1024;
   int noise_seeds = 2;
@@ -68,7 +71,10 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback);
 // The notes of imports, on stderr unless --quiet.
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
-platform::WorkerPool compiling_process(const StudyOptions& options);
+// Throws EnvironmentError where the front end is not at hand.
+resolve::Compiler chosen_compiler(const StudyOptions& options);
+// As results record it; absent: glslang.
+std::optional<std::string> front_end_name(const StudyOptions& options);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 

@@ -49,7 +49,7 @@ namespace Penumbra.Tests
                 .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
                            .Select(pass => (pass.asset, pass.program))).ToArray();
 
-        // "Resolve _PENUMBRA_PCSS": only the two that filter declare keywords.
+        // "Resolve _PENUMBRA_PCSS": only the passes that filter, and the mask that foretells a filter, declare keywords.
         private static IEnumerable<(string asset, string pass, string[] keywords)> EveryProgram()
         {
             foreach ((string asset, string pass) in AllPasses)
@@ -60,7 +60,8 @@ namespace Penumbra.Tests
                     continue;
                 }
                 bool isResolve = pass == "Resolve";
-                foreach (string technique in TechniqueTable.Keywords.Distinct())
+                foreach (string technique in TechniqueTable.Keywords.Distinct()
+                             .Where(name => name == null || Declared(pass).Contains(name)))
                     foreach (string mask in isResolve ? new[] { null, "_PENUMBRA_MASK" } : new string[] { null })
                         foreach (string exits in isResolve ? new[] { null, "_PENUMBRA_EXITS" } : new string[] { null })
                             yield return (asset, pass, new[] { technique, exits, mask }.Where(name => name != null).ToArray());
@@ -76,6 +77,7 @@ namespace Penumbra.Tests
 
         private static IReadOnlyCollection<string> Declared(string pass)
         {
+            if (pass == "ConservativeMask") return new[] { "_PENUMBRA_PCSS" };
             if (pass != "Resolve" && pass != "Upsample") return new string[0];
             IEnumerable<string> techniques = TechniqueTable.Keywords.Where(name => name != null).Distinct();
             return pass == "Upsample" ? techniques.ToArray()

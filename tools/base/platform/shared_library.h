@@ -1,4 +1,4 @@
-// A function of a shared library that is named at run time.
+// A function of a shared library that is named at run time. Windows only.
 #pragma once
 
 #include <filesystem>

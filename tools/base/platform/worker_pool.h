@@ -94,8 +94,8 @@ void run_in_threads(unsigned threads, const WorkHandler& handler, WorkSource& so
 
 // The worker's side: processes messages until the parent closes its end. An exception of the handler is a
 // failure of that message; an EnvironmentError ends the whole run. `prepare` is called before the process is
-// confined, for anything that needs more than reading, such as opening a graphics driver. Returns the exit
-// code of the process.
-int serve_worker(const WorkHandler& handler, const std::function<void()>& prepare = {});
+// confined, with the pool's limits, for anything that needs more than reading, such as opening a graphics
+// driver. Returns the exit code of the process.
+int serve_worker(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare = {});
 
 }  // namespace penumbra::platform

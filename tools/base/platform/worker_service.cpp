@@ -87,21 +87,17 @@ void keep_memory() {
 #endif
 }
 
-struct Settings {
-  unsigned long long processor_seconds = 0;
-  std::size_t memory = 0;
-  std::size_t answer = 0;
-};
-
 // The parent's first frame.
-Settings read_settings(ParentLink& link) {
+WorkerLimits read_limits(ParentLink& link) {
   const Frame frame = link.read();
-  Settings settings;
+  WorkerLimits limits;
+  unsigned long long processor_seconds = 0;
   if (frame.kind != FrameKind::settings ||
-      std::sscanf(frame.content.c_str(), "%llu %zu %zu", &settings.processor_seconds, &settings.memory,
-                  &settings.answer) != 3)
+      std::sscanf(frame.content.c_str(), "%llu %zu %zu", &processor_seconds, &limits.memory,
+                  &limits.answer) != 3)
     ::_exit(EXIT_FAILURE);
-  return settings;
+  limits.processor_time = std::chrono::seconds(processor_seconds);
+  return limits;
 }
 
 // Sent by a worker when the system has no more memory. Allocators written in C end the process, others throw
@@ -126,13 +122,13 @@ void end_when_out_of_memory() {
         nullptr);
 }
 
-void handle(const WorkHandler& handler, const std::string& message, const Settings& settings,
+void handle(const WorkHandler& handler, const std::string& message, const WorkerLimits& limits,
             ParentLink& link) {
   try {
     const std::string answer = handler(message, link);
-    if (answer.size() > settings.answer)
+    if (answer.size() > limits.answer)
       link.write(FrameKind::failure,
-                 "sent a response of more than " + std::to_string(settings.answer >> 20U) + " MiB");
+                 "sent a response of more than " + std::to_string(limits.answer >> 20U) + " MiB");
     else
       link.write(FrameKind::answer, answer);
   } catch (const EnvironmentError& error) {
@@ -140,19 +136,20 @@ void handle(const WorkHandler& handler, const std::string& message, const Settin
   } catch (const WorkerSpent& error) {
     link.write(FrameKind::spent, error.what());
   } catch (const std::bad_alloc&) {
-    link.write(FrameKind::failure, too_much_memory(settings.memory));
+    link.write(FrameKind::failure, too_much_memory(limits.memory));
   } catch (const std::exception& error) {
     link.write(FrameKind::failure, std::string("failed: ") + error.what());
   }
 }
 
-void serve(const WorkHandler& handler, const std::function<void()>& prepare, ParentLink& link) {
-  const Settings settings = read_settings(link);
-  out_of_memory = frame_bytes(FrameKind::failure, too_much_memory(settings.memory));
+void serve(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare,
+           ParentLink& link) {
+  const WorkerLimits limits = read_limits(link);
+  out_of_memory = frame_bytes(FrameKind::failure, too_much_memory(limits.memory));
   end_when_out_of_memory();
   try {
-    if (prepare) prepare();
-    confine_process(settings.memory);
+    if (prepare) prepare(limits);
+    confine_process(limits.memory);
   } catch (const EnvironmentError& error) {
     return link.write(FrameKind::environment, error.what());
   }
@@ -160,14 +157,14 @@ void serve(const WorkHandler& handler, const std::function<void()>& prepare, Par
   for (;;) {
     const Frame frame = link.read();
     if (frame.kind != FrameKind::message) continue;
-    limit_processor_time(settings.processor_seconds);
-    handle(handler, frame.content, settings, link);
+    limit_processor_time(static_cast<unsigned long long>(limits.processor_time.count()));
+    handle(handler, frame.content, limits, link);
   }
 }
 
 }  // namespace
 
-int serve_worker(const WorkHandler& handler, const std::function<void()>& prepare) {
+int serve_worker(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare) {
   close_descriptors_from(worker_frames_descriptor + 1);
   bind_to_parent();
   keep_memory();
@@ -178,7 +175,7 @@ int serve_worker(const WorkHandler& handler, const std::function<void()>& prepar
 
 #else
 
-int serve_worker(const WorkHandler&, const std::function<void()>&) {
+int serve_worker(const WorkHandler&, const std::function<void(const WorkerLimits&)>&) {
   throw EnvironmentError("worker processes are supported on POSIX systems only");
 }
 

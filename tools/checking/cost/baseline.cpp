@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cost/families.h"
 #include "input/input_error.h"
 #include "input/visible_text.h"
 
@@ -84,7 +85,19 @@ std::string change_text(const char* kind, const BaselineChange& change) {
          std::to_string(change.before) + " -> " + std::to_string(change.after) + "\n";
 }
 
+bool has_bytecode(const CostReport& report) {
+  return std::any_of(report.families.begin(), report.families.end(),
+                     [](const RadvFamily& family) { return family.name == direct3d_family.name; });
+}
+
 }  // namespace
+
+// Without FXC where one of the two has no bytecode.
+std::string compilers_of(const CostReport& report, const CostReport& other) {
+  const std::string names = report.driver + " and " + report.compiler;
+  const bool bytecode = has_bytecode(report) && has_bytecode(other);
+  return bytecode ? names + " and " + driver_of(report, direct3d_family.name) : names;
+}
 
 BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
                                          const ComparedExtent& extent, double tolerance_percent) {
@@ -96,6 +109,7 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
   // Variants of one module were also in one module before: such a pair of rows is reported once.
   std::set<std::pair<const CostRow*, const CostRow*>> met;
   for (const auto& [key, row, variant] : variants_now) {
+    if (!within(extent.families, row->family)) continue;
     const auto found = before.find(key);
     if (found == before.end()) {
       comparison.unknown.push_back(named(*row, *variant));
@@ -109,12 +123,12 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
   return comparison;
 }
 
-void require_same_compilers(const std::string& driver, const std::string& compiler,
-                            const CostReport& baseline, const std::string& file) {
-  if (driver == baseline.driver && compiler == baseline.compiler) return;
+void require_same_compilers(const CostReport& ours, const CostReport& baseline, const std::string& file) {
+  const std::string before = compilers_of(baseline, ours);
+  const std::string now = compilers_of(ours, baseline);
+  if (before == now) return;
   throw EnvironmentError(
-      file + ": measured with " + baseline.driver + " and " + baseline.compiler + ", but this machine has " +
-      driver + " and " + compiler +
+      file + ": measured with " + before + ", but this machine has " + now +
       "\n  install those versions, or write a new baseline on this machine with --format json -o " + file +
       ", or compare anyway with --any-driver");
 }

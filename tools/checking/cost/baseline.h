@@ -26,7 +26,8 @@ struct BaselineComparison {
   bool passed() const { return worse.empty() && unknown.empty() && gone.empty(); }
 };
 
-// The extent of the run: a baseline may contain more. Empty lists mean everything.
+// The extent of the run: a baseline may contain more. Empty lists mean everything; rows of other families
+// than these are not compared.
 struct ComparedExtent {
   std::vector<std::string> families;
   std::vector<std::string> techniques;
@@ -41,8 +42,9 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
 
 // Throws EnvironmentError if the driver or the SPIR-V compiler differs: figures of different compilers are
 // not comparable. `file` names the baseline.
-void require_same_compilers(const std::string& driver, const std::string& compiler,
-                            const CostReport& baseline, const std::string& file);
+void require_same_compilers(const CostReport& ours, const CostReport& baseline, const std::string& file);
+// "radv Mesa 22.3.6 and glslang 12", and FXC where both reports have its bytecode.
+std::string compilers_of(const CostReport& report, const CostReport& other);
 
 std::string comparison_text(const BaselineComparison& comparison);
 

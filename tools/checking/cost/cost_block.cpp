@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cost/families.h"
 #include "cost/row_text.h"
 #include "input/markdown.h"
 
@@ -13,9 +14,12 @@ constexpr const char* full_block = "cost";
 constexpr const char* summary_block = "cost-summary";
 
 std::string head_of(const CostReport& report) {
+  std::string bytecode;
+  for (const RadvFamily& family : report.families)
+    if (family.name == direct3d_family.name) bytecode = " Direct3D: " + markdown_cell(family.driver) + ".";
   return "Driver: " + markdown_cell(report.driver) +
-         ", without hardware. SPIR-V: " + markdown_cell(report.compiler) +
-         ".  \nCommand: " + markdown_code(report.command) + "\n\n";
+         ", without hardware. SPIR-V: " + markdown_cell(report.compiler) + "." + bytecode +
+         "  \nCommand: " + markdown_code(report.command) + "\n\n";
 }
 
 std::string table_line(const std::vector<std::string>& cells) {
@@ -31,7 +35,7 @@ std::string table_head(const std::vector<std::string>& heads) {
 }
 
 std::string family_table(const CostReport& report, const RadvFamily& family) {
-  std::string text = table_head(column_heads(report));
+  std::string text = table_head(column_heads(report, family.name));
   for (const CostRow& row : report.rows) {
     if (row.family != family.name) continue;
     std::vector<std::string> cells;
@@ -68,16 +72,23 @@ std::string cost_summary_block(const CostReport& report) {
                                     "tent-7", "pcss-poisson-25", "pcss-angular-24-16"};
   static constexpr std::array figures{&Figures::instructions, &Figures::inverse_throughput_cycles};
   std::vector<std::string> heads{"Technique"};
-  for (const char* figure : {"instructions, ", "cycles per 64 lanes, "})
-    for (const RadvFamily& family : report.families) heads.push_back(figure + markdown_cell(family.name));
+  const auto of_figures = [&](const auto& add) {
+    for (const auto figure : figures)
+      for (const RadvFamily& family : report.families)
+        // Bytecode has no cycles.
+        if (figure == &Figures::instructions || family.name != direct3d_family.name) add(figure, family.name);
+  };
+  of_figures([&](const auto figure, const std::string& family) {
+    heads.push_back((figure == &Figures::instructions ? "instructions, " : "cycles per 64 lanes, ") +
+                    markdown_cell(family));
+  });
   std::string text = head_of(report) + table_head(heads);
   for (const char* technique : shown) {
     std::vector<std::string> cells{technique};
-    for (const auto figure : figures)
-      for (const RadvFamily& family : report.families) {
-        const CostRow* row = find_row(report, family.name, {technique, {"UNITY_REVERSED_Z"}});
-        cells.push_back(row == nullptr ? "-" : figure_text(row->measured.figures.*figure));
-      }
+    of_figures([&](const auto figure, const std::string& family) {
+      const CostRow* row = find_row(report, family, {technique, {"UNITY_REVERSED_Z"}});
+      cells.push_back(row == nullptr ? "-" : figure_text(row->measured.figures.*figure));
+    });
     text += table_line(cells);
   }
   return text;

@@ -13,8 +13,15 @@
 namespace penumbra::cost {
 namespace {
 
-validation::ValidationRequest as_validated(const CostRequest& request) {
+// What `penumbra validate` calls it.
+std::string target_of(Compiler compiler) {
+  return std::string(compiler == Compiler::fxc ? validation::fxc_target
+                                               : validation::spirv_targets().front());
+}
+
+validation::ValidationRequest as_validated(const CostRequest& request, Compiler compiler) {
   validation::ValidationRequest validated;
+  validated.targets = {target_of(compiler)};
   validated.techniques = request.techniques;
   validated.defines = request.defines;
   validated.package_roots = request.package_roots;
@@ -37,8 +44,8 @@ std::string file_in_package(const techniques::Technique& technique, const std::s
 
 // The cost of a technique is that of each program of its passes; the cost of a filter is that of the fragment
 // shader that calls it.
-std::vector<Source> sources_of(const CostRequest& request) {
-  const validation::ValidationRequest validated = as_validated(request);
+std::vector<Source> sources_of(const CostRequest& request, Compiler compiler) {
+  const validation::ValidationRequest validated = as_validated(request, compiler);
   std::vector<Source> sources;
   for (validation::SourceVariant& variant : validation::source_variants(validated)) {
     validation::CompileUnit& unit = variant.unit;
@@ -65,21 +72,13 @@ std::vector<hlsl::Diagnostic> errors_of(std::vector<hlsl::Diagnostic> said) {
   return said;
 }
 
-void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
-  for (const hlsl::Diagnostic& diagnostic : more) {
-    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
-      return hlsl::format(other) == hlsl::format(diagnostic);
-    });
-    if (!known) said.push_back(diagnostic);
-  }
-}
-
-// As `penumbra validate` compiles the file for Vulkan: with its pragmas and Unity's macros. Without keyword
-// sets a program of a .shader or .compute is its first variant, the one with the fewest keywords.
-void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<Source>& sources,
-              std::vector<hlsl::Diagnostic>& said) {
+// As `penumbra validate` compiles the file for Vulkan or Direct3D 11: with its pragmas and Unity's macros.
+// Without keyword sets a program of a .shader or .compute is its first variant, the one with the fewest
+// keywords.
+void add_file(const CostRequest& request, const ShaderFile& shader, Compiler compiler,
+              std::vector<Source>& sources, std::vector<hlsl::Diagnostic>& said) {
   validation::SourceOptions options;
-  options.platforms = {{{}, {std::string(validation::spirv_targets().front())}}};
+  options.platforms = validation::platform_targets({target_of(compiler)}, {});
   options.roots.packages = request.package_roots;
   options.roots.directories = request.include_directories;
   options.defines = request.defines;
@@ -116,28 +115,38 @@ void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<
 
 }  // namespace
 
-CostModules compile_modules(const CostRequest& request) {
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
+  for (const hlsl::Diagnostic& diagnostic : more) {
+    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
+      return hlsl::format(other) == hlsl::format(diagnostic);
+    });
+    if (!known) said.push_back(diagnostic);
+  }
+}
+
+CostModules compile_modules(const CostRequest& request, Compiler compiler) {
   CostModules made;
-  std::vector<Source> sources = sources_of(request);
+  std::vector<Source> sources = sources_of(request, compiler);
   std::vector<hlsl::Diagnostic> said;
-  for (const ShaderFile& shader : request.files) add_file(request, shader, sources, said);
+  for (const ShaderFile& shader : request.files) add_file(request, shader, compiler, sources, said);
   add_new(made.diagnostics, said);
   std::vector<shaders::CompileRequest> requests;
   for (const Source& source : sources) requests.push_back(source.compile);
-  const std::vector<CompiledModule> compiled =
-      compile_all(requests, {request.compiler, request.jobs, request.compiler_limits});
+  std::vector<CompiledModule> compiled =
+      compile_all(requests, compiler, {request.compiler, request.jobs, request.compiler_limits});
 
-  std::map<std::tuple<std::string, hlsl::Stage, std::string, std::vector<std::uint32_t>>, std::size_t> places;
+  using Code = std::pair<std::vector<std::uint32_t>, std::string>;
+  std::map<std::tuple<std::string, hlsl::Stage, std::string, Code>, std::size_t> places;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const auto& [compile, file, variant] = sources[i];
-    const std::vector<std::uint32_t>& spirv = compiled[i].spirv;
-    if (spirv.empty()) {
+    if (!compiled[i].is_compiled()) {
       add_new(made.diagnostics, errors_of(compiled[i].diagnostics));
       continue;
     }
-    const auto [place, is_new] =
-        places.try_emplace({file, compile.stage, compile.entry, spirv}, made.modules.size());
-    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, spirv, compiled[i].counts});
+    compiled[i].diagnostics.clear();
+    const auto [place, is_new] = places.try_emplace(
+        {file, compile.stage, compile.entry, {compiled[i].spirv, compiled[i].bytecode}}, made.modules.size());
+    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, std::move(compiled[i])});
     made.modules[place->second].variants.push_back(variant);
   }
   return made;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cost/measure_cost.h"
+#include "cost/module_compiler.h"
 
 namespace penumbra::cost {
 
@@ -12,8 +13,7 @@ struct CostModule {
   std::string entry;
   hlsl::Stage stage = hlsl::Stage::fragment;
   std::vector<CostVariant> variants;
-  std::vector<std::uint32_t> spirv;
-  SpirvCounts counts;
+  CompiledModule compiled;  // without diagnostics
 };
 
 struct CostModules {
@@ -21,6 +21,9 @@ struct CostModules {
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-CostModules compile_modules(const CostRequest& request);
+// Of `more` what was not said yet: two variants, or two compilers, may refuse a file for the same reason.
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more);
+
+CostModules compile_modules(const CostRequest& request, Compiler compiler);
 
 }  // namespace penumbra::cost

@@ -52,6 +52,12 @@ std::string shared_modules(const CostReport& report) {
 
 }  // namespace
 
+const std::string& driver_of(const CostReport& report, const std::string& name) {
+  for (const RadvFamily& family : report.families)
+    if (family.name == name) return family.driver;
+  return report.driver;
+}
+
 std::size_t CostReport::failures() const {
   return static_cast<std::size_t>(std::count_if(
       rows.begin(), rows.end(), [](const CostRow& row) { return !row.measured.failure.empty(); }));
@@ -75,7 +81,7 @@ std::string cost_csv(const CostReport& report) {
     }
     text += fmt::format("{},{},{},{},{},{},", row.measured.subgroup_size, row.spirv.instructions,
                         row.spirv.alu, row.spirv.texture, row.spirv.memory, row.spirv.control);
-    text += csv_cell(row.measured.failure) + "," + csv_cell(report.driver) + "\n";
+    text += csv_cell(row.measured.failure) + "," + csv_cell(driver_of(report, row.family)) + "\n";
   }
   return text;
 }
@@ -84,7 +90,7 @@ std::string cost_table(const CostReport& report) {
   std::string text;
   std::string failures;
   for (const RadvFamily& family : report.families) {
-    std::vector<std::vector<std::string>> lines{column_heads(report)};
+    std::vector<std::vector<std::string>> lines{column_heads(report, family.name)};
     for (const CostRow& row : report.rows) {
       if (row.family != family.name) continue;
       if (row.measured.failure.empty()) {

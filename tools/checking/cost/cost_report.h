@@ -30,19 +30,22 @@ struct CostRow {
   std::string entry;
   std::string stage;
   std::vector<CostVariant> variants;  // all that compile to this one module
-  SpirvCounts spirv;
+  SpirvCounts spirv;                  // 0 for Direct3D's bytecode
   Measurement measured;
 };
 
 struct CostReport {
   std::string command;   // that reproduces it
-  std::string driver;    // the GPU compiler, with its version
+  std::string driver;    // the GPU compiler, with its version; FXC where there is no other family
   std::string compiler;  // shaders::compiler_version(), which made the SPIR-V
   std::vector<RadvFamily> families;
   std::vector<CostRow> rows;
 
   std::size_t failures() const;
 };
+
+// What compiled a family's rows; without an entry for it, the report's driver.
+const std::string& driver_of(const CostReport& report, const std::string& family);
 
 // "tent-5 +UNITY_REVERSED_Z", "box-3 (and 3 more)", "My.hlsl Main +A"
 std::string row_name(const CostRow& row);

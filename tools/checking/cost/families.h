@@ -1,4 +1,5 @@
-// The AMD GPU families that Mesa's RADV can compile for without the hardware, by the names Mesa gives them.
+// What shaders are compiled for: AMD GPU families, by the names that Mesa's RADV gives them, and Direct3D's
+// bytecode.
 //
 // As Mesa 22.3 spells them in RADV_FORCE_FAMILY; other versions have more, fewer or other names, and the
 // driver decides. These are for tables and for "did you mean".
@@ -15,8 +16,11 @@ struct KnownFamily {
   const char* architecture;
 };
 
-std::span<const KnownFamily> known_families();  // oldest first
+std::span<const KnownFamily> known_families();  // of RADV, oldest first
 std::vector<std::string> known_family_names();
+
+// FXC's bytecode, which no GPU has executed yet: the figures that Unity's inspector shows for Direct3D 11.
+inline constexpr KnownFamily direct3d_family{"d3d11", "Direct3D bytecode"};
 
 // One each of three architectures that are common in games: GCN 4, RDNA 2, RDNA 3.
 std::vector<std::string> default_families();

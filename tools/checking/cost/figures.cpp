@@ -18,6 +18,10 @@ std::span<const FigureName> figure_names() {
                  &Figures::inverse_throughput_cycles},
       FigureName{"lds_bytes", "LDS bytes", "LDS size", &Figures::lds_bytes},
       FigureName{"scratch_bytes", "scratch bytes", "Scratch size", &Figures::scratch_bytes},
+      FigureName{"arithmetic", "arithmetic", "Arithmetic instructions", &Figures::arithmetic},
+      FigureName{"textures", "texture reads", "Texture instructions", &Figures::textures},
+      FigureName{"branches", "branches", "Dynamic branches", &Figures::branches},
+      FigureName{"temporaries", "temporaries", "Temporary registers", &Figures::temporaries},
   };
   return names;
 }

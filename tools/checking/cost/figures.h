@@ -1,7 +1,8 @@
-// The figures of a compiled shader that mean the same on every AMD family, by names of our own.
+// The figures of a compiled shader, by names of our own. They mean the same on every AMD family.
 //
-// Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties), taken over as it is; a
-// driver that does not give one leaves it empty. Documentation~/cost.md says what each means.
+// Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties) or of FXC's
+// (fxc/bytecode.h), taken over as it is; what does not give one leaves it empty. Documentation~/cost.md says
+// what each means.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,10 @@ struct Figures {
   Figure inverse_throughput_cycles;  // busy cycles per 64 lanes, estimated
   Figure lds_bytes;                  // shared memory of a workgroup
   Figure scratch_bytes;              // private memory of a subgroup
+  Figure arithmetic;                 // of Direct3D's bytecode: instructions on numbers,
+  Figure textures;                   // that sample, gather or load,
+  Figure branches;                   // of dynamic flow control;
+  Figure temporaries;                // registers of four components
 
   bool operator==(const Figures&) const = default;
 };

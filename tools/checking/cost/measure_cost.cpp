@@ -4,7 +4,10 @@
 #include <mutex>
 
 #include "cost/cost_modules.h"
+#include "cost/families.h"
 #include "cost/worker_threads.h"
+#include "fxc/bytecode.h"
+#include "fxc/fxc.h"
 #include "shaders/compiler_version.h"
 
 namespace penumbra::cost {
@@ -12,35 +15,39 @@ namespace {
 
 constexpr std::size_t kLargestBatch = 12;
 
-std::vector<CostRow> empty_rows(const CostRequest& request, const std::vector<CostModule>& modules) {
+std::vector<CostRow> empty_rows(const std::string& family, const std::vector<CostModule>& modules) {
   std::vector<CostRow> rows;
-  for (const std::string& family : request.families)
-    for (const CostModule& module : modules)
-      rows.push_back({family,
-                      module.file,
-                      module.entry,
-                      hlsl::stage_name(module.stage),
-                      module.variants,
-                      module.counts,
-                      {}});
+  for (const CostModule& module : modules)
+    rows.push_back({family,
+                    module.file,
+                    module.entry,
+                    hlsl::stage_name(module.stage),
+                    module.variants,
+                    module.compiled.counts,
+                    {}});
   return rows;
 }
 
-}  // namespace
+Measurement measurement_of(const fxc::BytecodeCost& cost) {
+  Measurement measurement;
+  measurement.statistics = {
+      {"Instructions", cost.instructions},       {"Arithmetic instructions", cost.arithmetic},
+      {"Texture instructions", cost.textures},   {"Dynamic branches", cost.branches},
+      {"Temporary registers", cost.temporaries}, {"LDS size", cost.group_shared}};
+  measurement.figures = figures_of(measurement.statistics);
+  return measurement;
+}
 
-CostOutcome measure_cost(const CostRequest& request) {
-  CostOutcome outcome;
-  for (const std::string& family : request.families)
-    outcome.report.families.push_back(open_family({family, request.worker, request.time_limit}));
-  if (!outcome.report.families.empty()) outcome.report.driver = outcome.report.families.front().driver;
-  outcome.report.compiler = shaders::compiler_version();
+bool is_direct3d(const std::string& family) {
+  return family == direct3d_family.name;
+}
 
-  CostModules compiled = compile_modules(request);
-  outcome.diagnostics = std::move(compiled.diagnostics);
-  const std::vector<CostModule>& modules = compiled.modules;
-  std::vector<CostRow>& rows = outcome.report.rows;
-  rows = empty_rows(request, modules);
-
+// The rows of RADV's families, in the order of the request.
+std::vector<CostRow> measured_by_radv(const CostRequest& request, const std::vector<std::string>& families,
+                                      const std::vector<CostModule>& modules) {
+  std::vector<CostRow> rows;
+  for (const std::string& family : families)
+    for (CostRow& row : empty_rows(family, modules)) rows.push_back(std::move(row));
   // Modules of one family by the batch: the driver takes longer to start than most of them to compile.
   const std::size_t largest = std::clamp<std::size_t>(rows.size() / request.jobs, 1, kLargestBatch);
   std::vector<std::vector<std::size_t>> batches;
@@ -54,7 +61,7 @@ CostOutcome measure_cost(const CostRequest& request) {
     std::vector<ModuleToMeasure> measured;
     for (const std::size_t i : batches[batch]) {
       const CostModule& module = modules[i % modules.size()];
-      measured.push_back({module.spirv, module.stage, module.entry});
+      measured.push_back({module.compiled.spirv, module.stage, module.entry});
     }
     const std::string& family = rows[batches[batch].front()].family;
     std::vector<Measurement> results = measure({family, request.worker, request.time_limit}, measured);
@@ -63,6 +70,55 @@ CostOutcome measure_cost(const CostRequest& request) {
     done += results.size();
     if (request.progress) request.progress(done, rows.size());
   });
+  return rows;
+}
+
+std::vector<CostRow> counted_in_bytecode(const std::vector<CostModule>& modules) {
+  std::vector<CostRow> rows = empty_rows(direct3d_family.name, modules);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i].measured = measurement_of(modules[i].compiled.direct3d);
+  return rows;
+}
+
+}  // namespace
+
+std::string driver_of(const std::vector<RadvFamily>& families) {
+  for (const RadvFamily& family : families)
+    if (!is_direct3d(family.name)) return family.driver;
+  return families.empty() ? "" : families.front().driver;
+}
+
+std::vector<RadvFamily> open_families(const CostRequest& request) {
+  std::vector<RadvFamily> families;
+  for (const std::string& family : request.families)
+    families.push_back(is_direct3d(family) ? RadvFamily{family, direct3d_family.architecture,
+                                                        fxc::name_of(fxc::require_fxc())}
+                                           : open_family({family, request.worker, request.time_limit}));
+  return families;
+}
+
+CostOutcome measure_cost(const CostRequest& request) {
+  CostOutcome outcome;
+  outcome.report.families = open_families(request);
+  outcome.report.driver = driver_of(outcome.report.families);
+  outcome.report.compiler = shaders::compiler_version();
+  std::vector<std::string> of_radv = request.families;
+  std::erase_if(of_radv, is_direct3d);
+  std::vector<CostRow> radv;
+  if (!of_radv.empty()) {
+    CostModules compiled = compile_modules(request, Compiler::glslang);
+    outcome.diagnostics = std::move(compiled.diagnostics);
+    radv = measured_by_radv(request, of_radv, compiled.modules);
+  }
+  std::vector<CostRow> direct3d;
+  if (of_radv.size() != request.families.size()) {
+    CostModules compiled = compile_modules(request, Compiler::fxc);
+    add_new(outcome.diagnostics, compiled.diagnostics);
+    direct3d = counted_in_bytecode(compiled.modules);
+  }
+  for (const RadvFamily& family : outcome.report.families)
+    for (const CostRow& row : is_direct3d(family.name) ? direct3d : radv)
+      if (row.family == family.name) outcome.report.rows.push_back(row);
   return outcome;
 }
 

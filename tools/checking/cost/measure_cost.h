@@ -48,7 +48,12 @@ struct CostOutcome {
                                               // warnings: of stages not measured
 };
 
-// Throws InputError for an unknown family or a file that cannot be read, EnvironmentError without RADV,
+// Of the request's families. Throws InputError for an unknown one, EnvironmentError where one needs RADV or
+// FXC and that is not at hand.
+std::vector<RadvFamily> open_families(const CostRequest& request);
+std::string driver_of(const std::vector<RadvFamily>& families);  // RADV, or FXC without it
+
+// Throws as open_families(), InputError for a file that cannot be read,
 // platform::Interrupted. A driver's failure on a single shader is recorded in its row.
 CostOutcome measure_cost(const CostRequest& request);
 

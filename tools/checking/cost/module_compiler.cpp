@@ -1,34 +1,88 @@
 #include "cost/module_compiler.h"
 
+#include <memory>
 #include <stdexcept>
 
 #include "cost/compiler_worker.h"
+#include "fxc/judge.h"
+#include "fxc/messages.h"
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
 #include "shaders/compile_message.h"
 #include "shaders/compiler_failure.h"
+#include "shaders/fxc_program.h"
+#include "shaders/source_memory.h"
 
 namespace penumbra::cost {
 namespace {
 
+constexpr const char* fxc_argument = "fxc";  // behind the worker's mode: it compiles by FXC, too
+
+CompiledModule compiled_by_glslang(const shaders::CompileRequest& request) {
+  CompiledModule module;
+  shaders::CompileResult result = shaders::compile(request);
+  module.spirv = std::move(result.spirv);
+  module.diagnostics = std::move(result.diagnostics);
+  if (!module.spirv.empty()) module.counts = count_spirv(module.spirv);
+  return module;
+}
+
+// Of each thread. In a process it starts before that is confined.
+thread_local std::unique_ptr<fxc::Judge> judge;
+
+fxc::Verdict verdict_on(const fxc::Program& program) {
+  if (judge == nullptr) judge = std::make_unique<fxc::Judge>(fxc::require_fxc());
+  try {
+    return judge->compile(program);
+  } catch (const platform::WorkerSpent&) {
+    judge.reset();
+    throw;
+  }
+}
+
+CompiledModule compiled_by_fxc(const shaders::CompileRequest& request) {
+  shaders::SourceMemory memory;
+  shaders::PreprocessedSource source = shaders::expand(request, memory);
+  CompiledModule module;
+  module.diagnostics = std::move(source.diagnostics);
+  if (hlsl::has_errors(module.diagnostics)) return module;
+  fxc::Verdict verdict = verdict_on(shaders::fxc_program(request, source.text));
+  for (hlsl::Diagnostic& said :
+       fxc::diagnostics_of(verdict.messages, source.text, request.file.string(), source.sources))
+    module.diagnostics.push_back(std::move(said));
+  const std::optional<fxc::BytecodeCost> cost = fxc::bytecode_cost(verdict.bytecode);
+  if (cost) {
+    module.direct3d = *cost;
+    module.bytecode = std::move(verdict.bytecode);
+  } else if (!hlsl::has_errors(module.diagnostics)) {
+    module.diagnostics.push_back({request.file.string(),
+                                  0,
+                                  0,
+                                  hlsl::Severity::error,
+                                  "FXC gives no bytecode for it, and no message",
+                                  {}});
+  }
+  return module;
+}
+
 std::string compile_message(const std::string& message, platform::WorkerLink&) {
   return platform::answer_or_input_error([&] {
     platform::ByteReader in(message);
-    shaders::CompileResult result = shaders::compile(shaders::read_compile_request(in));
-    CompiledModule module{std::move(result.spirv), {}, std::move(result.diagnostics)};
-    if (!module.spirv.empty()) module.counts = count_spirv(module.spirv);
-    return encode(module);
+    const auto compiler = in.enumerator(Compiler::fxc);
+    const shaders::CompileRequest request = shaders::read_compile_request(in);
+    return encode(compiler == Compiler::fxc ? compiled_by_fxc(request) : compiled_by_glslang(request));
   });
 }
 
 class Requests final : public platform::WorkSource {
  public:
-  explicit Requests(const std::vector<shaders::CompileRequest>& requests)
-      : modules(requests.size()), requests_(requests) {}
+  Requests(const std::vector<shaders::CompileRequest>& requests, Compiler compiler)
+      : modules(requests.size()), requests_(requests), compiler_(compiler) {}
 
   std::optional<platform::WorkerMessage> next(unsigned) override {
     if (next_ == requests_.size()) return std::nullopt;
     platform::ByteWriter out;
+    out.number(static_cast<std::uint64_t>(compiler_));
     shaders::write(out, requests_[next_]);
     return platform::WorkerMessage{next_++, out.take()};
   }
@@ -51,6 +105,7 @@ class Requests final : public platform::WorkSource {
 
  private:
   const std::vector<shaders::CompileRequest>& requests_;
+  Compiler compiler_;
   std::size_t next_ = 0;
 };
 
@@ -60,6 +115,8 @@ std::string encode(const CompiledModule& module) {
   platform::ByteWriter out;
   out.values(module.spirv);
   out.value(module.counts);
+  out.text(module.bytecode);
+  out.value(module.direct3d);
   shaders::write(out, module.diagnostics);
   return out.take();
 }
@@ -69,23 +126,31 @@ CompiledModule decode_module(const std::string& bytes) {
   CompiledModule module;
   module.spirv = in.values<std::uint32_t>();
   module.counts = in.value<SpirvCounts>();
+  module.bytecode = in.text();
+  module.direct3d = in.value<fxc::BytecodeCost>();
   module.diagnostics = shaders::read_diagnostics(in);
   if (!in.exhausted()) throw std::invalid_argument("malformed compiled module");
   return module;
 }
 
 std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileRequest>& requests,
-                                        const platform::WorkerPool& pool) {
-  Requests source(requests);
-  if (pool.arguments.empty())
+                                        Compiler compiler, const platform::WorkerPool& pool) {
+  Requests source(requests, compiler);
+  if (pool.arguments.empty()) {
     platform::run_in_threads(pool.workers, compile_message, source);
-  else
-    platform::run_workers(pool, source);
+  } else {
+    platform::WorkerPool with_compiler = pool;
+    if (compiler == Compiler::fxc) with_compiler.arguments.emplace_back(fxc_argument);
+    platform::run_workers(with_compiler, source);
+  }
   return std::move(source.modules);
 }
 
-int serve_compiler() {
-  return platform::serve_worker(compile_message);
+int serve_compiler(const std::vector<std::string>& arguments) {
+  if (arguments != std::vector<std::string>{fxc_argument}) return platform::serve_worker(compile_message);
+  return platform::serve_worker(compile_message, [](const platform::WorkerLimits& limits) {
+    judge = std::make_unique<fxc::Judge>(fxc::require_fxc(), fxc::limits_of(limits));
+  });
 }
 
 }  // namespace penumbra::cost

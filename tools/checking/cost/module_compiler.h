@@ -1,5 +1,5 @@
-// Compiles sources in worker processes, and counts the modules' instructions there. Internal to this room,
-// except for the worker's side.
+// Compiles sources in worker processes, and counts the instructions there. Internal to this room, except for
+// the worker's side.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,30 @@
 #include <vector>
 
 #include "cost/spirv_counts.h"
+#include "fxc/bytecode.h"
 #include "hlsl/diagnostic.h"
 #include "platform/worker_pool.h"
 #include "shaders/compile.h"
 
 namespace penumbra::cost {
 
+enum class Compiler : std::uint64_t { glslang, fxc };
+
 struct CompiledModule {
-  std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
+  std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error, or of FXC
   SpirvCounts counts;
+  std::string bytecode;          // FXC's; empty when a diagnostic is an error, or of glslang
+  fxc::BytecodeCost direct3d{};  // of the bytecode
   std::vector<hlsl::Diagnostic> diagnostics;
+
+  bool is_compiled() const { return !spirv.empty() || !bytecode.empty(); }
 };
 
 // One module per request, in order. A request that crashes its worker gets a diagnostic. Without arguments in
 // `pool`, threads do the work. Throws InputError for a file that cannot be read, EnvironmentError,
 // platform::Interrupted.
 std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileRequest>& requests,
-                                        const platform::WorkerPool& pool);
+                                        Compiler compiler, const platform::WorkerPool& pool);
 
 std::string encode(const CompiledModule& module);
 CompiledModule decode_module(const std::string& bytes);  // throws std::invalid_argument for damaged bytes

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cost/families.h"
 #include "input/visible_text.h"
 
 namespace penumbra::cost {
@@ -14,11 +15,21 @@ void add_once(std::vector<Value>& values, const Value& value) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
 
-bool shown(const CostReport& report, const FigureName& name) {
-  return std::any_of(report.rows.begin(), report.rows.end(), [&name](const CostRow& row) {
+bool shown(const CostReport& report, const std::string& family, const FigureName& name) {
+  return std::any_of(report.rows.begin(), report.rows.end(), [&](const CostRow& row) {
     const Figure& figure = row.measured.figures.*name.value;
-    return figure && *figure != 0;
+    return row.family == family && figure && *figure != 0;
   });
+}
+
+bool is_zero(const CostReport& report, const FigureName& name) {
+  bool is_there = false;
+  for (const CostRow& row : report.rows) {
+    const Figure& figure = row.measured.figures.*name.value;
+    if (figure && *figure != 0) return false;
+    is_there |= figure.has_value();
+  }
+  return is_there;
 }
 
 }  // namespace
@@ -55,10 +66,11 @@ std::string row_name(const CostRow& row) {
   return visible(name + keywords_text(row));
 }
 
-std::vector<std::string> column_heads(const CostReport& report) {
+std::vector<std::string> column_heads(const CostReport& report, const std::string& family) {
   std::vector<std::string> heads{"shader"};
   for (const FigureName& name : figure_names())
-    if (shown(report, name)) heads.emplace_back(name.heading);
+    if (shown(report, family, name)) heads.emplace_back(name.heading);
+  if (family == direct3d_family.name) return heads;
   for (const char* head : {"lanes", "SPIR-V", "ALU", "texture"}) heads.emplace_back(head);
   return heads;
 }
@@ -66,7 +78,8 @@ std::vector<std::string> column_heads(const CostReport& report) {
 std::vector<std::string> column_cells(const CostReport& report, const CostRow& row) {
   std::vector<std::string> cells{row_name(row)};
   for (const FigureName& name : figure_names())
-    if (shown(report, name)) cells.push_back(figure_text(row.measured.figures.*name.value));
+    if (shown(report, row.family, name)) cells.push_back(figure_text(row.measured.figures.*name.value));
+  if (row.family == direct3d_family.name) return cells;
   for (const std::size_t count :
        {std::size_t{row.measured.subgroup_size}, row.spirv.instructions, row.spirv.alu, row.spirv.texture})
     cells.push_back(std::to_string(count));
@@ -77,7 +90,7 @@ std::string absent_figures(const CostReport& report) {
   if (report.failures() == report.rows.size()) return "";
   std::string names;
   for (const FigureName& name : figure_names())
-    if (!shown(report, name)) names += (names.empty() ? "" : ", ") + std::string(name.heading);
+    if (is_zero(report, name)) names += (names.empty() ? "" : ", ") + std::string(name.heading);
   return names.empty() ? "" : "0 in every row: " + names + "\n";
 }
 

@@ -12,9 +12,9 @@ std::vector<std::string> technique_names(const CostRow& row);  // each once, in 
 std::string keywords_text(const CostRow& row);                 // " +A +B or none", or nothing
 std::string figure_text(const Figure& figure);                 // "-" when the driver gave none
 
-// The columns of a table: every figure but those that are 0 in all rows, which absent_figures() names in a
-// sentence ("" when there are none), the lanes of a subgroup and the counts of SPIR-V.
-std::vector<std::string> column_heads(const CostReport& report);
+// The columns of a family's table: every figure but those that are 0 in all its rows, the lanes of a subgroup
+// and the counts of SPIR-V. absent_figures() names those that are 0 in all tables ("" when there are none).
+std::vector<std::string> column_heads(const CostReport& report, const std::string& family);
 std::vector<std::string> column_cells(const CostReport& report, const CostRow& row);
 std::string absent_figures(const CostReport& report);
 

@@ -7,7 +7,7 @@
 #include "fxc/judge.h"
 #include "fxc/messages.h"
 #include "input/input_error.h"
-#include "preparation/source_directives.h"
+#include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
 #include "validation/checked_declarations.h"
 #include "validation/entry_kind.h"
@@ -109,8 +109,7 @@ class UnitAtWork {
   void compile_by_fxc() {
     const shaders::CompileRequest& request = job_.unit.compile;
     if (!fxc_) fxc_ = std::make_unique<fxc::Judge>(fxc::require_fxc());
-    const fxc::Verdict verdict = fxc_->compile(
-        {fxc::text_for_fxc(preparation::with_pragmas(source_.text)), request.entry, fxc_profile(job_.unit)});
+    const fxc::Verdict verdict = fxc_->compile(shaders::fxc_program(request, source_.text));
     CompileAnswer answer;
     answer.diagnostics = source_.diagnostics;
     for (hlsl::Diagnostic& said :

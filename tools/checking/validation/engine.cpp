@@ -1,12 +1,13 @@
 #include "validation/engine.h"
 
-#include <cctype>
+#include <algorithm>
 #include <system_error>
 
 #include "input/input_error.h"
 #include "platform/terminal.h"
 #include "validation/answer_unit.h"
 #include "validation/entry_kind.h"
+#include "validation/spirv_target.h"
 #include "validation/target_check.h"
 #include "validation/unit_run.h"
 
@@ -39,19 +40,15 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
   return run.take();
 }
 
-int serve_units(std::vector<std::string> arguments) {
+int serve_units(const std::vector<std::string>& targets_with_drivers) {
   UnitService service;
-  // Numbers behind the targets are FXC's limits.
-  std::vector<unsigned> limits;
-  while (arguments.size() >= 2 && std::isdigit(static_cast<unsigned char>(arguments.back().front())) != 0) {
-    limits.push_back(static_cast<unsigned>(std::stoul(arguments.back())));
-    arguments.pop_back();
-  }
   return platform::serve_worker(
       [&](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
-      [&] {
-        open_drivers(arguments);
-        if (limits.size() == 2) service.start_fxc({limits[1], limits[0]});
+      [&](const platform::WorkerLimits& limits) {
+        open_drivers(targets_with_drivers);
+        if (std::find(targets_with_drivers.begin(), targets_with_drivers.end(), fxc_target) !=
+            targets_with_drivers.end())
+          service.start_fxc(fxc::limits_of(limits));
       });
 }
 

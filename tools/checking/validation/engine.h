@@ -58,6 +58,6 @@ std::filesystem::path default_cache();  // "validation" in platform::cache_direc
 EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options);
 
 // The worker's side; the exit code of the process.
-int serve_units(std::vector<std::string> arguments);
+int serve_units(const std::vector<std::string>& targets_with_drivers);
 
 }  // namespace penumbra::validation

@@ -1,11 +1,10 @@
 #include "validation/kept_answers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <span>
 
-#include "fxc/profile.h"
 #include "platform/content_hash.h"
+#include "shaders/fxc_program.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
@@ -39,8 +38,9 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
       .update(encode(unit.lint))
       .update(source.text)
       .update(encode(source.diagnostics))
-      .update(compiled_by_fxc(unit) ? context.drivers.at(std::string(fxc_target)) + fxc_profile(unit)
-                                    : std::string())
+      .update(compiled_by_fxc(unit)
+                  ? context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile)
+                  : std::string())
       .hex();
 }
 
@@ -84,13 +84,6 @@ std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, co
 
 bool compiled_by_fxc(const CompileUnit& unit) {
   return unit.targets.size() == 1 && unit.targets.front() == fxc_target;
-}
-
-std::string fxc_profile(const CompileUnit& unit) {
-  int shader_target = 50;
-  for (const auto& [name, value] : unit.compile.defines)
-    if (name == "SHADER_TARGET") std::from_chars(value.data(), value.data() + value.size(), shader_target);
-  return fxc::profile_for(unit.compile.stage, shader_target);
 }
 
 bool emits(const CompileUnit& unit) {

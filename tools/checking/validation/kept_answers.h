@@ -41,8 +41,7 @@ std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, co
                                                  const HashNow& hash_now);
 std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, const std::string& key);
 
-bool compiled_by_fxc(const CompileUnit& unit);     // its one target is fxc_target
-std::string fxc_profile(const CompileUnit& unit);  // by its SHADER_TARGET; of a text without one, 5.0
-bool emits(const CompileUnit& unit);               // has a target that is made from a module
+bool compiled_by_fxc(const CompileUnit& unit);  // its one target is fxc_target
+bool emits(const CompileUnit& unit);            // has a target that is made from a module
 
 }  // namespace penumbra::validation

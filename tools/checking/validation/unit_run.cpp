@@ -32,14 +32,9 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
 
 // The arguments of serve_units(): a worker opens its drivers before it drops the privileges that opening them
 // needs.
-std::vector<std::string> with_drivers(const EngineOptions& options, const AnswerContext& context) {
-  std::vector<std::string> arguments = options.worker_arguments;
+std::vector<std::string> with_drivers(std::vector<std::string> arguments, const AnswerContext& context) {
   for (const auto& [target, driver] : context.drivers)
     if (!driver.empty()) arguments.push_back(target);
-  if (context.drivers.contains(std::string(fxc_target))) {
-    arguments.push_back(std::to_string(options.limits.processor_time.count()));
-    arguments.push_back(std::to_string(options.limits.memory >> 20U));
-  }
   return arguments;
 }
 
@@ -97,7 +92,7 @@ void UnitRun::work() {
         [&service](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
         *this);
   else
-    platform::run_workers({with_drivers(options_, context_), jobs, options_.limits}, *this);
+    platform::run_workers({with_drivers(options_.worker_arguments, context_), jobs, options_.limits}, *this);
 }
 
 std::optional<platform::WorkerMessage> UnitRun::next(unsigned worker) {

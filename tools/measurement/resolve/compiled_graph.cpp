@@ -21,18 +21,19 @@ CompiledProgram program_of(const std::string& name, const ModuleOrder& order, Co
   program.vertex_inputs = std::move(modules.vertex_inputs);
   program.plain = std::move(modules.plain);
   program.counting = std::move(modules.counting);
+  program.vertex_uniforms = std::move(modules.vertex_uniforms);
+  program.uniforms = std::move(modules.uniforms);
   if (notes != nullptr) notes->insert(notes->end(), modules.notes.begin(), modules.notes.end());
   return program;
 }
 
-CompiledProgram compile_kernel(const ShadowGraph& graph, const GraphPass& pass,
-                               const platform::WorkerPool& process) {
+CompiledProgram compile_kernel(const ShadowGraph& graph, const GraphPass& pass, const Compiler& compiler) {
   ModuleOrder order;
   order.plain = shaders::kernel_request((graph.package / pass.file).lexically_normal(), pass.program,
                                         graph.keywords, graph.reversed_z);
   order.file = order.plain.file.string();
   order.name = order.file + ": " + pass.program;
-  return program_of(order.name, order, compile_modules(order, process));
+  return program_of(order.name, order, compile_modules(order, compiler));
 }
 
 }  // namespace
@@ -71,19 +72,19 @@ ShadowGraph adapter_graph(const Adapter& adapter, bool reversed_z) {
 
 CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::string& pass,
                              const std::vector<std::string>& keywords, bool reversed_z,
-                             const platform::WorkerPool& process) {
+                             const Compiler& compiler) {
   ModuleOrder order;
   order.vertex = shader.request(pass, hlsl::Stage::vertex, keywords, reversed_z);
   order.plain = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
   order.file = order.plain.file.string();
   order.name = order.file + ": " + pass;
-  CompiledProgram program = program_of(pass, order, compile_modules(order, process));
+  CompiledProgram program = program_of(pass, order, compile_modules(order, compiler));
   program.render_commands = shader.render_commands(pass);
   program.file = order.file;
   return program;
 }
 
-CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& process) {
+CompiledGraph compile(const ShadowGraph& graph, const Compiler& compiler) {
   CompiledGraph compiled{graph, {}, {}, {}};
   std::map<std::filesystem::path, shaders::PackageShader> parsed;
   for (const GraphPass& pass : graph.graph.passes) {
@@ -91,7 +92,7 @@ CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& proc
       case PassKind::filter: {
         const ModuleOrder order = module_order(*graph.filter);
         compiled.programs.push_back(
-            program_of(graph.name, order, compile_modules(order, process), &compiled.notes));
+            program_of(graph.name, order, compile_modules(order, compiler), &compiled.notes));
         break;
       }
       case PassKind::raster:
@@ -103,16 +104,16 @@ CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& proc
           std::vector<std::string> keywords = graph.keywords;
           keywords.emplace_back(techniques::alpha_test_keyword);
           CompiledProgram& program = compiled.alpha_tested[compiled.programs.size()] =
-              compile_pass(shader, pass.program, keywords, graph.reversed_z, process);
+              compile_pass(shader, pass.program, keywords, graph.reversed_z, compiler);
           program.declared_at = pass.where;
         }
         compiled.programs.push_back(
-            compile_pass(shader, pass.program, graph.keywords, graph.reversed_z, process));
+            compile_pass(shader, pass.program, graph.keywords, graph.reversed_z, compiler));
         compiled.programs.back().declared_at = pass.where;
         break;
       }
       case PassKind::compute:
-        compiled.programs.push_back(compile_kernel(graph, pass, process));
+        compiled.programs.push_back(compile_kernel(graph, pass, compiler));
         compiled.programs.back().declared_at = pass.where;
         break;
     }

@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "platform/worker_pool.h"
+#include "resolve/compiler.h"
 #include "resolve/shadow_shader.h"
 #include "shaders/package_shader.h"
+#include "shaders/reflect.h"
 #include "techniques/pass_graph.h"
 
 namespace penumbra::resolve {
@@ -46,6 +47,9 @@ struct CompiledProgram {
   std::string file{};                                       // of it
   std::vector<std::uint32_t> plain;
   std::vector<std::uint32_t> counting;  // shaders/counted_module.h
+  // Of bytecode, whose modules do not have them: the uniforms of the vertex stage, and of the other.
+  std::vector<shaders::Resource> vertex_uniforms{};
+  std::vector<shaders::Resource> uniforms{};
   std::string vertex_entry{};
   std::string entry;
 };
@@ -58,19 +62,19 @@ struct CompiledGraph {
   std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
 };
 
-// In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws
+// Throws
 // InputError with the compiler's messages, and for a pass or kernel that its file does not have. Of a user's
 // function also when it compares through a sampler that does not, or reads through one that does. A compiler
 // that dies, hangs or takes more than the limits is an InputError that names the user's file.
-CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& process = {});
+CompiledGraph compile(const ShadowGraph& graph, const Compiler& compiler = {});
 
-inline CompiledGraph compile(const ShadowShader& shader, const platform::WorkerPool& process = {}) {
-  return compile(filter_graph(shader), process);
+inline CompiledGraph compile(const ShadowShader& shader, const Compiler& compiler = {}) {
+  return compile(filter_graph(shader), compiler);
 }
 
 // One pass of a .shader.
 CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::string& pass,
                              const std::vector<std::string>& keywords, bool reversed_z,
-                             const platform::WorkerPool& process = {});
+                             const Compiler& compiler = {});
 
 }  // namespace penumbra::resolve

@@ -32,9 +32,9 @@ gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
 }  // namespace
 
 DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
-                     bool reversed_z, const platform::WorkerPool& process)
+                     bool reversed_z, const Compiler& compiler)
     : device_(device),
-      program_(device, compile_pass(shader, view, {}, reversed_z, process),
+      program_(device, compile_pass(shader, view, {}, reversed_z, compiler),
                ProgramOnDevice::Module::as_shipped, {.colours = {gpu::Format::rgba32f}}) {}
 
 std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,

@@ -16,9 +16,9 @@ namespace penumbra::resolve {
 
 class DebugView {
  public:
-  // `view`: a pass of the shader, compiled in `process`. Throws InputError for one that is not there.
+  // `view`: a pass of the shader, compiled as a graph is. Throws InputError for one that is not there.
   DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
-            bool reversed_z, const platform::WorkerPool& process = {});
+            bool reversed_z, const Compiler& compiler = {});
 
   // Colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an empty
   // mask: the frame had none. `parameters`: of the technique that made the visibility. The picture may begin

@@ -8,10 +8,12 @@
 #include "resolve/adapter_checks.h"
 #include "resolve/named_places.h"
 #include "resolve/required_module.h"
+#include "shaders/bytecode_module.h"
 #include "shaders/compile_message.h"
 #include "shaders/compiler_failure.h"
 #include "shaders/counted_module.h"
 #include "shaders/spirv_module.h"
+#include "shaders/translation_steps.h"
 
 namespace penumbra::resolve {
 
@@ -42,9 +44,54 @@ CompiledModules compile_here(const ModuleOrder& order) {
   return made;
 }
 
-std::string encode(const ModuleOrder& order) {
+// What a process is asked for.
+enum class Task : std::uint64_t { compile, expand, translate };
+
+// Of an order's programs, as FXC takes and gives them.
+struct StageTexts {
+  std::string vertex;  // empty without a request
+  std::string plain;
+};
+
+StageTexts expand_here(const ModuleOrder& order) {
+  return {order.vertex ? required_text(*order.vertex) : "", required_text(order.plain)};
+}
+
+shaders::BytecodeModule translated(const std::string& bytecode, const shaders::CompileRequest& request) {
+  try {
+    return shaders::bytecode_module(bytecode, request.entry);
+  } catch (const std::invalid_argument& problem) {
+    throw InputError(request.file.string(), problem.what());
+  }
+}
+
+CompiledModules translate_here(const ModuleOrder& order, const StageTexts& bytecode) {
+  CompiledModules made;
+  if (order.vertex) {
+    shaders::BytecodeModule module = translated(bytecode.vertex, *order.vertex);
+    VertexModule vertex = vertex_module(std::move(module.spirv), module.signature, order.vertex->entry);
+    made.vertex = std::move(vertex.spirv);
+    made.vertex_inputs = std::move(vertex.inputs);
+  }
+  shaders::BytecodeModule module = translated(bytecode.plain, order.plain);
+  made.plain = std::move(module.spirv);
+  hlsl::SourceFiles sources;
+  if (order.names_places) {
+    required_text(order.plain, &sources);
+    made.named_at = named_places(made.plain, sources, kAdapterFunction.name);
+  }
+  if (order.is_adapter) check_adapter(module.untouched, order.name, made.named_at);
+  made.counting = shaders::counted_module(module.untouched, order.plain.entry, order.plain.vulkan,
+                                          shaders::translation_steps(module.untouched));
+  return made;
+}
+
+std::string encode(const ModuleOrder& order, Task task, const StageTexts& bytecode = {}) {
   const auto& [name, file, vertex, plain, names_places, is_adapter] = order;
   ByteWriter out;
+  out.number(static_cast<std::uint64_t>(task));
+  out.text(bytecode.vertex);
+  out.text(bytecode.plain);
   out.text(name);
   out.text(file);
   out.number(vertex ? 1 : 0);
@@ -55,8 +102,7 @@ std::string encode(const ModuleOrder& order) {
   return out.take();
 }
 
-ModuleOrder decode_order(const std::string& bytes) {
-  ByteReader in(bytes);
+ModuleOrder decode_order(ByteReader& in) {
   ModuleOrder order;
   order.name = in.text();
   order.file = in.text();
@@ -102,6 +148,22 @@ CompiledModules decode_modules(const std::string& bytes) {
   return made;
 }
 
+std::string encode(const StageTexts& texts) {
+  ByteWriter out;
+  out.text(texts.vertex);
+  out.text(texts.plain);
+  return out.take();
+}
+
+StageTexts decode_texts(const std::string& bytes) {
+  ByteReader in(bytes);
+  StageTexts texts;
+  texts.vertex = in.text();
+  texts.plain = in.text();
+  if (!in.exhausted()) throw std::invalid_argument("texts that cannot be read");
+  return texts;
+}
+
 // SPIRV-Cross and the driver of this process read them next, and believe them.
 void require_valid(const CompiledModules& made, const ModuleOrder& order) {
   for (const auto* module : {&made.vertex, &made.plain, &made.counting}) {
@@ -114,20 +176,67 @@ void require_valid(const CompiledModules& made, const ModuleOrder& order) {
 }
 
 std::string compile_message(const std::string& message, platform::WorkerLink&) {
-  return platform::answer_or_input_error([&] { return encode(compile_here(decode_order(message))); });
+  return platform::answer_or_input_error([&] {
+    ByteReader in(message);
+    const Task task = in.enumerator(Task::translate);
+    StageTexts bytecode;
+    bytecode.vertex = in.text();
+    bytecode.plain = in.text();
+    const ModuleOrder order = decode_order(in);
+    if (task == Task::expand) return encode(expand_here(order));
+    return encode(task == Task::compile ? compile_here(order) : translate_here(order, bytecode));
+  });
 }
 
-}  // namespace
-
-CompiledModules compile_modules(const ModuleOrder& order, const platform::WorkerPool& process) {
-  if (process.arguments.empty()) return compile_here(order);
-  platform::WorkerOutcome outcome = platform::ask_worker(process, encode(order));
+std::string asked(const ModuleOrder& order, const Compiler& compiler, const std::string& message) {
+  platform::WorkerOutcome outcome = platform::ask_worker(compiler.process, message);
   if (!outcome.failure.empty()) {
     const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
     throw InputError(order.file, failure.problem, failure.way_out);
   }
-  CompiledModules made = decode_modules(platform::taken_answer(std::move(outcome.answer)));
-  require_valid(made, order);
+  return platform::taken_answer(std::move(outcome.answer));
+}
+
+std::string required_bytecode(const shaders::CompileRequest& request, const std::string& text,
+                              const BytecodeCompiler& fxc) {
+  Bytecode made = fxc(request, text);
+  if (made.bytes.empty())
+    throw InputError(request.file.string(), "does not compile by FXC:", std::move(made.messages));
+  return std::move(made.bytes);
+}
+
+std::vector<shaders::Resource> uniforms_of(const std::string& bytecode, const ModuleOrder& order) {
+  try {
+    return shaders::bytecode_uniforms(bytecode);
+  } catch (const std::invalid_argument& problem) {
+    throw InputError(order.file, problem.what());
+  }
+}
+
+// Expanded and translated where glslang would compile, and compiled in between by FXC.
+CompiledModules modules_of_bytecode(const ModuleOrder& order, const Compiler& compiler) {
+  const bool here = compiler.process.arguments.empty();
+  const StageTexts texts =
+      here ? expand_here(order) : decode_texts(asked(order, compiler, encode(order, Task::expand)));
+  StageTexts bytecode;
+  if (order.vertex) bytecode.vertex = required_bytecode(*order.vertex, texts.vertex, compiler.fxc);
+  bytecode.plain = required_bytecode(order.plain, texts.plain, compiler.fxc);
+  CompiledModules made =
+      here ? translate_here(order, bytecode)
+           : decode_modules(asked(order, compiler, encode(order, Task::translate, bytecode)));
+  if (order.vertex) made.vertex_uniforms = uniforms_of(bytecode.vertex, order);
+  made.uniforms = uniforms_of(bytecode.plain, order);
+  return made;
+}
+
+}  // namespace
+
+CompiledModules compile_modules(const ModuleOrder& order, const Compiler& compiler) {
+  const bool here = compiler.process.arguments.empty();
+  if (here && !compiler.fxc) return compile_here(order);
+  CompiledModules made = compiler.fxc ? modules_of_bytecode(order, compiler)
+                                      : decode_modules(asked(order, compiler, encode(order, Task::compile)));
+  if (!here) require_valid(made, order);
   return made;
 }
 

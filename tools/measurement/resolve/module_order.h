@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "platform/worker_pool.h"
+#include "resolve/compiler.h"
 #include "shaders/compile.h"
+#include "shaders/reflect.h"
 
 namespace penumbra::resolve {
 
@@ -28,12 +29,14 @@ struct CompiledModules {
   std::vector<std::uint32_t> plain;                    // as it ships
   std::vector<std::uint32_t> counting;  // the same, with its texels counted: shaders/counted_module.h
   std::vector<std::string> notes;
-  std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named
+  std::map<std::string, std::string> named_at;     // "file:line" where a resource is first named
+  std::vector<shaders::Resource> vertex_uniforms;  // of bytecode: CompiledProgram
+  std::vector<shaders::Resource> uniforms;
 };
 
-// Without arguments in `process` in this one. Throws InputError as CompiledShadowShader compile() does.
+// Throws InputError as CompiledShadowShader compile() does.
 // Modules that come from another process have passed SPIR-V validation in this one.
-CompiledModules compile_modules(const ModuleOrder& order, const platform::WorkerPool& process);
+CompiledModules compile_modules(const ModuleOrder& order, const Compiler& compiler);
 
 // How the program is started to be that process; it hands over to serve_modules().
 inline constexpr const char* modules_mode = "shader-compiler";

@@ -70,6 +70,18 @@ void require_known_inputs(const CompiledProgram& program) {
                        "they have " + CastersOnDevice::semantics());
 }
 
+// Bytecode's modules know a block's bytes alone, `uniforms` its members.
+std::vector<shaders::Resource> with_uniforms(std::vector<shaders::Resource> resources,
+                                             const std::vector<shaders::Resource>& uniforms) {
+  for (shaders::Resource& resource : resources)
+    for (const shaders::Resource& block : uniforms) {
+      if (resource.kind != shaders::ResourceKind::uniform_block || resource.name != block.name) continue;
+      resource.size = block.size;
+      resource.members = block.members;
+    }
+  return resources;
+}
+
 // A vertex stage and a fragment stage have their uniforms from one text: of two blocks of one name the longer
 // one is filled.
 std::vector<shaders::Resource> joined(std::vector<shaders::Resource> resources,
@@ -157,15 +169,17 @@ ProgramOnDevice::ProgramOnDevice(const gpu::Device& device, const CompiledProgra
                                  const TargetFormats& targets)
     : name_(program.name), declared_at_(program.declared_at), named_at_(program.named_at) {
   const std::vector<std::uint32_t>& words = module == Module::counting ? program.counting : program.plain;
-  const shaders::Reflection reflection = shaders::reflect(words);
-  resources_ = reflection.resources;
+  shaders::Reflection reflection = shaders::reflect(words);
+  resources_ = with_uniforms(std::move(reflection.resources), program.uniforms);
   workgroup_size_ = reflection.workgroup_size;
   if (program.vertex.empty()) {
     compute_.emplace(device, gpu::ComputeShader{.spirv = words, .entry = program.entry});
   } else {
     if (targets.casters) {
       require_known_inputs(program);
-      resources_ = joined(std::move(resources_), shaders::reflect(program.vertex).resources, program);
+      resources_ =
+          joined(std::move(resources_),
+                 with_uniforms(shaders::reflect(program.vertex).resources, program.vertex_uniforms), program);
       for (const auto& [location, semantic] : program.vertex_inputs) vertex_inputs_.push_back(semantic);
     } else {
       refuse_bindings_of_the_vertex_stage(program);

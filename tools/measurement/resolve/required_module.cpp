@@ -17,11 +17,11 @@ std::string way_out_of(const std::string& messages, const MissingName& needed) {
   return "";
 }
 
-void require_success(const shaders::CompileRequest& request, const shaders::CompileResult& result,
+void require_success(const shaders::CompileRequest& request, const std::vector<hlsl::Diagnostic>& diagnostics,
                      const MissingName* needed = nullptr) {
-  if (!hlsl::has_errors(result.diagnostics)) return;
+  if (!hlsl::has_errors(diagnostics)) return;
   std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+  for (const hlsl::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity == hlsl::Severity::error)
       messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
   }
@@ -44,21 +44,34 @@ std::vector<std::uint32_t> required_module(const shaders::CompileRequest& reques
       notes->push_back(hlsl::format(diagnostic));
     }
   }
-  require_success(request, result, needed);
+  require_success(request, result.diagnostics, needed);
   return std::move(result.spirv);
+}
+
+std::string required_text(const shaders::CompileRequest& request, hlsl::SourceFiles* sources) {
+  shaders::CompileRequest unprepared = request;
+  unprepared.prepare = false;
+  shaders::PreprocessedSource source = shaders::preprocess(unprepared);
+  require_success(request, source.diagnostics);
+  if (sources != nullptr) *sources = std::move(source.sources);
+  return std::move(source.text);
 }
 
 VertexModule required_vertex_module(const shaders::CompileRequest& request) {
   shaders::CompileResult result = shaders::compile(request);
-  require_success(request, result);
-  VertexModule module{std::move(result.spirv), {}};
-  for (const shaders::StageLocation& input :
-       shaders::pipeline_interface(module.spirv, request.entry).inputs) {
-    const auto element = std::find_if(
-        result.signature.begin(), result.signature.end(), [&](const shaders::SignatureElement& declared) {
+  require_success(request, result.diagnostics);
+  return vertex_module(std::move(result.spirv), result.signature, request.entry);
+}
+
+VertexModule vertex_module(std::vector<std::uint32_t> spirv, const shaders::Signature& signature,
+                           const std::string& entry) {
+  VertexModule module{std::move(spirv), {}};
+  for (const shaders::StageLocation& input : shaders::pipeline_interface(module.spirv, entry).inputs) {
+    const auto element =
+        std::find_if(signature.begin(), signature.end(), [&](const shaders::SignatureElement& declared) {
           return !declared.output && declared.location == static_cast<int>(input.location);
         });
-    module.inputs[input.location] = element == result.signature.end() ? "" : element->semantic;
+    module.inputs[input.location] = element == signature.end() ? "" : element->semantic;
   }
   return module;
 }

@@ -24,11 +24,17 @@ std::vector<std::uint32_t> required_module(const shaders::CompileRequest& reques
                                            hlsl::SourceFiles* sources = nullptr,
                                            std::vector<std::uint32_t>* unoptimised = nullptr);
 
-// The same of a vertex shader, with the semantics of those inputs that it reads, by location.
+// Its text without includes and macros, for another compiler: nothing in it is prepared for glslang. Throws
+// as above.
+std::string required_text(const shaders::CompileRequest& request, hlsl::SourceFiles* sources = nullptr);
+
+// A vertex shader's module, with the semantics of those inputs that it reads, by location.
 struct VertexModule {
   std::vector<std::uint32_t> spirv;
   std::map<std::uint32_t, std::string> inputs;
 };
 VertexModule required_vertex_module(const shaders::CompileRequest& request);
+VertexModule vertex_module(std::vector<std::uint32_t> spirv, const shaders::Signature& signature,
+                           const std::string& entry);
 
 }  // namespace penumbra::resolve

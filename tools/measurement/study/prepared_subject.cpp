@@ -10,9 +10,19 @@ namespace {
 constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: with thousands of taps they have little effect
 
+// Bytecode's modules do not say which uniform is where.
+void add_uniforms(platform::ContentHash& hash, const resolve::CompiledProgram& program) {
+  for (const auto* blocks : {&program.vertex_uniforms, &program.uniforms})
+    for (const shaders::Resource& block : *blocks)
+      for (const shaders::UniformMember& member : block.members)
+        hash.update(block.name).update(member.name).update(member.offset);
+}
+
 void add_to(platform::ContentHash& hash, const resolve::CompiledGraph& graph) {
-  for (const resolve::CompiledProgram& program : graph.programs)
+  for (const resolve::CompiledProgram& program : graph.programs) {
     hash.update(std::span<const std::uint32_t>(program.plain));
+    add_uniforms(hash, program);
+  }
   hash.update(graph.source.parameters.fingerprint());
 }
 

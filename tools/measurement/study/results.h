@@ -174,8 +174,9 @@ struct Results {
   std::string device;    // the Vulkan device's own name
   std::string driver;
   bool is_software = true;
-  std::vector<EarlierRun> earlier{};  // whose records are among these
-  std::vector<MeasuredFrame> frames;  // one per scene and light, in the order of the records
+  std::optional<std::string> front_end{};  // of all programs; absent: glslang
+  std::vector<EarlierRun> earlier{};       // whose records are among these
+  std::vector<MeasuredFrame> frames;       // one per scene and light, in the order of the records
   std::vector<Record> records;
 
   bool operator==(const Results&) const = default;

@@ -461,6 +461,7 @@ Results read_document(const LocatedJson& document) {
   results.device = top.text("device");
   results.driver = top.text("driver");
   results.is_software = top.boolean("is_software");
+  if (top.has("front_end")) results.front_end = top.text("front_end");
   if (top.has("earlier"))
     for (std::size_t i = 0; i < top.array_size("earlier"); ++i)
       results.earlier.push_back(read_earlier(document, Pointer("/earlier") / i));

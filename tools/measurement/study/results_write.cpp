@@ -274,6 +274,7 @@ std::string to_json(const Results& results) {
   json["device"] = results.device;
   json["driver"] = results.driver;
   json["is_software"] = results.is_software;
+  if (results.front_end) json["front_end"] = *results.front_end;
   for (const EarlierRun& run : results.earlier) json["earlier"].push_back(json_of(run));
   json["frames"] = Json::array();
   for (const MeasuredFrame& frame : results.frames) json["frames"].push_back(json_of(frame));

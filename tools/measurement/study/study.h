@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "gpu/device.h"
-#include "platform/worker_pool.h"
 #include "reference/visibility_image.h"
 #include "resolve/compiled_graph.h"
 #include "scene/frame.h"
@@ -93,8 +92,7 @@ struct StudySettings {
   std::function<void(const SubjectAnswer&)> answered{};
   BakeSettings bake{};  // of what subjects need besides the frame
   int jobs = 0;
-  platform::WorkerPool
-      compiler{};               // the process of each shader (resolve/module_order.h); no arguments: this one
+  resolve::Compiler compiler{};
   std::filesystem::path cache;  // empty: the user's cache folder
 };
 

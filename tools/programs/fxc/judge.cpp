@@ -63,14 +63,9 @@ platform::ConfinedCommand command_of(const Installation& installation, const Jud
   command.readable = {"/usr",
                       "/lib",
                       "/lib64",
-                      "/opt",
-                      "/etc",
-                      "/dev",
-                      "/proc",
-                      "/sys/devices/system",
-                      installation.worker,
-                      fs::canonical(installation.worker).parent_path(),
-                      fs::canonical(installation.library).parent_path()};
+                      installation.wine.parent_path(),
+                      fs::canonical(installation.worker),
+                      fs::canonical(installation.library)};
   command.writable = {prefix, "/dev/null"};
   command.memory = std::size_t{limits.megabytes} << 20U;
   return command;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fxc/fxc.h"
+#include "platform/worker_pool.h"
 
 namespace penumbra::fxc {
 
@@ -29,6 +30,10 @@ struct JudgeLimits {
   unsigned processor_seconds = 60;  // of one program
   unsigned megabytes = 2048;        // of the compiler's process
 };
+
+inline JudgeLimits limits_of(const platform::WorkerLimits& limits) {
+  return {static_cast<unsigned>(limits.processor_time.count()), static_cast<unsigned>(limits.memory >> 20U)};
+}
 
 // A running FXC, which takes about half a second to start and a millisecond for a small program. Not
 // thread-safe.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fxc/judge.h"
+#include "fxc/worker/unity_types.h"
 #include "input/input_error.h"
 #include "platform/shared_library.h"
 
@@ -40,7 +41,7 @@ Verdict Judge::compile(const Program& program) {
   ID3DBlob* messages = nullptr;
   Verdict verdict;
   verdict.compiled = SUCCEEDED(process_->compile(
-      program.text.data(), program.text.size(), nullptr, nullptr, nullptr, program.entry.c_str(),
+      program.text.data(), program.text.size(), nullptr, types_of_unity, nullptr, program.entry.c_str(),
       program.profile.c_str(), level | D3DCOMPILE_ENABLE_BACKWARDS_COMPATIBILITY, 0, &bytecode, &messages));
   verdict.bytecode = take(bytecode);
   verdict.messages = take(messages);

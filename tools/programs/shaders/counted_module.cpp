@@ -61,9 +61,11 @@ bool ends_a_block(spv::Op op) {
 // Scalar operations of an instruction, as counted_module.h defines them.
 class OperationCount {
  public:
-  explicit OperationCount(const spirv::Code& code) : code_(code) {}
+  OperationCount(const spirv::Code& code, const std::set<Id>& uncounted)
+      : code_(code), uncounted_(uncounted) {}
 
   std::uint32_t of(const spirv::Instruction& one) const {
+    if (one.result != 0 && uncounted_.contains(one.result)) return 0;
     if (one.op == spv::OpExtInst) return of_extended(one);
     if (one.op == spv::OpLoad) return is_shared(one.operands[0]) ? scalars(one.type) : 0;
     if (one.op == spv::OpStore) return is_shared(one.operands[0]) ? scalars(type_of(one.operands[1])) : 0;
@@ -146,12 +148,14 @@ class OperationCount {
   }
 
   const spirv::Code& code_;
+  const std::set<Id>& uncounted_;
 };
 
 // The operations to add at the end of each block, by its label.
 class OperationsOfBlocks {
  public:
-  explicit OperationsOfBlocks(const spirv::Code& code) : code_(code), count_(code) {
+  OperationsOfBlocks(const spirv::Code& code, const std::set<Id>& uncounted)
+      : code_(code), count_(code, uncounted) {
     for (const spirv::Function& function : code.functions()) {
       for (const spirv::Block& block : function.blocks)
         for (std::size_t i = block.begin; i < block.end; ++i)
@@ -291,8 +295,13 @@ Words name_words(Id id, const std::string& text) {
 
 class Counting {
  public:
-  Counting(const SpirvModule& module, const spirv::Code& code, const EntryFacts& facts)
-      : module_(module), code_(code), facts_(facts), operations_of_blocks_(code), rewrite_(module) {}
+  Counting(const SpirvModule& module, const spirv::Code& code, const EntryFacts& facts,
+           const std::set<Id>& uncounted)
+      : module_(module),
+        code_(code),
+        facts_(facts),
+        operations_of_blocks_(code, uncounted),
+        rewrite_(module) {}
 
   SpirvModule run() {
     add_counts_ = rewrite_.new_id();
@@ -507,10 +516,10 @@ class Counting {
 
 }  // namespace
 
-spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
-                             VulkanVersion vulkan) {
+spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry, VulkanVersion vulkan,
+                             const std::set<Id>& uncounted) {
   const spirv::Code code(unoptimised);
-  SpirvModule module = Counting(unoptimised, code, FactReader(code, entry).facts()).run();
+  SpirvModule module = Counting(unoptimised, code, FactReader(code, entry).facts(), uncounted).run();
   std::vector<std::string> problems;
   if (finish(module, vulkan, problems)) problems = validation_problems(module, vulkan, false);
   if (!problems.empty()) throw std::logic_error("the module that counts is not valid: " + problems.front());

@@ -24,9 +24,11 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 
 #include "shaders/vulkan_version.h"
+#include "spirv/code.h"
 #include "spirv/module.h"
 
 namespace penumbra::shaders {
@@ -46,7 +48,9 @@ inline constexpr std::size_t texel_counts_per_cell = 4;
 // For CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute shader; the result
 // has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for words that are not
 // SPIR-V, another entry point or another stage; std::logic_error if the result is invalid.
+// Instructions with the results `uncounted` are no operations.
 spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
-                             VulkanVersion vulkan = VulkanVersion::v1_1);
+                             VulkanVersion vulkan = VulkanVersion::v1_1,
+                             const std::set<spirv::Id>& uncounted = {});
 
 }  // namespace penumbra::shaders

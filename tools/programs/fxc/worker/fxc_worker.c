@@ -16,6 +16,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "unity_types.h"
+
 enum { kCompiled, kRefused, kTooLong, kTooLarge };
 
 typedef HRESULT(WINAPI* Compile)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO*, ID3DInclude*, LPCSTR,
@@ -105,7 +107,7 @@ static void serve(Compile compile, const DWORD head[4], char* texts) {
   used = processor_time();
   InterlockedExchange(&compiling, 1);
   const HRESULT result =
-      compile(source, head[3], NULL, NULL, NULL, entry, profile, head[0], 0, &bytecode, &messages);
+      compile(source, head[3], NULL, types_of_unity, NULL, entry, profile, head[0], 0, &bytecode, &messages);
   EnterCriticalSection(&answering);
   InterlockedExchange(&compiling, 0);
   const int compiled = SUCCEEDED(result) && bytecode != NULL;

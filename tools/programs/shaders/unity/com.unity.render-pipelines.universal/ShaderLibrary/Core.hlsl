@@ -25,11 +25,11 @@ float3 _WorldSpaceCameraPos;
 #define SLICE_ARRAY_INDEX unity_StereoEyeIndex
 #define TEXTURE2D_X(textureName) Texture2DArray textureName
 #define TEXTURE2D_X_FLOAT(textureName) Texture2DArray textureName
-#define LOAD_TEXTURE2D_X(textureName, texel) LoadOfThisEye(textureName, texel)
+#define LOAD_TEXTURE2D_X(textureName, texel) StandsInLoadOfThisEye(textureName, texel)
 #define GATHER_RED_TEXTURE2D_X(textureName, samplerName, uv) \
     GATHER_RED_TEXTURE2D(textureName, samplerName, float3(uv, SLICE_ARRAY_INDEX))
 
-float4 LoadOfThisEye(Texture2DArray image, int2 texel)
+float4 StandsInLoadOfThisEye(Texture2DArray image, int2 texel)
 {
     return image.Load(int4(texel, unity_StereoEyeIndex, 0));
 }

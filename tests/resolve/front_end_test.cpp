@@ -1,0 +1,143 @@
+// Every technique from FXC's bytecode, as Unity compiles it, beside glslang's modules: the same picture, the
+// same fetches.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fxc/at_hand.h"
+#include "resolve/drawn_scenes.h"
+#include "resolve/fxc_compiler.h"
+#include "resolve/graph_runner.h"
+#include "resolve/ground_at_random.h"
+#include "shaders/bytecode_module.h"
+
+namespace penumbra::resolve {
+namespace {
+
+// FXC multiplies and adds in one step, and reads a texture where its value is first needed. Where that is
+// all, pictures differ by the last bits of a float.
+constexpr double kRounding = 1e-5;
+constexpr double kVisible = 1e-4;        // what differs by more is more than rounding
+constexpr double kVisibleShare = 0.025;  // of the pixels, where a technique magnifies rounding
+
+struct Magnified {
+  const char* technique;
+  double largest;  // difference of a pixel
+};
+
+constexpr Magnified kMagnified[] = {
+    // Moments, whose differences are much smaller than they are: a last bit of the map is magnified, most
+    // where
+    // four of them are solved.
+    {"exponential-variance-16", 1e-3},
+    {"moments-32", 0.3},
+    {"moments-16", 5e-3},
+    {"variance-quarter", 5e-3},
+    {"vssm-sat-32", 5e-3},
+    {"mssm-sat-32", 1e-3},
+    {"mssm-mip-16", 0.02},
+    {"evsm-mip", 5e-4},
+    // A hash of the pixel by the fraction of a large sine.
+    {"godot-pcss-8", 5e-3},
+    {"godot-pcss-8-half-diameter", 1e-3},
+    {"godot-pcss-32", 5e-3},
+    // Arc functions, which FXC writes out as polynomials.
+    {"far-horizon", 1e-3},
+    {"blob", 0.02}};
+
+// Passes that fetch otherwise, and by which share at most. The modules that count are glslang's before
+// optimisation: FXC does not read what a path does not need.
+struct Fetching {
+  const char* pass;
+  double share;
+};
+constexpr Fetching kFetching[] = {{"FarShadows", 0.05},       {"ConservativeMask", 0.01},
+                                  {"ClassifyTiles", 0.02},    {"filter", 0.08},  // of vssm-sat-32
+                                  {"FilterUnrealSmrt", 2e-5},  // a ray that ends a step earlier
+                                  {"MarkSamples", 0.002},  // the four of edges: a sample's surface is decided
+                                  {"MarkSurfaces", 0.02},  // by a comparison of depths
+                                  {"ShadePixels", 5e-4},      {"ShadeSamples", 0.01},
+                                  {"MeanOfSamples", 0.001}};
+
+double largest_difference(const std::string& technique) {
+  for (const Magnified& one : kMagnified)
+    if (technique == one.technique) return one.largest;
+  return kRounding;
+}
+
+double share_of_fetches(const std::string& pass) {
+  for (const Fetching& one : kFetching)
+    if (pass == one.pass) return one.share;
+  return 0.0;
+}
+
+class FrontEnds : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    PENUMBRA_NEEDS_FXC();
+    if (!shaders::translates_bytecode()) GTEST_SKIP() << "built without vkd3d-shader (libvkd3d-dev)";
+  }
+
+  GraphResult result(const Compiler& compiler) const {
+    const scene::Scene scene = scene::built_in("colonnade");
+    CastersOnDevice casters(test_device(), scene);
+    casters.add_volumes(test_device(), scene);
+    const FrameInputs inputs = ground_at_random();
+    const scene::Frame& frame = drawn("colonnade", 3, true);
+    const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
+    const CameraImage camera = camera_image(frame);
+    const ShadowGraph graph = technique_graph(library_techniques(), library_techniques().find(GetParam()));
+    return GraphRunner(test_device(), compile(graph, compiler))
+        .run(on_device, &camera, {.noise_seeds = 1, .timing_repeats = 0});
+  }
+};
+
+void expect_same_picture(const std::vector<float>& a, const std::vector<float>& b, double largest) {
+  ASSERT_EQ(a.size(), b.size());
+  double worst = 0.0;
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+    worst = std::max(worst, difference);
+    visible += difference > kVisible ? 1 : 0;
+  }
+  EXPECT_LE(worst, largest);
+  EXPECT_LE(static_cast<double>(visible), kVisibleShare * static_cast<double>(a.size()));
+  testing::Test::RecordProperty("largest_difference", std::to_string(worst));
+}
+
+TEST_P(FrontEnds, DrawTheSamePicture) {
+  const GraphResult by_glslang = result({});
+  Compiler compiler;
+  compiler.fxc = bytecode_by_fxc(fxc::require_fxc());
+  const GraphResult by_fxc = result(compiler);
+  EXPECT_EQ(by_fxc.unset_uniforms, by_glslang.unset_uniforms);
+  expect_same_picture(by_fxc.visibility.front(), by_glslang.visibility.front(),
+                      largest_difference(GetParam()));
+  ASSERT_EQ(by_fxc.passes.size(), by_glslang.passes.size());
+  for (std::size_t i = 0; i < by_fxc.passes.size(); ++i) {
+    const PassCounts& ours = by_fxc.passes[i];
+    const PassCounts& theirs = by_glslang.passes[i];
+    const double share = share_of_fetches(ours.pass);
+    EXPECT_NEAR(ours.fetches, theirs.fetches, share * theirs.fetches) << ours.pass;
+    EXPECT_NEAR(ours.texels_written, theirs.texels_written, share * theirs.texels_written) << ours.pass;
+    EXPECT_EQ(ours.invocations, theirs.invocations) << ours.pass;
+  }
+}
+
+std::vector<std::string> all_techniques() {
+  std::vector<std::string> names;
+  for (const techniques::Technique& technique : library_techniques().techniques)
+    names.push_back(technique.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, FrontEnds, testing::ValuesIn(all_techniques()), [](const auto& instance) {
+  std::string name = instance.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace penumbra::resolve

@@ -1,0 +1,28 @@
+// What FXC's bytecode says of its resources and its inputs and outputs, in the terms of reflect.h and
+// stage_signature.h. Internal to this room.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shaders/reflect.h"
+#include "shaders/stage_signature.h"
+
+namespace penumbra::shaders {
+
+enum class RegisterKind { constants, texture, writable, sampler };  // b, t, u, s
+
+struct BytecodeResource {
+  Resource resource;  // name, kind and, of a uniform block, size and members; "$Global" as reflect() has it
+  RegisterKind registers = RegisterKind::constants;
+  std::uint32_t index = 0;  // its register
+  bool buffer = false;      // of texels, structures or bytes: no image
+};
+
+// Both throw std::invalid_argument for bytes that are not a container's, and for arrays of resources.
+std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode);
+Signature bytecode_signature(std::string_view bytecode);  // locations are registers
+
+}  // namespace penumbra::shaders
