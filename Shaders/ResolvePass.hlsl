@@ -16,15 +16,15 @@
 // The passes before this one bind the maps that the keyword's filter reads.
 #define PENUMBRA_MAPS_BOUND
 
-#if defined(_PENUMBRA_EXITS)
+#include "ScreenPass.hlsl"
+#include "SingleTap.hlsl"
+#include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
+
+#if defined(PENUMBRA_USES_EXITS)
 // Unity's compiler sees that a filter without a search leaves the loop of FilterExits.hlsl in its first turn; one with a search
 // needs the loop kept as it is.
 #pragma warning(disable : 3557)
 #endif
-
-#include "ScreenPass.hlsl"
-#include "SingleTap.hlsl"
-#include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
 
 TEXTURE2D_X(_PenumbraMaskTexture);
 

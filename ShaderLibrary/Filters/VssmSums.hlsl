@@ -69,17 +69,20 @@ DividedArea Divide(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, Pla
     divided.blockers.share = 0.0;
     divided.blockers.gapSum = 0.0;
     divided.visibility = 0.0;
-    SumRow above = SumsBefore(sums, x, y[0], tileLow);
-    UNITY_UNROLL
+    SumRow above = SumsBefore(sums, x, y.x, tileLow);
+    int top = y.x;
+    int3 bottoms = y.yzw;
+    // Rows are a loop, and columns are not: Unity's compiler takes seconds over nine cells.
+    UNITY_LOOP
     for (int row = 0; row < kCellsAlong; ++row)
     {
-        const SumRow below = SumsBefore(sums, x, y[row + 1], tileLow);
+        const SumRow below = SumsBefore(sums, x, bottoms.x, tileLow);
         UNITY_UNROLL
         for (int column = 0; column < kCellsAlong; ++column)
         {
             TexelBox cell;
-            cell.low = int2(x[column], y[row]);
-            cell.high = int2(x[column + 1], y[row + 1]);
+            cell.low = int2(x[column], top);
+            cell.high = int2(x[column + 1], bottoms.x);
             const int2 size = cell.high - cell.low;
             const uint4 sum = below.at[column + 1] - below.at[column] - above.at[column + 1] + above.at[column];
             const float share = AreaOf(cell) / AreaOf(box);
@@ -91,6 +94,8 @@ DividedArea Divide(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, Pla
             divided.visibility += share * (1.0 - blockers.share);
         }
         above = below;
+        top = bottoms.x;
+        bottoms = bottoms.yzz;
     }
     return divided;
 }
