@@ -49,6 +49,35 @@ class Page(unittest.TestCase):
                 page.causes(last, explanations)
 
 
+class FrontEnds(unittest.TestCase):
+    def compared(self):
+        def of(status, target, keywords, message=""):
+            return {**record(status, target, message=message), "keywords": keywords, "entry": "Frag", "stage": "fragment"}
+
+        return run.compare_front_ends(
+            [of("passed", "spirv", []), of("passed", "d3d11", []),
+             of("passed", "spirv", ["A"]), of("failed", "d3d11", ["A"], "X3004: undeclared identifier 'a'"),
+             of("passed", "spirv", ["B"]), of("failed", "d3d11", ["B"], "X3004: undeclared identifier 'b'"),
+             of("failed", "spirv", ["C"], "no \"c\""), of("passed", "d3d11", ["C"]),
+             of("failed", "spirv", ["D"], "no"), of("failed", "d3d11", ["D"], "no"),
+             of("failed", "spirv", ["E"], "cannot find 'E'"), of("passed", "d3d11", ["E"])], [(Path("/r"), "")])
+
+    def test_variants_that_one_alone_refuses_are_counted_by_cause(self):
+        result = self.compared()
+        self.assertEqual((result["variants"], result["accepted_by_fxc"], result["passed_by_us"]), (5, 2, 3))
+        self.assertEqual(result["false_passes"], [{"message": "X3004: undeclared identifier '...'", "variants": 2,
+                                                   "says": "X3004: undeclared identifier 'a'", "example": "Inc/B.hlsl:7"}])
+        self.assertEqual([cause["message"] for cause in result["false_refusals"]], ["no '...'"])
+
+    def test_the_page_adds_up_what_repositories_share(self):
+        data = {"fxc": "FXC 1", "third_party": [{"repository": "o/n", **self.compared()}],
+                "urp": [{"version": "9", **self.compared()}]}
+        self.assertIn("| **all** | 10 | 4 (40.0 %) | 6 (60.0 %) | 4 | 2 |", page.front_ends(data))
+        self.assertIn("| 4 | `X3004: undeclared identifier 'a'` | `Inc/B.hlsl:7` | o/n, URP 9 |",
+                      page.most_frequent(data, "false_passes"))
+        self.assertEqual(page.most_frequent({"third_party": [], "urp": []}, "false_passes"), "None.")
+
+
 class Sums(unittest.TestCase):
     def test_a_block_passes_when_all_its_variants_do(self):
         blocks = sum_up(record("passed"), record("passed", "hlsl50"), record("passed", place="0.1"),

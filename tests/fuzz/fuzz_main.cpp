@@ -20,7 +20,8 @@ struct Target {
   void (*run)(std::string_view bytes);
 };
 
-constexpr Target all_targets[] = {{"cache_entries", targets::cache_entries},
+constexpr Target all_targets[] = {{"bytecode", targets::bytecode},
+                                  {"cache_entries", targets::cache_entries},
                                   {"expanded_text", targets::expanded_text},
                                   {"figures", targets::figures},
                                   {"messages", targets::messages},

@@ -161,6 +161,7 @@ def target_seeds():
     yield 'model', models()
     yield 'option_values', [*quoted('variants/keyword_expression_test.cpp', 'project/*_test.cpp'),
                             *raw_strings('project/*_test.cpp')]
+    yield 'bytecode', files('tests/shaders/bytecode/*.dxbc')
     yield 'picture', [*pictures(), *files('tests/golden/*.png')]
     yield 'pragmas', [*raw_strings('variants/*'), *quoted('variants/pragmas_test.cpp', 'variants/keyword_space_test.cpp')]
     yield 'preparation', [
