@@ -119,6 +119,8 @@ const Case read_alike[] = {
     {"WholeFloatsInConditions", "#if 1\nfloat a = 1f + 2h;\n#endif\n"},
     {"BlanksOfDirectives", "  #  define A(x)   x\n#\n # if  A( 1 )  // c\n  A ( 2 )\n#\tendif /* d */\n"},
     {"CommentsInDirectives", "#define A /* b\n c */ d\nA\n#if /* e\n*/ 1 // f \\\n g\nA\n#endif\n"},
+    {"LongIntegers",
+     "#define A 0x1376312589U\nuint a = A + 5000000000u;\n#if 0x100000001L == 1\nb\n#endif\n"},
     {"KeywordsAsNames", "#define if 1\n#define define 2\nif define else include\n"},
     {"NameThatGlslangDefines",
      "#ifdef VULKAN\na\n#endif\nint VULKAN;\n#define VULKAN 7\n#ifdef VULKAN\nb VULKAN\n#endif\n"},
