@@ -236,6 +236,11 @@ TEST(EntrySemantics, OfDirect3D9AreSystemValuesWhereTheirDirectionSaysSo) {
                     HasSubstr("p : SV_Position ,"), HasSubstr("c : COLOR)")));
   EXPECT_THAT(with_semantics("struct V { float4 c : COLOR; }; V Main(V v) { return v; }", fragment),
               HasSubstr("c : COLOR;"));
+  EXPECT_THAT(with_semantics("void Main(inout float4 p : POSITION, inout half2 u : U) { p.z = 0; }", vertex),
+              HasSubstr("in float4 p_in : POSITION, out float4 p : SV_Position , inout half2 u : U) "
+                        "{ p = p_in; p.z = 0; }"));
+  EXPECT_THAT(with_semantics("void Main(inout precise float4 c : COLOR1) { }", fragment),
+              HasSubstr("in float4 c_in : COLOR1, out precise float4 c : SV_Target1 ) { c = c_in; }"));
   EXPECT_THAT(with_semantics("float4 Main(float4 p : POSITION) : POSITION { return p; }",
                              {"Main", hlsl::Stage::vertex, true}),
               HasSubstr(") : POSITION"))

@@ -56,6 +56,19 @@ TEST(SourceDirectives, HalfLiteralsBecomeFloat) {
   EXPECT_EQ(prepared("#define K 2.0h\n#if 1\n"), "#define K 2.0f\n#if 1\n");
 }
 
+// FXC compiles the first three lines to 0x76312589, 705032704 and 0xFFFFFFFF, and refuses the numbers of the
+// last.
+TEST(SourceDirectives, LongIntegersKeepTheirLowBits) {
+  EXPECT_EQ(prepared("0x1376312589U 0X1376312589ul 0xFEDCBA9876543210L"),
+            "0x0076312589U 0x0076312589ul 0x0000000076543210L");
+  EXPECT_EQ(prepared("5000000000u 18446744073709551615l"), "0x2a05f200u 0x0000000000ffffffffl");
+  EXPECT_EQ(prepared("0777777777777U"), "0x000ffffffffU");
+  const std::string others =
+      "4294967295U 0xFFFFFFFFu 1u 0u 0L v0x1376312589U \"0x1376312589U\" 0x1376312589Ux 1.5L 09999999999999U "
+      "0x1376312589 5000000000 18446744073709551616U 0x1FEDCBA9876543210U";
+  EXPECT_EQ(prepared(others), others);
+}
+
 TEST(SourceDirectives, InfinityKeepsItsPlace) {
   EXPECT_EQ(prepared("x = -1.#INF;"), "x = -1e9999;");
 }

@@ -119,7 +119,11 @@ const Case read_alike[] = {
     {"WholeFloatsInConditions", "#if 1\nfloat a = 1f + 2h;\n#endif\n"},
     {"BlanksOfDirectives", "  #  define A(x)   x\n#\n # if  A( 1 )  // c\n  A ( 2 )\n#\tendif /* d */\n"},
     {"CommentsInDirectives", "#define A /* b\n c */ d\nA\n#if /* e\n*/ 1 // f \\\n g\nA\n#endif\n"},
+    {"LongIntegers",
+     "#define A 0x1376312589U\nuint a = A + 5000000000u;\n#if 0x100000001L == 1\nb\n#endif\n"},
     {"KeywordsAsNames", "#define if 1\n#define define 2\nif define else include\n"},
+    {"NameThatGlslangDefines",
+     "#ifdef VULKAN\na\n#endif\nint VULKAN;\n#define VULKAN 7\n#ifdef VULKAN\nb VULKAN\n#endif\n"},
     {"Depth", "#if 1\n#if 1\n#if 0\n#elif 1\n#ifdef A\n#else\na\n#endif\n#endif\n#endif\n#endif\nb\n"},
 };
 
@@ -221,6 +225,12 @@ TEST(Preprocessor, ReadsIncludesAsGlslangDoes) {
   EXPECT_FALSE(both.left_to_glslang);
   EXPECT_EQ(both.own, both.of_glslang);
   EXPECT_NE(both.own.find("b1"), std::string::npos);
+}
+
+TEST(Preprocessor, KnowsNoExtensionsOfGlsl) {
+  const BothTexts both = both_texts("#ifdef GL_EXT_multiview\na\n#endif\nb\n");
+  EXPECT_FALSE(both.left_to_glslang);
+  EXPECT_EQ(both.own, "\n\n\nb\n");
 }
 
 // A call that begins in an included file does not end in the one that includes it.

@@ -94,6 +94,19 @@ TEST_F(IncludeSearchTest, AssetsWithoutAProjectSayWhatIsMissing) {
                 "; name the folder that contains Assets/ with --project DIR");
 }
 
+TEST_F(IncludeSearchTest, BesideTheCompiledFileComesAfterTheIncluder) {
+  files.write("Assets/Main/Own.hlsl", "");
+  files.write("Assets/Main/Both.hlsl", "");
+  files.write("Assets/Shaders/Inner/Both.hlsl", "");
+  files.write("lib/Own.hlsl", "");
+  roots.directories = {files.path("lib")};
+  EXPECT_EQ(found("Own.hlsl"), "lib/Own.hlsl");
+  roots.main_folder = files.path("Assets/Main");
+  EXPECT_EQ(found("Own.hlsl"), "Assets/Main/Own.hlsl");
+  EXPECT_EQ(found("/Own.hlsl"), "Assets/Main/Own.hlsl");
+  EXPECT_EQ(found("Both.hlsl"), "Assets/Shaders/Inner/Both.hlsl");
+}
+
 TEST_F(IncludeSearchTest, APlaceIsNamedOnce) {
   roots.directories = {files.path("Assets/Shaders/Inner"), files.path("lib")};
   EXPECT_EQ(found("Gone.hlsl"), "cannot find 'Gone.hlsl'; tried " +
@@ -160,6 +173,8 @@ TEST_F(IncludeSearchTest, NothingOutsideOfTheRootsIsFound) {
   EXPECT_THAT(find("Link.hlsl").problem,
               testing::StartsWith("'Link.hlsl' leads through a symbolic link outside of the project"));
   EXPECT_FALSE(find("link.HLSL").file) << "a name that differs only in case";
+  roots.main_folder = elsewhere.path();
+  EXPECT_FALSE(find("Secret.hlsl").file) << "the folder of the compiled file is searched, and is no root";
   roots.directories.push_back(elsewhere.path());
   EXPECT_EQ(find(secret).file, secret);
 }

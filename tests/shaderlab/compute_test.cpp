@@ -54,6 +54,18 @@ TEST(ComputeKernels, MayBeJoinedFromLines) {
   EXPECT_THAT(kernels("// \\\n#pragma kernel A\n#pragma kernel B"), ElementsAre("B[]"));
 }
 
+// Unity takes the line.
+TEST(ComputeKernels, MayEndAsStatements) {
+  EXPECT_THAT(kernels("#pragma kernel A;\n#pragma kernel B ; /* b */\n#pragma kernel C WIDE=1;"),
+              ElementsAre("A[]", "B[]", "C[WIDE=1]"));
+  EXPECT_THAT(
+      kernel_messages("#pragma kernel ;"),
+      ElementsAre("a.compute:1:16: error: expected the kernel's function after #pragma kernel, found ';'"));
+  EXPECT_THAT(
+      kernel_messages("#pragma kernel A;B"),
+      ElementsAre("a.compute:1:16: error: expected the kernel's function after #pragma kernel, found 'A;B'"));
+}
+
 TEST(ComputeKernels, KnowTheirPlaces) {
   const ComputeKernels read = compute_kernels("\n  #pragma kernel Main  WIDE=1", "a.compute");
   ASSERT_THAT(read.kernels, SizeIs(1));

@@ -5,6 +5,7 @@
 #include "input/input_error.h"
 #include "shader_files.h"
 #include "shaders/compile.h"
+#include "shaders/source_memory.h"
 
 namespace penumbra::shaders {
 namespace {
@@ -55,6 +56,21 @@ TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
   CompileRequest request = files.request("main.hlsl");
   request.include_directories = {files.path("other"), files.path("lib")};
   EXPECT_EQ(hlsl::has_errors(compile(request).diagnostics), false);
+}
+
+// A file that is read for two shaders finds what is beside each of them.
+TEST(Include, LooksBesideTheCompiledFileToo) {
+  const ShaderFiles files;
+  files.write("package.json", "");
+  files.write("shared/a.hlsl", "#include \"size.hlsl\"\n");
+  SourceMemory memory;
+  for (const char* folder : {"one", "two"}) {
+    const std::string place(folder);
+    files.write(place + "/size.hlsl", "#define SIZE 1\n");
+    files.write(place + "/main.hlsl", compute_shader("SIZE", "#include \"../shared/a.hlsl\"\n"));
+    const PreprocessedSource expanded = expand(files.request(place + "/main.hlsl"), memory);
+    EXPECT_TRUE(expanded.sources.contains(files.path(place + "/size.hlsl").string())) << folder;
+  }
 }
 
 // Errors of an include show the line they are about.

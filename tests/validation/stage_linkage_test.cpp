@@ -138,6 +138,13 @@ TEST_F(StageLinkage, AGeometryProgramReadsThePositionByItsName) {
       IsEmpty());
 }
 
+// FXC's compatibility mode reads `inout float4 p : POSITION` as an attribute and the position that is drawn.
+TEST_F(StageLinkage, AnInoutPositionIsWritten) {
+  EXPECT_THAT(errors("void Vert(inout float4 p : POSITION, inout float2 u : TEXCOORD0) { p.z = 0.5; }\n"
+                     "float4 Frag(float2 u : TEXCOORD0) : SV_Target { return u.xyxy; }\n"),
+              IsEmpty());
+}
+
 constexpr const char* keyword_stages =
     "struct Out { float4 p : SV_Position;\n#ifdef LIT\nfloat3 n : NORMAL;\n#endif\n#ifndef WAVES\nfloat id : "
     "ID;\n#endif\n};\n"

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 // Files that #include_with_pragmas names.
 variants::FindIncluded finder(project::IncludeRoots roots, const std::string& file) {
   roots.own.push_back(project::own_tree(file));
+  roots.main_folder = fs::path(file).parent_path();
   return [roots = std::move(roots)](const std::string& name,
                                     const std::string& includer) -> std::optional<variants::IncludedText> {
     const project::IncludeSearch found = project::find_include(roots, name, includer);

@@ -83,10 +83,12 @@ class EntrySemantics {
     check(returned(function), 0);
     for (std::size_t at = function.parameters_open + 1; at < function.parameters_close;) {
       const std::size_t end = element_end(at, function.parameters_close, ",");
-      check(value(at, end), 0);
+      const std::optional<Value> parameter = value(at, end);
+      check(parameter, 0);
+      if (parameter && parameter->direction.in && parameter->direction.out) inouts_.push_back(*parameter);
       at = end + 1;
     }
-    if (!entry_.dxc) name_system_values();
+    if (!entry_.dxc) name_system_values(function.open);
     text_.apply();
     return std::move(places_);
   }
@@ -255,15 +257,37 @@ class EntrySemantics {
     tokens_.push_back(at);
   }
 
+  // Of a vector or scalar; nullptr for the semantics of other values.
+  const Value* inout_with(std::size_t semantic) const {
+    const auto found = std::find_if(inouts_.begin(), inouts_.end(), [&](const Value& value) {
+      return value.semantic == semantic && text_.is(value.name + 1, ":") && is_numeric(word(value.type));
+    });
+    return found == inouts_.end() ? nullptr : &*found;
+  }
+
+  // `inout float4 p : POSITION` becomes `in float4 p_in : POSITION, out float4 p : SV_Position`.
+  void take_apart(const Value& parameter, const std::string& output, std::size_t body) {
+    std::size_t direction = parameter.type;
+    while (!text_.is(direction, "inout")) --direction;
+    const std::string name(word(parameter.name));
+    const std::string input = text_.free_name(name + "_in");
+    text_.replace(direction, 1,
+                  "in " + text_.spelled(parameter.type, parameter.name - parameter.type) + " " + input +
+                      " : " + std::string(word(parameter.semantic)) + ", out");
+    text_.replace(parameter.semantic, 1, output);
+    text_.insert(body + 1, name + " = " + input + ";");
+  }
+
   // Names of Direct3D 9. One that is an input and an output of the program, in a struct of both, keeps its
   // name.
-  void name_system_values() {
+  void name_system_values(std::size_t body) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       SemanticPlace& place = places_[i];
       const std::string name = system_value_of(place.semantic, entry_.stage, !place.output);
       const bool both = std::count(tokens_.begin(), tokens_.end(), tokens_[i]) > 1;
       const bool read_by_name = entry_.stage == hlsl::Stage::vertex && !entry_.rasterized;
-      if (name.empty() || both || read_by_name) continue;
+      const Value* const apart = place.output ? inout_with(tokens_[i]) : nullptr;
+      if (name.empty() || (both && apart == nullptr) || read_by_name) continue;
       const auto same = std::find_if(places_.begin(), places_.end(), [&](const SemanticPlace& other) {
         return other.output == place.output && semantic_key(other.semantic) == semantic_key(name) &&
                index_of(other.semantic) == index_of(name);
@@ -272,7 +296,11 @@ class EntrySemantics {
         report(tokens_[i], "'" + place.semantic + "' is Direct3D 9's name of '" + name +
                                "', which the program has, too: write one of them");
       place.semantic = name;
-      text_.replace(tokens_[i], 1, name);
+      if (apart != nullptr) {
+        take_apart(*apart, name, body);
+      } else {
+        text_.replace(tokens_[i], 1, name);
+      }
     }
   }
 
@@ -313,6 +341,7 @@ class EntrySemantics {
   std::set<std::size_t> reported_;
   std::vector<SemanticPlace> places_;
   std::vector<std::size_t> tokens_;  // of places_
+  std::vector<Value> inouts_;        // parameters
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,25 @@ std::optional<std::string> pragma_of(std::string_view line) {
   pragma.append(specifier_of(line.substr(0, 2))).append(" :");
   for (const char c : line.substr(std::min<std::size_t>(2, line.size()))) pragma += c == '_' ? ' ' : c;
   return pragma + ")";
+}
+
+// The digits that take the place of those of an integer with a suffix, where FXC keeps the low 32 bits of up
+// to 64; empty for other numbers. They are hexadecimal, because no notation has fewer.
+std::string low_bits(std::string_view number) {
+  const std::size_t digits = number.find_last_not_of("uUlL") + 1;
+  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+  const char* const end = number.data() + digits;
+  std::uint64_t value = 0;
+  const auto read = std::from_chars(number.data() + (hexadecimal ? 2 : 0), end, value,
+                                    hexadecimal        ? 16
+                                    : number[0] == '0' ? 8
+                                                       : 10);
+  if (digits == number.size() || read.ec != std::errc() || read.ptr != end || value >> 32U == 0) return {};
+  std::string low(digits, '0');
+  low[1] = 'x';
+  for (std::size_t place = digits; place > digits - 8; value >>= 4U)
+    low[--place] = "0123456789abcdef"[value & 15U];
+  return low;
 }
 
 class SourceScan {
@@ -118,7 +138,7 @@ class SourceScan {
     return read.ec == std::errc() && value < 256 ? value : -1;
   }
 
-  // The suffix h of 1.0h, and 1.#INF.
+  // The suffix h of 1.0h, 1.#INF, and integers of more than 32 bits.
   void number() {
     const std::size_t begin = at_;
     const bool hexadecimal = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
@@ -134,6 +154,8 @@ class SourceScan {
     } else if (!hexadecimal && (spelling.back() == 'h' || spelling.back() == 'H')) {
       const bool whole = spelling.find_first_not_of("0123456789hH") == std::string_view::npos;
       text_[at_ - 1] = whole ? '.' : 'f';  // 1h is the number 1., and 1f is none
+    } else if (const std::string low = low_bits(spelling); !low.empty()) {
+      text_.replace(begin, low.size(), low);
     }
   }
 

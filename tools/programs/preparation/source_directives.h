@@ -10,6 +10,9 @@
 // - `#warning` is blanked: it is not an error in Unity, and glslang does not know the directive.
 // - The half literal `1.0h` becomes `1.0f`: half is float here. `1.#INF` becomes `1e9999`, which is infinite
 //   too, and is accepted by the preprocessor.
+// - Of an integer literal with a suffix and 33 to 64 bits, `0x1376312589U`, the low 32 bits stay,
+// `0x0076312589U`:
+//   FXC takes these, glslang refuses the number. Without a suffix FXC refuses it, too.
 // - The character literals 'N' and '\n' become their numeric values
 //   (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-appendix-grammar): glslang's
 //   preprocessor loses their quotes.

@@ -34,10 +34,10 @@ constexpr bool is_identifier_character(char c) {
   return begins_identifier(c) || is_digit(c);
 }
 
-// glslang's predefined macros, whose values are not known here.
+// Macros whose values are not known here. VULKAN and GL_EXT_multiview, which glslang defines as well, are
+// none in HLSL.
 bool is_predefined(std::string_view name) {
-  return name.starts_with("GL_") || name == "VULKAN" || name == "__LINE__" || name == "__FILE__" ||
-         name == "__VERSION__";
+  return name == "__LINE__" || name == "__FILE__" || name == "__VERSION__";
 }
 
 bool stands_alone(std::string_view mark) {

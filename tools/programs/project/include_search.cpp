@@ -76,11 +76,15 @@ Places places_of(const IncludeRoots& roots, const std::string& header, const fs:
   Places places;
   if (starts_with_ignoring_case(header, packages)) add_package_places(roots, header, places);
   if (starts_with_ignoring_case(header, assets)) add_asset_places(roots, header, places);
-  places.tried.push_back({includer.parent_path(), header});
+  std::vector<fs::path> beside{includer.parent_path()};
+  if (!roots.main_folder.empty() && roots.main_folder != beside[0]) beside.push_back(roots.main_folder);
   // "/Include/A.hlsl" is beside the includer, unless the disk's root has it.
   const std::size_t after_slashes = header.find_first_not_of('/');
-  if (after_slashes != 0 && after_slashes != std::string::npos)
-    places.tried.push_back({includer.parent_path(), header.substr(after_slashes)});
+  for (const fs::path& folder : beside) {
+    places.tried.push_back({folder, header});
+    if (after_slashes != 0 && after_slashes != std::string::npos)
+      places.tried.push_back({folder, header.substr(after_slashes)});
+  }
   for (const fs::path& directory : roots.directories) places.tried.push_back({directory, header});
   return places;
 }

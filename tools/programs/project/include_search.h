@@ -1,6 +1,6 @@
 // Resolves a Unity shader's #include, in Unity's order: package roots and the project's Assets/, then beside
-// the including file, then the include directories, then the editor's CGIncludes (Unity manual, "include and
-// include_with_pragmas directives in HLSL").
+// the including file, then beside the file that is compiled, then the include directories, then the editor's
+// CGIncludes (Unity manual, "include and include_with_pragmas directives in HLSL").
 //
 // Unity's leniency is kept: backslashes, doubled slashes, "./" and "../", a version after a package's name
 // (Packages/NAME@1.2.3/...). Files outside of the roots are not read (include_bounds.h). Names are
@@ -25,6 +25,7 @@ struct IncludeRoots {
   std::filesystem::path cginc;    // the editor's CGIncludes; empty when there is none
   std::vector<std::filesystem::path>
       own;  // own_tree() of what is compiled: not searched, but includes may lead there
+  std::filesystem::path main_folder;  // of the file that is compiled; empty where none is
 };
 
 struct IncludeSearch {

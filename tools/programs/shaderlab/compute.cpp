@@ -31,7 +31,11 @@ class KernelReader {
     std::vector<PragmaLine> lines = pragma_lines(result_.text);
     std::erase_if(
         lines, [](const PragmaLine& line) { return line.words.empty() || line.words[0].text != "kernel"; });
-    for (const PragmaLine& line : lines) {
+    for (PragmaLine& line : lines) {
+      // Unity takes a line that ends as a statement; the reader of the program's pragmas warns about it.
+      std::string& last = line.words.back().text;
+      if (last.back() == ';' && (last.size() > 1 || line.words.size() > 2)) last.pop_back();
+      if (last.empty()) line.words.pop_back();
       if (std::optional<Kernel> kernel = read(line)) result_.kernels.push_back(std::move(*kernel));
       if (line.has_line_comment && lines.size() > 1)
         say(hlsl::Severity::warning, line.place,

@@ -40,11 +40,8 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 }
 
 project::IncludeRoots roots_of(const CompileRequest& request) {
-  return {request.package_roots,
-          request.include_directories,
-          request.project,
-          request.cginc_root,
-          {project::own_tree(request.file)}};
+  return {request.package_roots, request.include_directories,       request.project,
+          request.cginc_root,    {project::own_tree(request.file)}, request.file.parent_path()};
 }
 
 }  // namespace

@@ -84,6 +84,7 @@ std::string key_of(const project::IncludeRoots& roots) {
   add("/");
   add(roots.project.string());
   add(roots.cginc.string());
+  add(roots.main_folder.string());
   for (const std::filesystem::path& folder : roots.own) add(folder.string());
   return key;
 }

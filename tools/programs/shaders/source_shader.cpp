@@ -6,6 +6,9 @@ namespace penumbra::shaders {
 
 namespace {
 
+// glslang defines this name for GLSL; in HLSL it is a name like any other, which shaders use for keywords.
+constexpr const char* forgotten = "#undef VULKAN\n";
+
 // The parser's log for another text in place of the source's.
 std::string log_of(const Source& source, const std::string& text) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
@@ -45,9 +48,10 @@ SourceShader::SourceShader(const Source& source)
     : texts_{source.text.data()},
       names_{source.name.c_str()},
       lengths_{static_cast<int>(source.text.size())},
+      preamble_(forgotten + source.preamble),
       shader_(language(source.request.stage)) {
   shader_.setStringsWithLengthsAndNames(texts_, lengths_, names_, 1);
-  shader_.setPreamble(source.preamble.c_str());
+  shader_.setPreamble(preamble_.c_str());
   shader_.setEntryPoint(source.request.entry.c_str());
   shader_.setSourceEntryPoint(source.request.entry.c_str());
   shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan, 100);

@@ -38,6 +38,7 @@ class SourceShader {
   const char* texts_[1];
   const char* names_[1];
   int lengths_[1];
+  std::string preamble_;
   glslang::TShader shader_;
 };
 

@@ -56,6 +56,13 @@ Place PragmaParser::place_of(const Line& line, const Word& word) const {
   return {line.place.file, word.line, word.column};
 }
 
+// Many published shaders end a #pragma as a statement.
+void PragmaParser::drop_semicolon(const Line& line, Word& word, const std::string& message) {
+  if (word.text.back() != ';') return;
+  word.text.pop_back();
+  warn({line.place.file, word.line, word.column + static_cast<int>(word.text.size())}, message);
+}
+
 bool PragmaParser::read_entry_point(Line& line) {
   const std::optional<hlsl::Stage> stage = hlsl::find_stage(line.name);
   if (!stage || *stage == hlsl::Stage::compute) return false;
@@ -64,11 +71,7 @@ bool PragmaParser::read_entry_point(Line& line) {
     return true;
   }
   Word& function = line.words.front();
-  if (function.text.size() > 1 && function.text.back() == ';') {
-    function.text.pop_back();  // which many published shaders contain
-    const int semicolon = function.column + static_cast<int>(function.text.size());
-    warn({line.place.file, function.line, semicolon}, "';' after the function's name has no effect");
-  }
+  if (function.text.size() > 1) drop_semicolon(line, function, "';' after the function's name has no effect");
   if (!hlsl::is_identifier(function.text)) {
     error(place_of(line, function), "'" + function.text + "' cannot be the name of a function");
     return true;
@@ -223,17 +226,21 @@ void PragmaParser::read_kernel(const Line& line) {
     error(line.place, "'#pragma kernel' needs the name of a function");
     return;
   }
-  Kernel kernel{line.words.front().text, {}, line.place};
+  std::vector<Word> words = line.words;
+  if (words.size() > 1 || words.back().text.size() > 1)
+    drop_semicolon(line, words.back(), "';' at the end of '#pragma kernel' has no effect");
+  if (words.back().text.empty()) words.pop_back();
+  Kernel kernel{words.front().text, {}, line.place};
   if (!hlsl::is_identifier(kernel.function)) {
-    error(place_of(line, line.words.front()), "'" + kernel.function + "' cannot be the name of a function");
+    error(place_of(line, words.front()), "'" + kernel.function + "' cannot be the name of a function");
     return;
   }
-  for (std::size_t i = 1; i < line.words.size(); ++i) {
-    const std::string& word = line.words[i].text;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string& word = words[i].text;
     const std::size_t equals = std::min(word.find('='), word.size());
     const std::string macro = word.substr(0, equals);
     if (!hlsl::is_identifier(macro)) {
-      error(place_of(line, line.words[i]), "'" + word + "' is not NAME or NAME=VALUE, without blanks");
+      error(place_of(line, words[i]), "'" + word + "' is not NAME or NAME=VALUE, without blanks");
       continue;
     }
     kernel.defines.emplace_back(macro, equals == word.size() ? "1" : word.substr(equals + 1));

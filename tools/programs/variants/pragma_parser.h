@@ -30,6 +30,7 @@ class PragmaParser {
     Place place;
   };
 
+  void drop_semicolon(const Line& line, Word& word, const std::string& message);
   bool read_entry_point(Line& line);
   bool read_keywords(const Line& line);
   bool read_list(const Line& line);
