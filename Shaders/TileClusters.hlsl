@@ -107,7 +107,7 @@ int2 PixelOfPart(uint lane)
 uint PixelsInTarget(int2 firstPixel, int2 size)
 {
     uint pixels = 0;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (uint lane = 0; lane < PART_LANES; ++lane)
     {
         if (all(firstPixel + PixelOfPart(lane) < size)) pixels |= 1u << lane;
@@ -152,7 +152,7 @@ PartReceivers JoinReceiver(PartReceivers part, QuadReceiver receiver, int cascad
 // Before the group's first barrier.
 void ResetClusters(uint thread)
 {
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (uint i = thread; i < GROUP_TILES * TILE_CLUSTERS * (MOST_RADII + 1); i += GROUP_THREADS) clusterRadius[i] = 0;
     if (thread >= GROUP_TILES * TILE_CLUSTERS) return;
     clusterFirst[thread] = TILE_PARTS;
@@ -215,7 +215,7 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
     const float2 clusterHigh = float2(clusterRight[own], clusterBottom[own]) + 1.0;
     bool settled = clusterFirst[own] == TILE_PARTS;
     float radius = asfloat(clusterRadius[own * (MOST_RADII + 1)]);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (uint i = 0; i < MOST_RADII; ++i)
     {
         const float clusterReach = radius + kSampleReachTexels;
@@ -224,7 +224,7 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
         const float blockTexels = kRangeBlock * PowerOfTwo(blocks.level);
         const int2 size = blocks.whole && !settled ? blocks.high - blocks.low + 1 : int2(0, 0);
         const uint firstBlock = thread.tile * MOST_BLOCKS_ACROSS * MOST_BLOCKS_ACROSS;
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (int k = int(thread.part); k < MOST_BLOCKS_ACROSS * size.y; k += TILE_PARTS)
         {
             const int2 block = PlaceInRows(k, MOST_BLOCKS_ACROSS);
@@ -243,10 +243,10 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
             float gap = blocks.whole ? 0.0 : kAnyGap;
             float smallestGap = kAnyGap;
             bool allAbove = blocks.whole;
-            UNITY_LOOP
+            PENUMBRA_LOOP
             for (int y = low.y; y <= high.y; ++y)
             {
-                UNITY_LOOP
+                PENUMBRA_LOOP
                 for (int x = low.x; x <= high.x; ++x)
                 {
                     const float2 away = (float2(blocks.low + int2(x, y)) + 0.5) * blockTexels - group.first.centre;

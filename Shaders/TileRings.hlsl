@@ -71,7 +71,7 @@ void AddSums(bool active, uint thread)
     if (active && sum < REST_SUMS)
     {
         float total = 0.0;
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (uint lane = 0; lane < PART_LANES; ++lane)
             total += asfloat(windowSpreads[sum * WINDOW_THREADS + part * PART_LANES + lane]);
         windowSpreads[REST_TOTALS + part * REST_SUMS + sum] = asuint(total);

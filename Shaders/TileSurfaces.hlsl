@@ -13,6 +13,7 @@
 #define PENUMBRA_TILE_SURFACES_HLSL
 
 #include "ScreenPass.hlsl"
+#include "../ShaderLibrary/Core/FastLoop.hlsl"
 #include "../ShaderLibrary/Core/RowOrder.hlsl"
 
 // ReadCameraSurface reads two pixels each way.
@@ -86,7 +87,7 @@ void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView
     const int2 last = int2(view.size.xy) - 1;
     const int side = square.width + 2 * SQUARE_APRON;
     const int quads = side / 2;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int n = int(thread); n < quads * quads; n += int(threads))
     {
         const int2 quad = 2 * PlaceInRows(n, quads);

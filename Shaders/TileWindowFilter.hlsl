@@ -32,11 +32,11 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
     const DepthWindow texels = levelWindows[0];
     const float farthest = min(kSearchRingCells, radius) + 0.5;
     const int2 rows = CellsAlong(receiver.centre.y, farthest, texels.low.y, texels.size.y);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int y = rows.x; y <= rows.y; ++y)
     {
         const int2 row = CellsOfRow(receiver.centre, farthest, y, texels);
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (int x = row.x; x <= row.y; ++x)
         {
             const float2 away = AwayFrom(receiver, int2(x, y), 1.0);
@@ -70,7 +70,7 @@ RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales
 {
     RingSums all = sums;
     const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int level = 1; level <= levels; ++level)
     {
         const float width = PowerOfTwo(level);
@@ -78,11 +78,11 @@ RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales
         const float farthest = min(kSearchRingCells, radius / width) + 0.5;
         const DepthWindow window = levelWindows[level];
         const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (int y = rows.x; y <= rows.y; ++y)
         {
             const int2 row = CellsOfRow(centre, farthest, y, window);
-            UNITY_LOOP
+            PENUMBRA_LOOP
             for (int x = row.x; x <= row.y; ++x)
                 all = AddRingCell(all, level, int2(x, y), false, receiver, ground, scales, radius);
         }
@@ -100,7 +100,7 @@ void FindGroundOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint 
 {
     const DepthWindow texels = levelWindows[0];
     const int2 here = int2(floor(receiver.centre));
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (uint n = lane; n < GROUND_TEXELS * GROUND_TEXELS; n += PART_LANES)
     {
         const int2 texel = here + int2(n % GROUND_TEXELS, n / GROUND_TEXELS) - GROUND_TEXELS / 2;
@@ -119,10 +119,10 @@ void FindNearOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint la
     const float reach = asfloat(partSpread[part]) + kSearchRingCells + 0.5;
     const int2 low = max(int2(floor(receiver.centre - reach)), texels.low);
     const int2 high = min(int2(floor(receiver.centre + reach)), texels.low + texels.size - 1);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int2 texel = low + PixelOfPart(lane); texel.y <= high.y && partNear[part] == 0; texel.y += PART_PIXELS)
     {
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (texel.x = low.x + int(lane % PART_PIXELS); texel.x <= high.x; texel.x += PART_PIXELS)
         {
             const CellBlockers blockers =
@@ -152,11 +152,11 @@ void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread
     {
         const float radius = partDepth[part].y;
         const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (int level = 1; level <= levels; ++level)
         {
             const int2 first = int2(floor(receiver.centre / PowerOfTwo(level))) - SEARCH_CELLS / 2;
-            UNITY_LOOP
+            PENUMBRA_LOOP
             for (int n = int(thread % PART_LANES); n < SEARCH_CELLS * SEARCH_CELLS; n += PART_LANES)
                 sums = AddRingCell(sums, level, first + PlaceInRows(n, SEARCH_CELLS), level == 1 && !near, receiver,
                                    ground, scales, radius);
@@ -200,7 +200,7 @@ float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
 {
     const DepthWindow texels = levelWindows[0];
     float2 sums = float2(0.0, 0.0);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int k = 0; k < 4; ++k)
     {
         const int2 first = QuadOfBlock(receiver, k);
@@ -219,11 +219,11 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filte
     const float farthest = min(filterCells, penumbra.radius / width) + 0.5;
     const int2 rows = CellsAlong(centre.y, farthest, window.low.y, window.size.y);
     float2 sums = float2(0.0, 0.0);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int y = rows.x; y <= rows.y; ++y)
     {
         const int2 row = CellsOfRow(centre, farthest, y, window);
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (int x = row.x; x <= row.y; ++x)
         {
             const float2 away = AwayFrom(receiver, int2(x, y), width);

@@ -160,7 +160,7 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     const int2 quads = any ? (texels.low + texels.size - begin + 1) >> 1 : int2(0, 0);
     if (thread == 0) levelWindows[0] = texels;
     int i;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (i = int(thread); i < quads.x * quads.y; i += WINDOW_THREADS)
     {
         const int2 first = begin + 2 * PlaceInRows(i, quads.x);
@@ -174,7 +174,7 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
         }
     }
     int offset = 0;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int level = 1; level <= bounds.levels; ++level)
     {
         DepthWindow window = WindowOf(bounds, level);
@@ -182,7 +182,7 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
         if (thread == 0) levelWindows[level] = window;
         const int2 firstBlock = window.low >> 1;
         const int2 blocks = any ? ((window.low + window.size + 1) >> 1) - firstBlock : int2(0, 0);
-        UNITY_LOOP
+        PENUMBRA_LOOP
         for (i = int(thread); i < blocks.x * blocks.y; i += WINDOW_THREADS)
         {
             const int2 block = firstBlock + PlaceInRows(i, blocks.x);

@@ -79,6 +79,15 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveRest",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    groups = GraphGroups.Indirect(1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveAlone",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
                     updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(1),
@@ -162,6 +171,15 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveRest",
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    groups = GraphGroups.Indirect(1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/PenumbraFlagship.compute",
+                    program = "ResolveAlone",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
                     updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(1),

@@ -16,6 +16,7 @@
 #ifndef PENUMBRA_DEPTH_RING_FILTER_HLSL
 #define PENUMBRA_DEPTH_RING_FILTER_HLSL
 
+#include "../Core/FastLoop.hlsl"
 #include "DepthRingSums.hlsl"
 #include "PcssAngularExits.hlsl"
 
@@ -58,7 +59,7 @@ ExitBounds BoundRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach
     const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
     ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
     int2 texel = blocks.disc.low;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     while (HoldsBlock(texel, blocks.disc))
     {
         const DepthPlanes planes = PlanesOfLevel(depthPlanes, coarsePlanes, texel, blocks.disc.level);
@@ -74,7 +75,7 @@ RingDecision DecideRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitRe
     decision.visibility = kUndecided;
     const float narrowest = max(reach.smallestRadius, kSmallestRingRadius);
     decision.radius = max(reach.largestRadius, narrowest);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int i = 0; i < kMostRingRadii; ++i)
     {
         const ExitBounds bounds = BoundRings(depthPlanes, coarsePlanes, reach, decision.radius + kSampleReachTexels);
@@ -117,14 +118,15 @@ RingSearch SearchRingTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), RingSearc
 {
     RingSearch search = found;
     const QuadRange quads = QuadsAround(receiver, 0, radius, kSearchRingCells);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int i = share.first; i < CountOf(quads); i += share.step)
     {
         const int2 quad = QuadAt(quads, i);
         const float4 areas = AreasInRing(quad, 0, radius, kSearchRingCells, receiver);
-        if (!AnyArea(areas)) continue;
-        search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
-                              receiver, scales);
+        UNITY_BRANCH
+        if (AnyArea(areas))
+            search = SearchTexels(search, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad,
+                                  areas, receiver, scales);
     }
     return search;
 }
@@ -135,18 +137,29 @@ RingSearch SearchRingCells(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D
 {
     RingSearch search = found;
     const int levels = RingLevels(radius, kSearchRingCells, kMostRingLevels);
-    UNITY_LOOP
-    for (int level = 1; level <= levels; ++level)
+    int level = 1;
+    QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
+    int i = share.first;
+    // One loop over the quads of all levels: FXC compiles what is in a loop several times for each loop around it.
+    PENUMBRA_LOOP
+    while (level <= levels)
     {
-        const QuadRange quads = QuadsAround(receiver, level, radius, kSearchRingCells);
-        UNITY_LOOP
-        for (int i = share.first; i < CountOf(quads); i += share.step)
+        UNITY_BRANCH
+        if (i < CountOf(quads))
         {
             const int2 quad = QuadAt(quads, i);
             const float4 areas = AreasInRing(quad, level, radius, kSearchRingCells, receiver);
-            if (!AnyArea(areas)) continue;
-            search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
-                                 receiver, scales);
+            UNITY_BRANCH
+            if (AnyArea(areas))
+                search = SearchCells(search, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
+                                     receiver, scales);
+            i += share.step;
+        }
+        else
+        {
+            ++level;
+            quads = QuadsAround(receiver, level, radius, kSearchRingCells);
+            i = share.first;
         }
     }
     return search;
@@ -159,18 +172,22 @@ float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(ui
     float2 sums = float2(0.0, 0.0);
     const int level = DiscLevel(penumbra.radius, kRingCells);
     const QuadRange quads = QuadsAround(receiver, level, penumbra.radius, kRingCells);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int i = share.first; i < CountOf(quads); i += share.step)
     {
         const int2 quad = QuadAt(quads, i);
         const float4 areas = AreasInDisc(quad, level, penumbra.radius, kRingCells, receiver);
-        if (!AnyArea(areas)) continue;
-        if (level == 0)
-            sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad, areas,
-                                penumbra, receiver);
-        else
-            sums = FilterCells(sums, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas, penumbra,
-                               receiver);
+        UNITY_BRANCH
+        if (AnyArea(areas))
+        {
+            UNITY_BRANCH
+            if (level == 0)
+                sums = FilterTexels(sums, DepthsOfQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), 2 * quad, receiver), quad,
+                                    areas, penumbra, receiver);
+            else
+                sums = FilterCells(sums, SpreadsOfLevel(depthSpreads, coarseSpreads, quad, level), quad, level, areas,
+                                   penumbra, receiver);
+        }
     }
     return sums;
 }
@@ -179,7 +196,7 @@ float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(ui
 float2 SumRingBlock(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int k = share.first; k < 4; k += share.step)
     {
         const int2 first = QuadOfBlock(receiver, k);

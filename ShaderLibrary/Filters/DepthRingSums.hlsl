@@ -150,6 +150,7 @@ RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 area
     for (int k = 0; k < 4; ++k)
     {
         const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+        UNITY_BRANCH
         if (areas[k] > 0.0) next = SearchTexel(next, depths[k], away, areas[k], receiver, scales);
     }
     return next;
@@ -164,11 +165,14 @@ RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, flo
     UNITY_UNROLL
     for (int k = 0; k < 4; ++k)
     {
-        if (!(areas[k] > 0.0)) continue;
-        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
-        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, search.ground, receiver);
-        if (blockers.share > 0.0)
-            next.sums = AddBlockers(next.sums, blockers, length(away), width, areas[k], scales);
+        UNITY_BRANCH
+        if (areas[k] > 0.0)
+        {
+            const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+            const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, search.ground, receiver);
+            if (blockers.share > 0.0)
+                next.sums = AddBlockers(next.sums, blockers, length(away), width, areas[k], scales);
+        }
     }
     return next;
 }
@@ -253,9 +257,12 @@ float2 FilterTexels(float2 sums, float4 depths, int2 quad, float4 areas, RingPen
     UNITY_UNROLL
     for (int k = 0; k < 4; ++k)
     {
-        if (!(areas[k] > 0.0)) continue;
-        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
-        next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k], penumbra.cone);
+        UNITY_BRANCH
+        if (areas[k] > 0.0)
+        {
+            const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
+            next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k], penumbra.cone);
+        }
     }
     return next;
 }
@@ -269,10 +276,13 @@ float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas,
     UNITY_UNROLL
     for (int k = 0; k < 4; ++k)
     {
-        if (!(areas[k] > 0.0)) continue;
-        const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
-        const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground, receiver);
-        next = FilterCell(next, blockers, length(away), width, areas[k], penumbra.cone);
+        UNITY_BRANCH
+        if (areas[k] > 0.0)
+        {
+            const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
+            const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground, receiver);
+            next = FilterCell(next, blockers, length(away), width, areas[k], penumbra.cone);
+        }
     }
     return next;
 }

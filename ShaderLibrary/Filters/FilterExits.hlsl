@@ -21,6 +21,7 @@
 #ifndef PENUMBRA_FILTER_EXITS_HLSL
 #define PENUMBRA_FILTER_EXITS_HLSL
 
+#include "../Core/FastLoop.hlsl"
 #include "ReceiverGroup.hlsl"
 
 // As in DepthPlaneDecision.hlsl.
@@ -155,7 +156,7 @@ ExitBounds BoundExits(TEXTURE2D(depthPlanes), ExitReach reach, float radius, boo
     const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
     ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
     int2 texel = blocks.disc.low;
-    UNITY_LOOP
+    PENUMBRA_LOOP
     while (HoldsBlock(texel, blocks.disc) && (bounds.noneBlocks || bounds.allBlock || wantsGap))
     {
         const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.disc.level));
@@ -180,7 +181,7 @@ float DecideExits(TEXTURE2D(depthPlanes), ExitReach reach)
     float largestGap = 0.0;
     // The texels of the search, then those of the filter that follows it. In one loop: with a second call of BoundExits behind
     // the first, a driver drew as if the second had counted one block alone (Documentation~/exits.md).
-    UNITY_LOOP
+    PENUMBRA_LOOP
     for (int stage = 0; stage < 2; ++stage)
     {
         const bool isSearch = stage == 0;

@@ -109,7 +109,7 @@ namespace Penumbra.Tests
         private static readonly string[] FlagshipKernels =
         {
             "kernel FirstLevels", "kernel NextLevel", "kernel ResetTiles", "kernel ClassifyTiles", "kernel ResolveTiles",
-            "kernel ResolveRest",
+            "kernel ResolveRest", "kernel ResolveAlone",
         };
 
         /// <summary>And those of what is drawn where the device cannot run them.</summary>

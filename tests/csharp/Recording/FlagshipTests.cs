@@ -180,6 +180,7 @@ namespace Penumbra.Tests
 
         [TestCase("ResolveTiles", "ClassifyTiles", "_PenumbraTile")]
         [TestCase("ResolveRest", "ResolveTiles", "_PenumbraRest")]
+        [TestCase("ResolveAlone", "ResolveTiles", "_PenumbraRest")]
         public void ListedTilesAloneAreResolvedInTheTextureThatReceiversRead(string kernel, string lister, string list)
         {
             FakeDevice.DrawCall resolve = Calls(kernel).Single();

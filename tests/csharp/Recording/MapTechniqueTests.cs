@@ -304,7 +304,7 @@ namespace Penumbra.Tests
             scene.Views = 2;
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Is.Null);
-            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveRest"));
+            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveAlone"));
         }
 
         [Test]
