@@ -61,6 +61,9 @@ const std::vector<Case>& cases() {
        with_function("float F(float4 x) { [branch] if (x.x > q) { if (x.y > q)\nreturn 1;\n} return q; }")},
       {"early-return", "", with_function("float F(float4 x) { if (x.x > q) return 1; return q; }")},
       {"early-return", "",
+       with_function(
+           "float F(float4 x) { if (x.y > q) return 1; [branch] if (x.x > q) return 2; return q; }")},
+      {"early-return", "",
        with_function("float F(float4 x) { [flatten] if (x.x > q) return t.Load(int3(0, 0, 0)); return q; }")},
       {"early-return", "",
        with_function(

@@ -283,8 +283,8 @@ void add_worker(CLI::App& app) {
 
 void add_cost(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("cost",
-                                         "Report instructions, registers, occupancy and cycles on AMD GPUs, "
-                                         "from Mesa's compiler, and Direct3D bytecode's; no GPU is needed");
+                                         "Report instructions, registers and cycles on AMD GPUs, from Mesa's "
+                                         "compiler, and counts of Direct3D bytecode");
   auto options = std::make_shared<CostOptions>();
   add_what(*command, *options);
   add_format(*command, options->format, {"table", "json", "csv"});
@@ -298,16 +298,16 @@ void add_cost(CLI::App& app, Context& context) {
       ->default_str("none");
   add_jobs(*command, options->jobs);
   add_worker_limits(*command, options->worker, "one shader");
-  end_help(*command,
-           "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
-           "missing, or FXC\nfor d3d11, or the baseline is from other compiler versions. The figures are "
-           "static: they include "
-           "no cache misses and no overdraw.",
-           {{"penumbra cost", "every technique on three families"},
-            {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
-            {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "your own file"},
-            {"penumbra cost --format json -o cost.json", "a baseline to commit"},
-            {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
+  end_help(
+      *command,
+      "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
+      "missing, or FXC\nfor d3d11, or the baseline is from other compiler versions. The figures are static: "
+      "no cache misses,\nno overdraw.",
+      {{"penumbra cost", "every technique on three families"},
+       {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
+       {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "your own file"},
+       {"penumbra cost --format json -o cost.json", "a baseline to commit"},
+       {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
   command->callback([command, options, &context] {
     refuse_beside_from(*command, {"files", "--technique", "--technique-list", "--family", "--fxc", "--format",
                                   "--output", "--baseline", "--tolerance", "--any-driver", "--readme"});

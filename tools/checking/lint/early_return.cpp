@@ -1,6 +1,7 @@
 #include "lint/early_return.h"
 
 #include <algorithm>
+#include <set>
 
 #include "lint/components.h"
 #include "lint/control_flow.h"
@@ -26,14 +27,38 @@ class ReturnsOf {
   // `large`: what the function returns makes every condition around a return a branch.
   std::vector<Finding> findings(bool large) const {
     std::vector<Finding> findings;
+    std::set<std::size_t>
+        setting;  // conditions around returns that FXC chooses: the result is set behind them
     for (const std::size_t node : flow_.order) {
       const spirv::Instruction& end = terminator(linted_.code, function_.blocks[node]);
-      if (end.op == spv::OpReturnValue && is_early(node, large)) findings.push_back(finding_of(end));
+      if (end.op != spv::OpReturnValue) continue;
+      if (!is_early(node, large))
+        setting.insert(condition_around(node));
+      else if (!is_behind(setting, node))
+        findings.push_back(finding_of(end));
     }
     return findings;
   }
 
  private:
+  // The innermost; the function's first block without one.
+  std::size_t condition_around(std::size_t node) const {
+    std::size_t at = node;
+    while (flow_.dominator[at] != at) {
+      at = flow_.dominator[at];
+      if (flow_.encloses(at, node)) break;
+    }
+    return at;
+  }
+
+  bool is_behind(const std::set<std::size_t>& conditions, std::size_t node) const {
+    for (std::size_t at = node; flow_.dominator[at] != at;) {
+      at = flow_.dominator[at];
+      if (conditions.contains(at) && !flow_.encloses(at, node)) return true;
+    }
+    return false;
+  }
+
   // A condition around the return, from the innermost to the outermost, that FXC makes a branch, with code
   // behind it and outside of loops.
   bool is_early(std::size_t returns, bool large) const {

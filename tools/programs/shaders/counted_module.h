@@ -24,11 +24,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 
 #include "shaders/vulkan_version.h"
-#include "spirv/code.h"
 #include "spirv/module.h"
 
 namespace penumbra::shaders {
@@ -51,6 +51,6 @@ inline constexpr std::size_t texel_counts_per_cell = 4;
 // Instructions with the results `uncounted` are no operations.
 spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
                              VulkanVersion vulkan = VulkanVersion::v1_1,
-                             const std::set<spirv::Id>& uncounted = {});
+                             const std::set<std::uint32_t>& uncounted = {});
 
 }  // namespace penumbra::shaders

@@ -1,4 +1,5 @@
 #include "shaders/translation_steps.h"
+#include "spirv/code.h"
 
 #include <algorithm>
 

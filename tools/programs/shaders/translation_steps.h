@@ -7,14 +7,14 @@
 // register.
 #pragma once
 
+#include <cstdint>
 #include <set>
 
-#include "spirv/code.h"
 #include "spirv/module.h"
 
 namespace penumbra::shaders {
 
 // Their results. For BytecodeModule::untouched.
-std::set<spirv::Id> translation_steps(const spirv::Module& untouched);
+std::set<std::uint32_t> translation_steps(const spirv::Module& untouched);
 
 }  // namespace penumbra::shaders
