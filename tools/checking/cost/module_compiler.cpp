@@ -1,5 +1,6 @@
 #include "cost/module_compiler.h"
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -76,36 +77,59 @@ std::string compile_message(const std::string& message, platform::WorkerLink&) {
 
 class Requests final : public platform::WorkSource {
  public:
-  Requests(const std::vector<shaders::CompileRequest>& requests, Compiler compiler)
-      : modules(requests.size()), requests_(requests), compiler_(compiler) {}
+  // Each once: techniques share the programs of their passes.
+  Requests(const std::vector<shaders::CompileRequest>& requests, Compiler compiler) : requests_(requests) {
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      platform::ByteWriter out;
+      out.number(static_cast<std::uint64_t>(compiler));
+      shaders::write(out, requests[i]);
+      const auto [place, is_new] = known.try_emplace(out.take(), order_.size());
+      if (is_new) order_.push_back({&place->first, i});
+      order_of_.push_back(place->second);
+    }
+    messages_ = std::move(known);
+    modules_.resize(order_.size());
+  }
 
   std::optional<platform::WorkerMessage> next(unsigned) override {
-    if (next_ == requests_.size()) return std::nullopt;
-    platform::ByteWriter out;
-    out.number(static_cast<std::uint64_t>(compiler_));
-    shaders::write(out, requests_[next_]);
-    return platform::WorkerMessage{next_++, out.take()};
+    if (next_ == order_.size()) return std::nullopt;
+    const std::size_t number = next_++;
+    return platform::WorkerMessage{number, *order_[number].message};
   }
   std::string answer_question(std::size_t, const std::string&) override { return {}; }
   void finished(std::size_t number, platform::WorkerOutcome outcome) override {
     if (outcome.failure.empty()) {
-      modules[number] = decode_module(platform::taken_answer(std::move(outcome.answer)));
+      modules_[number] = decode_module(platform::taken_answer(std::move(outcome.answer)));
       return;
     }
     const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
-    modules[number].diagnostics.push_back({requests_[number].file.string(),
-                                           0,
-                                           0,
-                                           hlsl::Severity::error,
-                                           failure.problem + "; " + failure.way_out,
-                                           {}});
+    modules_[number].diagnostics.push_back({requests_[order_[number].request].file.string(),
+                                            0,
+                                            0,
+                                            hlsl::Severity::error,
+                                            failure.problem + "; " + failure.way_out,
+                                            {}});
   }
 
-  std::vector<CompiledModule> modules;
+  // Of all requests.
+  std::vector<CompiledModule> modules() const {
+    std::vector<CompiledModule> all;
+    for (const std::size_t number : order_of_) all.push_back(modules_[number]);
+    return all;
+  }
 
  private:
+  struct Order {
+    const std::string* message = nullptr;
+    std::size_t request = 0;  // the first of those that are the same
+  };
+
   const std::vector<shaders::CompileRequest>& requests_;
-  Compiler compiler_;
+  std::map<std::string, std::size_t> messages_;
+  std::vector<Order> order_;
+  std::vector<std::size_t> order_of_;  // the place of each request
+  std::vector<CompiledModule> modules_;
   std::size_t next_ = 0;
 };
 
@@ -143,7 +167,7 @@ std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileReques
     if (compiler == Compiler::fxc) with_compiler.arguments.emplace_back(fxc_argument);
     platform::run_workers(with_compiler, source);
   }
-  return std::move(source.modules);
+  return source.modules();
 }
 
 int serve_compiler(const std::vector<std::string>& arguments) {
