@@ -5,7 +5,7 @@
 //                 0 1 2        of a grid 3 wide, index 4 is at column 1 of row 1
 //                 3 4 5
 //
-// Source:     division with remainder, of unsigned integers: GPUs have no instruction for signed ones.
+// Source:     division with remainder, of unsigned integers: Direct3D's bytecode has an instruction for these alone.
 // Inputs:     index from 0; width from 1.
 // Cost:       no fetches.
 // Guarantees: exact.

@@ -82,7 +82,8 @@ float2 RingTap(int ring, SingleLoop loop)
 
 float RunSingleLoop(TEXTURE2D(shadowMap), SingleLoop loop)
 {
-    RingMask blocked = EmptyRingMask();
+    // An array of its own: FXC does not write to a member of a struct by an index of a loop.
+    uint words[kRingWords] = EmptyRingMask().words;
     float gapSum = 0.0;
     float blockers = 0.0;
     UNITY_LOOP
@@ -91,12 +92,14 @@ float RunSingleLoop(TEXTURE2D(shadowMap), SingleLoop loop)
         const float gap = BlockingGap(shadowMap, loop.receiver, RingTap(i, loop));
         if (gap > 0.0)
         {
-            blocked.words[i >> 5] |= RingBit(i);
+            words[i >> 5] |= RingBit(i);
             gapSum += gap;
             blockers += 1.0;
         }
     }
     if (!(blockers > 0.0)) return 1.0;
+    RingMask blocked;
+    blocked.words = words;
     const float penumbra = max(PenumbraRadius(AverageGap(gapSum, blockers), loop.scales), loop.smallestRadius);
     const float rings = RingsInside(penumbra / loop.radius, loop.taps, loop.exponent);
     return SanitizeVisibility(RingVisibility(blocked, rings, loop.exponent));

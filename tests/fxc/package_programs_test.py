@@ -51,7 +51,8 @@ class PackagePrograms(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.scratch = Path(scratch.name)
-        cls.environment = {key: value for key, value in os.environ.items() if key != "PENUMBRA_FXC"}
+        # Other tests do without FXC.
+        cls.environment = {key: value for key, value in os.environ.items() if (key, value) != ("PENUMBRA_FXC", "off")}
         probe = cls.scratch / "Probe.compute"
         probe.write_text("#pragma kernel Main\n[numthreads(1, 1, 1)] void Main() {}\n")
         result = subprocess.run([PROGRAM, "validate", probe, "--target", "d3d11", "--no-cache"], env=cls.environment,
@@ -77,10 +78,12 @@ class PackagePrograms(unittest.TestCase):
                 with self.subTest(packages=str(packages), api=api):
                     variants = self.variants(folder, packages, api, most)
                     self.assertGreater(len(variants), least)
+                    # A program that another variant has is compiled once; a stage may be absent.
+                    self.assertLessEqual({variant["status"] for variant in variants}, {"passed", "absent"})
                     # URP's files have warnings of their own.
                     said = {f"{message['file']}:{message.get('line', 0)}: {message['severity']}: {message['message']}"
                             for variant in variants for message in variant.get("diagnostics", ())
-                            if packages not in URP or not str(message["file"]).startswith(str(packages))}
+                            if message["severity"] == "error" or packages not in URP or not str(message["file"]).startswith(str(packages))}
                     self.assertEqual(said, set())
 
     def test_the_package_compiles_without_a_message(self):

@@ -110,7 +110,9 @@ void expect_same_picture(const std::vector<float>& a, const std::vector<float>& 
 TEST_P(FrontEnds, DrawTheSamePicture) {
   const GraphResult by_glslang = result({});
   Compiler compiler;
-  compiler.fxc = bytecode_by_fxc(fxc::require_fxc());
+  // One for all: techniques share programs.
+  static const BytecodeCompiler by_fxc_once = bytecode_by_fxc(fxc::require_fxc());
+  compiler.fxc = by_fxc_once;
   const GraphResult by_fxc = result(compiler);
   EXPECT_EQ(by_fxc.unset_uniforms, by_glslang.unset_uniforms);
   expect_same_picture(by_fxc.visibility.front(), by_glslang.visibility.front(),

@@ -19,7 +19,7 @@ struct KnownFamily {
 std::span<const KnownFamily> known_families();  // of RADV, oldest first
 std::vector<std::string> known_family_names();
 
-// FXC's bytecode, which no GPU has executed yet: the figures that Unity's inspector shows for Direct3D 11.
+// FXC's bytecode, before a driver compiles it: the figures that Unity's inspector shows for Direct3D 11.
 inline constexpr KnownFamily direct3d_family{"d3d11", "Direct3D bytecode"};
 
 // One each of three architectures that are common in games: GCN 4, RDNA 2, RDNA 3.

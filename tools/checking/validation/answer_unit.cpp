@@ -106,7 +106,7 @@ class UnitAtWork {
     if (!reply_.compile->module_key.empty() && emits(job_.unit)) answer_module();
   }
 
-  // The verdict about the text as Unity gives it to FXC: nothing in it is rewritten for another compiler.
+  // The verdict about the expanded text, before the steps that rewrite it for glslang.
   void compile_by_fxc() {
     const shaders::CompileRequest& request = job_.unit.compile;
     if (!fxc_) fxc_ = std::make_unique<fxc::Judge>(fxc::require_fxc());

@@ -1,10 +1,12 @@
 #include "resolve/fxc_compiler.h"
 
+#include <map>
 #include <memory>
 
 #include "fxc/messages.h"
 #include "hlsl/diagnostic.h"
 #include "input/input_error.h"
+#include "platform/content_hash.h"
 #include "platform/worker_pool.h"
 #include "shaders/fxc_program.h"
 
@@ -23,15 +25,23 @@ std::string errors_in(const fxc::Verdict& verdict, const shaders::CompileRequest
 }  // namespace
 
 BytecodeCompiler bytecode_by_fxc(const fxc::Installation& installation, const fxc::JudgeLimits& limits) {
-  const auto judge = std::make_shared<std::unique_ptr<fxc::Judge>>();
-  return [installation, limits, judge](const shaders::CompileRequest& request, const std::string& expanded) {
-    if (*judge == nullptr) *judge = std::make_unique<fxc::Judge>(installation, limits);
+  struct Known {
+    std::unique_ptr<fxc::Judge> judge;
+    std::map<std::string, Bytecode> answers;  // by the program: graphs share the programs of their passes
+  };
+  const auto known = std::make_shared<Known>();
+  return [installation, limits, known](const shaders::CompileRequest& request, const std::string& expanded) {
+    const fxc::Program program = shaders::fxc_program(request, expanded);
+    const std::string key =
+        platform::ContentHash().update(program.text).update(program.entry).update(program.profile).hex();
+    if (const auto answer = known->answers.find(key); answer != known->answers.end()) return answer->second;
+    if (known->judge == nullptr) known->judge = std::make_unique<fxc::Judge>(installation, limits);
     try {
-      fxc::Verdict verdict = (*judge)->compile(shaders::fxc_program(request, expanded));
-      if (verdict.compiled) return Bytecode{std::move(verdict.bytecode), {}};
-      return Bytecode{{}, errors_in(verdict, request, expanded)};
+      fxc::Verdict verdict = known->judge->compile(program);
+      if (!verdict.compiled) return Bytecode{{}, errors_in(verdict, request, expanded)};
+      return known->answers[key] = {std::move(verdict.bytecode), {}};
     } catch (const platform::WorkerSpent& spent) {
-      judge->reset();
+      known->judge.reset();
       throw InputError(request.file.string(), spent.what());
     }
   };

@@ -35,15 +35,29 @@ constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes
 // What Wine needs of a prefix: two drives. It is told to load its own libraries from where they are
 // installed, and to start none of the services of a Windows desktop, which takes half a second in place of
 // twenty.
-fs::path new_prefix() {
-  const fs::path prefix = platform::new_private_directory("penumbra-fxc");
-  if (prefix.empty()) throw EnvironmentError("no temporary folder for Wine can be made");
-  fs::create_directories(prefix / "drive_c");
-  fs::create_directories(prefix / "dosdevices");
-  fs::create_directory_symlink("../drive_c", prefix / "dosdevices" / "c:");
-  fs::create_directory_symlink("/", prefix / "dosdevices" / "z:");
-  return prefix;
-}
+struct Prefix {
+  fs::path folder = platform::new_private_directory("penumbra-fxc");
+
+  Prefix() {
+    std::error_code error;
+    fs::create_directories(folder / "drive_c", error);
+    fs::create_directories(folder / "dosdevices", error);
+    if (!error) fs::create_directory_symlink("../drive_c", folder / "dosdevices" / "c:", error);
+    if (!error) fs::create_directory_symlink("/", folder / "dosdevices" / "z:", error);
+    if (!folder.empty() && !error) return;
+    remove();
+    throw EnvironmentError("no temporary folder for Wine can be made");
+  }
+  ~Prefix() { remove(); }
+  Prefix(const Prefix&) = delete;
+  Prefix& operator=(const Prefix&) = delete;
+
+ private:
+  void remove() const {
+    std::error_code error;
+    if (!folder.empty()) fs::remove_all(folder, error);
+  }
+};
 
 std::string windows_path(const fs::path& path) {
   return "Z:" + fs::absolute(path).string();
@@ -91,13 +105,14 @@ struct Judge::Process {
 };
 
 Judge::Judge(const Installation& installation, const JudgeLimits& limits) {
-  const fs::path prefix = new_prefix();
-  process_ = std::make_unique<Process>(installation, limits, prefix);
   char ready = 0;
-  const bool started = process_->child.read(&ready, 1);
-  // Everything that it needs is loaded: nothing stays behind, however it ends.
-  std::error_code error;
-  fs::remove_all(prefix, error);
+  bool started = false;
+  {
+    // Gone when everything that Wine needs is loaded: nothing stays behind, however it ends.
+    const Prefix prefix;
+    process_ = std::make_unique<Process>(installation, limits, prefix.folder);
+    started = process_->child.read(&ready, 1);
+  }
   if (!started)
     throw EnvironmentError("FXC does not start: '" + installation.wine.string() + "' with '" +
                            installation.library.string() + "'; set PENUMBRA_FXC=off to go on without it");

@@ -39,8 +39,11 @@ class Renaming {
  private:
   void find(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
-    if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBinding)
-      bound_[spirv::operand(one, 1)] = &resources_.at(spirv::operand(one, 3));
+    if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBinding) {
+      if (spirv::operand(one, 3) >= resources_.size())
+        throw std::invalid_argument("a binding that the bytecode does not declare");
+      bound_[spirv::operand(one, 1)] = &resources_[spirv::operand(one, 3)];
+    }
     if (op == spv::OpTypePointer) pointees_[spirv::operand(one, 1)] = spirv::operand(one, 3);
     if (op == spv::OpVariable) types_[spirv::operand(one, 2)] = pointees_[spirv::operand(one, 1)];
   }

@@ -25,6 +25,8 @@ enum Input : std::uint32_t {
 };
 
 constexpr std::uint32_t most_types = 1U << 18U;  // a constant buffer has 2^16 bytes, so 2^14 numbers
+constexpr std::uint32_t largest_block = 1U << 16U;
+constexpr std::size_t longest_name = 4096;
 
 // D3D_SHADER_VARIABLE_CLASS
 enum Class : std::uint32_t { matrix_rows = 2, matrix_columns = 3, structure = 5 };
@@ -59,7 +61,10 @@ class ChunkReader {
 
   std::string text(std::size_t offset) const {
     std::string text;
-    for (; byte(offset) != 0; ++offset) text += static_cast<char>(byte(offset));
+    for (; byte(offset) != 0; ++offset) {
+      if (text.size() == longest_name) throw std::invalid_argument("bytecode with a name that is too long");
+      text += static_cast<char>(byte(offset));
+    }
     return text;
   }
 
@@ -123,6 +128,8 @@ class DefinitionReader {
       const std::size_t at = part_.word(4) + step * i;
       if (part_.text(part_.word(at)) != block.name || part_.word(at + 20) != 0) continue;
       block.size = part_.word(at + 12);
+      if (block.size > largest_block)
+        throw std::invalid_argument("bytecode with too large a constant buffer");
       for (std::uint32_t k = 0; k < part_.word(at + 4); ++k)
         block.members.push_back(member(part_.word(at + 8) + std::size_t{longer_ ? 40U : 24U} * k));
       if (block.name == "$Globals") block.name = "$Global";
@@ -185,7 +192,7 @@ class DefinitionReader {
         add_fields(of, element, offset + i * stride, leaves, depth);
       else
         leaves.push_back(leaf(of, element, offset + i * stride));
-      if (leaves.size() > most_types)
+      if (++leaves_read_ > most_types)
         throw std::invalid_argument("bytecode with too large a constant buffer");
     }
   }
@@ -230,6 +237,7 @@ class DefinitionReader {
   ChunkReader part_;
   bool longer_;  // shader model 5
   mutable std::uint32_t types_read_ = 0;
+  mutable std::uint32_t leaves_read_ = 0;
 };
 
 SignatureType signature_type(std::uint32_t component) {  // D3D_REGISTER_COMPONENT_TYPE
