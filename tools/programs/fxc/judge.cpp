@@ -39,14 +39,15 @@ struct Prefix {
   fs::path folder = platform::new_private_directory("penumbra-fxc");
 
   Prefix() {
+    if (folder.empty()) throw EnvironmentError("no temporary folder for Wine can be made");
     std::error_code error;
     fs::create_directories(folder / "drive_c", error);
     fs::create_directories(folder / "dosdevices", error);
     if (!error) fs::create_directory_symlink("../drive_c", folder / "dosdevices" / "c:", error);
     if (!error) fs::create_directory_symlink("/", folder / "dosdevices" / "z:", error);
-    if (!folder.empty() && !error) return;
+    if (!error) return;
     remove();
-    throw EnvironmentError("no temporary folder for Wine can be made");
+    throw EnvironmentError("no temporary folder for Wine can be made: " + error.message());
   }
   ~Prefix() { remove(); }
   Prefix(const Prefix&) = delete;
@@ -55,7 +56,7 @@ struct Prefix {
  private:
   void remove() const {
     std::error_code error;
-    if (!folder.empty()) fs::remove_all(folder, error);
+    fs::remove_all(folder, error);
   }
 };
 
