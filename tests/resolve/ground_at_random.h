@@ -1,4 +1,4 @@
-// What some techniques read besides the frame, filled with numbers at random.
+// Some techniques read inputs besides the frame, which are filled here with numbers at random.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace penumbra::resolve {
 
-// Of techniques with needs: ground and an object without form, somewhere about the scene.
+// Techniques with needs get ground and an object without form, somewhere about the scene.
 inline FrameInputs ground_at_random() {
   constexpr int kSide = 9;
   std::mt19937 bits(5);

@@ -44,7 +44,7 @@ struct CostReport {
   std::size_t failures() const;
 };
 
-// What compiled a family's rows; without an entry for it, the report's driver.
+// The compiler of a family's rows is returned; without an entry for it, the report's driver.
 const std::string& driver_of(const CostReport& report, const std::string& family);
 
 // "tent-5 +UNITY_REVERSED_Z", "box-3 (and 3 more)", "My.hlsl Main +A"

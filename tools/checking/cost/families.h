@@ -1,5 +1,5 @@
-// What shaders are compiled for: AMD GPU families, by the names that Mesa's RADV gives them, and Direct3D's
-// bytecode.
+// Shaders are compiled for AMD GPU families, by the names that Mesa's RADV gives them, and to
+// Direct3D's bytecode.
 //
 // As Mesa 22.3 spells them in RADV_FORCE_FAMILY; other versions have more, fewer or other names, and the
 // driver decides. These are for tables and for "did you mean".
