@@ -65,10 +65,11 @@ TileSegment SegmentInTile(float4x4 worldToShadow, ShadowTile tile, float3 origin
 
 TileSegment SegmentInCascade(ShadowSegment segment, int cascade)
 {
-    if (cascade <= 0) return segment.in0;
-    if (cascade == 1) return segment.in1;
-    if (cascade == 2) return segment.in2;
-    return segment.in3;
+    TileSegment chosen = segment.in0;
+    if (cascade == 1) chosen = segment.in1;
+    if (cascade == 2) chosen = segment.in2;
+    if (cascade >= 3) chosen = segment.in3;
+    return chosen;
 }
 
 float VisibilityInTile(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), TileSegment segment, float share)

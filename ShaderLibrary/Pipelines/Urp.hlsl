@@ -106,7 +106,7 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
     tile.uvPerMetre = uvPerMetre;
     tile.depthPerMetre = depthPerMetre;
     tile.depthToRadial = tanHalf * uvPerMetre / max(depthPerMetre, 1e-20);
-    tile.radialToDepth = tanHalf > 0.0 ? depthPerMetre / (tanHalf * max(uvPerMetre, 1e-20)) : 0.0;
+    tile.radialToDepth = tanHalf > 0.0 ? depthPerMetre / max(tanHalf * uvPerMetre, 1e-20) : 0.0;
     return tile;
 }
 

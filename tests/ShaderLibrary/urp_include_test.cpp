@@ -22,6 +22,7 @@ shaders::CompileResult compile_with(const std::string& umbrellas, const std::str
                  expression + "; }\n";
   request.stage = hlsl::Stage::fragment;
   request.defines = defines;
+  request.prepare = true;  // of [fastopt], an attribute of FXC's, glslang would warn
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
   request.include_directories = {
       std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",

@@ -68,6 +68,7 @@ void targets::preprocessing(std::string_view bytes) {
   if (prepared)
     source = preparation::with_own_names_marked(
         preparation::bare_source(preparation::prepare_source(std::move(source)).text));
+  if (source.find("GL_") != std::string::npos) return;  // names that glslang alone defines, for GLSL
   if (!source.ends_with('\n')) source += '\n';
   const std::optional<std::string> own = own_text(source);
   if (!own) return;

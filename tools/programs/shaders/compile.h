@@ -32,7 +32,7 @@ struct CompileRequest {
   std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
   std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
   // Whether HLSL that Unity's compilers accept and glslang does not is rewritten (preparation/prepare.h). The
-  // library's own shaders do not need it.
+  // library's own shaders compile without it; glslang then warns of [fastopt].
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
