@@ -16,40 +16,46 @@
 #include "TileWindows.hlsl"
 #include "../ShaderLibrary/Filters/DepthRingFilter.hlsl"
 
-// In windowSpreads: five words of each thread, as many of each part, and two of each receiver. In sharedDepths: five of each
-// receiver.
+// In windowSpreads: five words of each thread, as many of each part, and two of each part's receiver. In sharedDepths: five of
+// each of these.
 #define REST_SUMS 5
 #define REST_TOTALS (REST_SUMS * WINDOW_THREADS)
 #define REST_RADII (REST_TOTALS + REST_SUMS * TILE_PARTS)
-#define REST_PLACES (REST_RADII + WINDOW_THREADS)
+#define REST_PLACES (REST_RADII + TILE_PARTS)
 #define REST_FLOATS 5
 
-// radius, texels: no blocker's penumbra is wider. thread: of its pixel. index: below WINDOW_THREADS.
-void PutRestReceiver(QuadReceiver receiver, float radius, int cascade, uint thread, uint index)
+void PutNoReceiver(uint part)
 {
-    const uint first = REST_FLOATS * index;
+    windowSpreads[REST_PLACES + part] = 0xffffu;
+}
+
+// radius, texels: no blocker's penumbra is wider. thread: of its pixel.
+void PutRestReceiver(QuadReceiver receiver, float radius, int cascade, uint thread, uint part)
+{
+    const uint first = REST_FLOATS * part;
     sharedDepths[first] = receiver.centre.x;
     sharedDepths[first + 1] = receiver.centre.y;
     sharedDepths[first + 2] = receiver.gradient.x;
     sharedDepths[first + 3] = receiver.gradient.y;
     sharedDepths[first + 4] = receiver.depth;
-    windowSpreads[REST_RADII + index] = asuint(radius);
-    windowSpreads[REST_PLACES + index] = thread | (uint(cascade) << 16);
+    windowSpreads[REST_RADII + part] = asuint(radius);
+    windowSpreads[REST_PLACES + part] = thread | (uint(cascade) << 16);
 }
 
-uint ThreadOfRest(uint index)
+// WINDOW_THREADS or more: of none.
+uint ThreadOfRest(uint part)
 {
-    return windowSpreads[REST_PLACES + index] & 0xffffu;
+    return windowSpreads[REST_PLACES + part] & 0xffffu;
 }
 
-uint CascadeOfRest(uint index)
+uint CascadeOfRest(uint part)
 {
-    return windowSpreads[REST_PLACES + index] >> 16;
+    return windowSpreads[REST_PLACES + part] >> 16;
 }
 
-QuadReceiver RestReceiver(uint index, ShadowTile tile)
+QuadReceiver RestReceiver(uint part, ShadowTile tile)
 {
-    const uint first = REST_FLOATS * index;
+    const uint first = REST_FLOATS * part;
     QuadReceiver receiver = PrepareQuads((ShadowReceiver)0, tile);
     receiver.centre = float2(sharedDepths[first], sharedDepths[first + 1]);
     receiver.gradient = float2(sharedDepths[first + 2], sharedDepths[first + 3]);
@@ -103,9 +109,9 @@ RingSearch SearchOfPart(RingSearch search, uint part)
     return all;
 }
 
-// Of the receiver of that index, by the threads of a part; 1 of threads that are not active.
+// Of the part's receiver, by its threads; 1 of threads that are not active.
 float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                           TYPED_TEXTURE2D(uint4, coarseSpreads), bool active, uint index, ShadowTile tile, uint thread)
+                           TYPED_TEXTURE2D(uint4, coarseSpreads), bool active, ShadowTile tile, uint thread)
 {
     const uint part = thread / PART_LANES;
     QuadShare share;
@@ -119,9 +125,9 @@ float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXT
     GroupMemoryBarrierWithGroupSync();
     if (active)
     {
-        receiver = RestReceiver(index, tile);
+        receiver = RestReceiver(part, tile);
         scales = ConeScalesOf(tile);
-        radius = asfloat(windowSpreads[REST_RADII + index]);
+        radius = asfloat(windowSpreads[REST_RADII + part]);
         search = BeginSearch(scales);
         search = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), search, share, radius, receiver, scales);
         if (search.groundFound) InterlockedMin(partGround[part], asuint(search.ground));

@@ -52,15 +52,15 @@ int2 TargetSize(ScreenView view)
 #endif
 }
 
+// By two gathers and what edges need: of a pixel that shares none with its neighbours. pixelOfTarget: at half resolution, of every
+// second pixel of the screen.
+CameraSurface SurfaceAt(int2 pixelOfTarget, ScreenView view, SAMPLER(sampler_point))
+{
 #if defined(_PENUMBRA_HALF_RESOLUTION)
-void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
-{
-    GroupMemoryBarrierWithGroupSync();
-}
-
-CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
-{
-    const int2 pixel = FullPixel(square.first + pixelOfSquare, 2, int2(view.size.xy));
+    const int2 pixel = FullPixel(pixelOfTarget, 2, int2(view.size.xy));
+#else
+    const int2 pixel = pixelOfTarget;
+#endif
     const float4 low = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel) * view.size.zw);
     const float4 high = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel + 1) * view.size.zw);
     // At the screen's border a gather repeats pixels where none are.
@@ -80,6 +80,17 @@ CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenVie
         slope.y = DepthSlopeAlong(_CameraDepthTexture, view, pixel, int2(0, 1), down);
     }
     return SurfaceWithSlope(view, pixel, low.y, slope);
+}
+
+#if defined(_PENUMBRA_HALF_RESOLUTION)
+void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
+{
+    GroupMemoryBarrierWithGroupSync();
+}
+
+CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
+{
+    return SurfaceAt(square.first + pixelOfSquare, view, sampler_point);
 }
 #else
 void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))

@@ -183,28 +183,17 @@ RingSums AddPart(RingSums sums, uint part)
     return all;
 }
 
-// The first of the block's quads, of level 0.
-float4 DepthsInWindow(DepthWindow texels, int2 first)
-{
-    float4 depths;
-    UNITY_UNROLL
-    for (int k = 0; k < 4; ++k)
-    {
-        const int2 texel = min(max(first + int2(k & 1, k >> 1), texels.low), texels.low + texels.size - 1);
-        depths[k] = DepthInWindow(texels, texel);
-    }
-    return depths;
-}
-
 float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
 {
     const DepthWindow texels = levelWindows[0];
+    const int2 first = QuadOfBlock(receiver, 0);
     float2 sums = float2(0.0, 0.0);
     PENUMBRA_LOOP
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 16; ++k)
     {
-        const int2 first = QuadOfBlock(receiver, k);
-        sums = FilterBlockQuad(sums, DepthsInWindow(texels, first), first, penumbra, receiver);
+        const int2 texel = first + int2(k & 3, k >> 2);
+        const int2 inWindow = min(max(texel, texels.low), texels.low + texels.size - 1);
+        sums = FilterBlockTexel(sums, DepthInWindow(texels, inWindow), texel, penumbra, receiver);
     }
     return LitShare(sums.x, sums.y);
 }

@@ -21,9 +21,11 @@ namespace Penumbra
             {
                 new GraphBuffer("tileGroups", words: 3, indirect: true),
                 new GraphBuffer("restGroups", words: 3, indirect: true),
-                new GraphBuffer("tileCounts", words: 2),
+                new GraphBuffer("aloneGroups", words: 3, indirect: true),
+                new GraphBuffer("tileCounts", words: 3),
                 new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
                 new GraphBuffer("restList", wordsPerTexel: 17, texture: 4, divisor: 16),
+                new GraphBuffer("aloneList", wordsPerTexel: 16, texture: 4, divisor: 16),
             },
             passes = new[]
             {
@@ -51,7 +53,7 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResetTiles",
-                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraAloneGroups", 2), GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.Fixed(1, 1, 1),
                 },
                 new GraphPass
@@ -60,8 +62,8 @@ namespace Penumbra
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ClassifyTiles",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.TexelsOf(4, divisor: 4),
                 },
                 new GraphPass
@@ -69,9 +71,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveTiles",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 3) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 4) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 4) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 5) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(0),
                 },
                 new GraphPass
@@ -79,8 +81,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveRest",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraAloneList", 6) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraAloneGroups", 2), GraphBinding.Buffer("_PenumbraRestList", 5), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(1),
                 },
                 new GraphPass
@@ -88,9 +91,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveAlone",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
+                    reads = new[] { GraphBinding.Buffer("_PenumbraAloneList", 6), GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 5), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3) },
                     updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
-                    groups = GraphGroups.Indirect(1),
+                    groups = GraphGroups.Indirect(2),
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0), GraphBinding.Texture("_PenumbraDepthSpreadsTexture", 1), GraphBinding.Texture("_PenumbraCoarsePlanesTexture", 2), GraphBinding.Texture("_PenumbraCoarseSpreadsTexture", 3) },
@@ -113,9 +116,11 @@ namespace Penumbra
             {
                 new GraphBuffer("tileGroups", words: 3, indirect: true),
                 new GraphBuffer("restGroups", words: 3, indirect: true),
-                new GraphBuffer("tileCounts", words: 2),
+                new GraphBuffer("aloneGroups", words: 3, indirect: true),
+                new GraphBuffer("tileCounts", words: 3),
                 new GraphBuffer("tileList", wordsPerTexel: 17, texture: 4, divisor: 16),
                 new GraphBuffer("restList", wordsPerTexel: 17, texture: 4, divisor: 16),
+                new GraphBuffer("aloneList", wordsPerTexel: 16, texture: 4, divisor: 16),
             },
             passes = new[]
             {
@@ -143,7 +148,7 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResetTiles",
-                    writes = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraAloneGroups", 2), GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.Fixed(1, 1, 1),
                 },
                 new GraphPass
@@ -152,8 +157,8 @@ namespace Penumbra
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ClassifyTiles",
                     reads = new[] { GraphBinding.Texture("_PenumbraCoarseDepthPlanes", 2), GraphBinding.Texture("_PenumbraDepthPlanes", 0) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraTileList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Buffer("_PenumbraTileGroups", 0) },
                     groups = GraphGroups.TexelsOf(4, divisor: 4),
                 },
                 new GraphPass
@@ -161,9 +166,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveTiles",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 3) },
-                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 4) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileList", 4) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraRestList", 5) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraRestGroups", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(0),
                 },
                 new GraphPass
@@ -171,8 +176,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveRest",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
-                    updates = new[] { GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraVisibility", 4) },
+                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Texture("_PenumbraSpreads", 1) },
+                    writes = new[] { GraphBinding.Buffer("_PenumbraAloneList", 6) },
+                    updates = new[] { GraphBinding.Buffer("_PenumbraAloneGroups", 2), GraphBinding.Buffer("_PenumbraRestList", 5), GraphBinding.Buffer("_PenumbraTileCounts", 3), GraphBinding.Texture("_PenumbraVisibility", 4) },
                     groups = GraphGroups.Indirect(1),
                 },
                 new GraphPass
@@ -180,9 +186,9 @@ namespace Penumbra
                     kind = PassKind.Compute,
                     asset = "Shaders/PenumbraFlagship.compute",
                     program = "ResolveAlone",
-                    reads = new[] { GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 4), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 2) },
+                    reads = new[] { GraphBinding.Buffer("_PenumbraAloneList", 6), GraphBinding.Texture("_PenumbraCoarseSpreads", 3), GraphBinding.Buffer("_PenumbraRestList", 5), GraphBinding.Texture("_PenumbraSpreads", 1), GraphBinding.Buffer("_PenumbraTileCounts", 3) },
                     updates = new[] { GraphBinding.Texture("_PenumbraVisibility", 4) },
-                    groups = GraphGroups.Indirect(1),
+                    groups = GraphGroups.Indirect(2),
                 },
                 new GraphPass
                 {

@@ -218,27 +218,27 @@ int2 QuadOfBlock(QuadReceiver receiver, int k)
     return int2(floor(receiver.centre + 0.5)) - 2 + 2 * int2(k & 1, k >> 1);
 }
 
-// As FilterBlock of PcssAngular.hlsl: lit and blocked weights, with those of a quad of the block. first: QuadOfBlock.
-float2 FilterBlockQuad(float2 sums, float4 depths, int2 first, RingPenumbra penumbra, QuadReceiver receiver)
+// As FilterBlock of PcssAngular.hlsl: lit and blocked weights, with those of a texel of the block.
+float2 FilterBlockTexel(float2 sums, float depth, int2 texel, RingPenumbra penumbra, QuadReceiver receiver)
 {
     const float outermost = max(penumbra.blockRadius + kBlockReachTexels, kSmallestBlockTexels);
     const float slack = kWidestBlockTexels + kBlockReachTexels;
-    const float2 low = receiver.bounds.minimum;
-    const float2 high = receiver.bounds.maximum;
+    const float2 away = AwayFrom(receiver, texel, 1.0);
+    const float distance = length(away);
+    const bool inTile = all(float2(texel) >= receiver.bounds.minimum) && all(float2(texel) < receiver.bounds.maximum);
+    const CellBlockers blockers = BlockersOfTexel(depth, away, receiver);
+    const float weight = inTile && blockers.gap < penumbra.blockGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
+    const float offset = ConeOffset(distance, slack, penumbra.cone.largestOffset, penumbra.cone.scales);
+    const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
+    return sums + float2(weight - hidden, hidden);
+}
+
+// With those of a quad of the block. first: QuadOfBlock.
+float2 FilterBlockQuad(float2 sums, float4 depths, int2 first, RingPenumbra penumbra, QuadReceiver receiver)
+{
     float2 next = sums;
     UNITY_UNROLL
-    for (int k = 0; k < 4; ++k)
-    {
-        const int2 texel = first + int2(k & 1, k >> 1);
-        const float2 away = AwayFrom(receiver, texel, 1.0);
-        const float distance = length(away);
-        const bool inTile = all(float2(texel) >= low) && all(float2(texel) < high);
-        const CellBlockers blockers = BlockersOfTexel(depths[k], away, receiver);
-        const float weight = inTile && blockers.gap < penumbra.blockGap ? max(1.0 - distance / outermost, 0.0) : 0.0;
-        const float offset = ConeOffset(distance, slack, penumbra.cone.largestOffset, penumbra.cone.scales);
-        const float hidden = blockers.gap > offset ? blockers.share * weight : 0.0;
-        next += float2(weight - hidden, hidden);
-    }
+    for (int k = 0; k < 4; ++k) next = FilterBlockTexel(next, depths[k], first + int2(k & 1, k >> 1), penumbra, receiver);
     return next;
 }
 
