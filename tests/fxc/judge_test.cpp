@@ -75,21 +75,30 @@ TEST(FxcJudge, LeavesNoFilesBehind) {
   EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);
 }
 
-TEST(FxcJudge, AProgramThatTakesTooLongEndsIt) {
-  PENUMBRA_NEEDS_FXC();
-  Judge fxc = judge({1, 2048});
-  // FXC unrolls all of it.
-  const std::string slow =
-      "float4 Main(float4 a : A) : SV_Target { float4 s = 0; [unroll(1000)] for (int i = 0; i < 1000; ++i) "
-      "[unroll(1000)] for "
-      "(int j = 0; j < 1000; ++j) s = sin(s * a + cos(s + i * j)); return s; }";
+// FXC unrolls all of it.
+const char* const kUnrolled =
+    "float4 Main(float4 a : A) : SV_Target { float4 s = 0; [unroll(1000)] for (int i = 0; i < 1000; ++i) "
+    "[unroll(1000)] for (int j = 0; j < 1000; ++j) s = sin(s * a + cos(s + i * j)); return s; }";
+
+void expect_spent(const JudgeLimits& limits, const std::string& why) {
+  Judge fxc = judge(limits);
   try {
-    fxc.compile({slow, "Main", "ps_5_0"});
+    fxc.compile({kUnrolled, "Main", "ps_5_0"});
     FAIL() << "it compiled";
   } catch (const platform::WorkerSpent& spent) {
-    EXPECT_STREQ(spent.what(), "took more than 1 s of CPU time in FXC");
+    EXPECT_EQ(spent.what(), why);
   }
   EXPECT_THROW(fxc.compile({kDoubles, "Main", "cs_5_0"}), platform::WorkerSpent);
+}
+
+TEST(FxcJudge, AProgramThatTakesTooLongEndsIt) {
+  PENUMBRA_NEEDS_FXC();
+  expect_spent({1, 2048}, "took more than 1 s of CPU time in FXC");
+}
+
+TEST(FxcJudge, AProgramThatTakesTooMuchMemoryEndsIt) {
+  PENUMBRA_NEEDS_FXC();
+  expect_spent({60, 256}, "took more than 256 MiB in FXC");
 }
 
 TEST(FxcJudge, ProfilesAreUnitys) {

@@ -52,6 +52,10 @@ const std::vector<Case>& cases() {
        with_function("float F(float4 x) { if (x.x > q)\nreturn t.Load(int3(0, 0, 0));\nreturn q; }")},
       {"early-return", "5:1",
        with_function(
+           "float H(float4 x) { return t.Load(int3(0, 0, 0)); } float F(float4 x) { if (x.x > q)\nreturn "
+           "H(x);\nreturn q; }")},
+      {"early-return", "5:1",
+       with_function(
            "Large F(float4 x) { Large r = (Large)0; if (x.x > q) {\nreturn r;\n} r.a = x; return r; }",
            "F(x).a")},
       {"early-return", "5:1",

@@ -65,6 +65,20 @@ TEST_F(ConfinedChildTest, AnswersThroughItsPipesWithItsOwnEnvironmentAlone) {
   EXPECT_FALSE(child.read(&more, 1));
 }
 
+TEST_F(ConfinedChildTest, IsGivenUpWhereItStaysSilent) {
+  ConfinedCommand command;
+  command.program = "/bin/sleep";
+  command.arguments = {"1000"};
+  command.directory = "/";
+  command.readable = {"/"};
+  command.patience = std::chrono::seconds(1);
+  ConfinedChild child(command);
+  char answer = 0;
+  EXPECT_FALSE(child.read(&answer, 1));
+  // More than a pipe holds.
+  EXPECT_FALSE(child.write(std::string(std::size_t{1} << 20, 'a')));
+}
+
 TEST_F(ConfinedChildTest, ReadsAndWritesWhatItIsGiven) {
   EXPECT_EQ(output_of("cat $FOLDER/secret", {folder_}, {}), "secret text");
   EXPECT_EQ(output_of("echo a > $FOLDER/new; cat $FOLDER/new", {}, {folder_}), "a\n");

@@ -4,6 +4,7 @@
 
 #ifndef _WIN32
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -57,9 +58,18 @@ void make_pipe(int (&ends)[2]) {
   for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 }
 
+// Whether the pipe's end can be read or written, which it also can when the other end is closed.
+bool is_ready(int end, short event, std::chrono::milliseconds patience) {
+  pollfd waited{end, event, 0};
+  int ready = 0;
+  do ready = ::poll(&waited, 1, static_cast<int>(patience.count()));
+  while (ready < 0 && errno == EINTR);
+  return ready > 0;
+}
+
 }  // namespace
 
-ConfinedChild::ConfinedChild(const ConfinedCommand& command) {
+ConfinedChild::ConfinedChild(const ConfinedCommand& command) : patience_(command.patience) {
   std::vector<std::string> words{command.program};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
   std::vector<std::string> settings;
@@ -77,6 +87,7 @@ ConfinedChild::ConfinedChild(const ConfinedCommand& command) {
   ::close(from_child[1]);
   input_ = to_child[1];
   output_ = from_child[0];
+  ::fcntl(input_, F_SETFL, O_NONBLOCK);  // write() waits by itself
   if (process_ < 0)
     throw EnvironmentError("no process can be started: " + std::string(std::strerror(problem)));
   ::signal(SIGPIPE, SIG_IGN);  // write() tells that the child has ended
@@ -94,7 +105,7 @@ bool ConfinedChild::write(std::string_view bytes) {
     const ssize_t count = ::write(input_, bytes.data(), bytes.size());
     if (count > 0)
       bytes.remove_prefix(static_cast<std::size_t>(count));
-    else if (errno != EINTR)
+    else if (errno == EAGAIN ? !is_ready(input_, POLLOUT, patience_) : errno != EINTR)
       return false;
   }
   return true;
@@ -102,6 +113,7 @@ bool ConfinedChild::write(std::string_view bytes) {
 
 bool ConfinedChild::read(char* bytes, std::size_t count) {
   while (count > 0) {
+    if (!is_ready(output_, POLLIN, patience_)) return false;
     const ssize_t read = ::read(output_, bytes, count);
     if (read > 0) {
       bytes += read;

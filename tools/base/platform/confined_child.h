@@ -7,6 +7,7 @@
 // program could add, and only the environment that is given. It ends with the thread that started it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -24,6 +25,9 @@ struct ConfinedCommand {
   std::vector<std::filesystem::path> readable;  // files and folders; those that do not exist are left out
   std::vector<std::filesystem::path> writable;
   std::size_t memory = std::size_t{2} << 30;  // bytes of private memory that may be written
+  // Without a byte for so long, it counts as ended: a limit of processor time does not end what waits for
+  // ever.
+  std::chrono::seconds patience = std::chrono::minutes(20);
 };
 
 class ConfinedChild {
@@ -35,7 +39,7 @@ class ConfinedChild {
   ConfinedChild(const ConfinedChild&) = delete;
   ConfinedChild& operator=(const ConfinedChild&) = delete;
 
-  // Both block, and return false when the child has ended or closed its end.
+  // Both block, and return false when the child has ended, closed its end, or taken more than its patience.
   bool write(std::string_view bytes);
   bool read(char* bytes, std::size_t count);  // all of them
 
@@ -43,6 +47,7 @@ class ConfinedChild {
   int process_ = 0;
   int input_ = -1;   // our end of its standard input
   int output_ = -1;  // our end of its standard output
+  std::chrono::milliseconds patience_{};
 };
 
 }  // namespace penumbra::platform

@@ -14,15 +14,34 @@ namespace {
 // The most components of a result that FXC chooses without a branch.
 constexpr std::size_t most_chosen = 16;
 
-bool reads_texture(const spirv::Instruction& instruction) {
+bool reads_texture(const spirv::Instruction& instruction, const std::set<spirv::Id>& readers) {
+  if (instruction.op == spv::OpFunctionCall) return readers.contains(instruction.operands[0]);
   return instruction.op >= spv::OpImageSampleImplicitLod && instruction.op <= spv::OpImageQuerySamples &&
          instruction.op != spv::OpImageWrite && instruction.op != spv::OpImage;
 }
 
+// Functions that read a texture, by themselves or by a call: FXC inlines all of them.
+std::set<spirv::Id> texture_readers(const spirv::Code& code) {
+  std::set<spirv::Id> readers;
+  for (std::size_t before = 1; before != readers.size();) {
+    before = readers.size();
+    for (const spirv::Function& function : code.functions())
+      for (const spirv::Block& block : function.blocks)
+        for (std::size_t i = block.begin; i < block.end; ++i)
+          if (reads_texture(code.instructions()[i], readers)) readers.insert(function.id);
+  }
+  return readers;
+}
+
 class ReturnsOf {
  public:
-  ReturnsOf(const LintedCode& linted, const spirv::Function& function, const KnownValues& values)
-      : linted_(linted), function_(function), values_(values), flow_(control_flow(linted.code, function)) {}
+  ReturnsOf(const LintedCode& linted, const spirv::Function& function, const KnownValues& values,
+            const std::set<spirv::Id>& readers)
+      : linted_(linted),
+        function_(function),
+        values_(values),
+        readers_(readers),
+        flow_(control_flow(linted.code, function)) {}
 
   // `large`: what the function returns makes every condition around a return a branch.
   std::vector<Finding> findings(bool large) const {
@@ -90,9 +109,11 @@ class ReturnsOf {
     const auto first = linted_.code.instructions().begin();
     return std::any_of(flow_.order.begin(), flow_.order.end(), [&](std::size_t node) {
       const spirv::Block& block = function_.blocks[node];
-      return flow_.encloses(header, node) &&
-             std::any_of(first + static_cast<std::ptrdiff_t>(block.begin),
-                         first + static_cast<std::ptrdiff_t>(block.end), reads_texture);
+      return flow_.encloses(header, node) && std::any_of(first + static_cast<std::ptrdiff_t>(block.begin),
+                                                         first + static_cast<std::ptrdiff_t>(block.end),
+                                                         [this](const spirv::Instruction& instruction) {
+                                                           return reads_texture(instruction, readers_);
+                                                         });
     });
   }
 
@@ -108,6 +129,7 @@ class ReturnsOf {
   const LintedCode& linted_;
   const spirv::Function& function_;
   const KnownValues& values_;
+  const std::set<spirv::Id>& readers_;
   const ControlFlow flow_;
 };
 
@@ -126,12 +148,13 @@ bool has_several_returns(const spirv::Code& code, const spirv::Function& functio
 std::vector<Finding> early_return_findings(const LintedCode& linted) {
   const spirv::Code& code = linted.code;
   const KnownValues values(code);
+  const std::set<spirv::Id> readers = texture_readers(code);
   ComponentLayout layout(code);
   std::vector<Finding> findings;
   for (const spirv::Function& function : code.functions()) {
     if (!has_several_returns(code, function)) continue;
     const bool large = layout.count(function.result_type) > most_chosen;
-    for (Finding& finding : ReturnsOf(linted, function, values).findings(large))
+    for (Finding& finding : ReturnsOf(linted, function, values, readers).findings(large))
       findings.push_back(std::move(finding));
   }
   return findings;

@@ -143,10 +143,10 @@ std::string light_table(const Results& results, double light, BlockForm form) {
 }
 
 std::string origin(const Results& results) {
-  return fmt::format("Penumbra {}{}, on {}, driver {}, processor {}.\n",
+  return fmt::format("Penumbra {}{}, shaders compiled by {}, on {}, driver {}, processor {}.\n",
                      markdown_cell(results.library_version), provenance(results),
-                     markdown_cell(results.device), markdown_cell(results.driver),
-                     markdown_cell(results.hardware));
+                     markdown_cell(results.front_end.value_or("glslang")), markdown_cell(results.device),
+                     markdown_cell(results.driver), markdown_cell(results.hardware));
 }
 
 // Of rows that another run measured, of the same pictures.
@@ -206,8 +206,9 @@ std::string how_to_read(const Results& results, BlockForm form) {
                                     picture_sizes(results) + "."
                               : "",
       form == BlockForm::full && has_operations(results)
-          ? " Operations: scalar arithmetic that all passes execute, before the compiler "
-            "optimises it, per pixel of the picture."
+          ? fmt::format(
+                " Operations: scalar arithmetic that all passes execute, {}, per pixel of the picture.",
+                results.front_end ? "as FXC has optimised it" : "before a compiler optimises it")
           : "");
 }
 

@@ -1,6 +1,7 @@
 #include "fxc/judge.h"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -29,6 +30,9 @@ constexpr std::uint32_t kHighestLevel = 1U << 15U;
 constexpr std::uint32_t kCompiled = 0;
 constexpr std::uint32_t kTooLong = 2;
 constexpr std::uint32_t kTooLarge = 3;
+
+// A busy machine takes longer than the processor.
+constexpr int kPatience = 20;
 
 constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes
 
@@ -83,6 +87,7 @@ platform::ConfinedCommand command_of(const Installation& installation, const Jud
                       fs::canonical(installation.library)};
   command.writable = {prefix, "/dev/null"};
   command.memory = std::size_t{limits.megabytes} << 20U;
+  command.patience = kPatience * std::chrono::seconds(limits.processor_seconds);
   return command;
 }
 
@@ -129,7 +134,7 @@ Verdict Judge::compile(const Program& program) {
   for (const std::string* text : {&program.entry, &program.profile, &program.text}) request += *text;
   std::array<char, 12> head;
   if (!process_->child.write(request) || !process_->child.read(head.data(), head.size()))
-    throw platform::WorkerSpent("FXC crashed");
+    throw platform::WorkerSpent("FXC crashed or does not answer");
   const std::uint32_t status = number_at(head.data());
   if (status == kTooLong)
     throw platform::WorkerSpent("took more than " + std::to_string(process_->limits.processor_seconds) +

@@ -113,6 +113,10 @@ static void serve(Compile compile, const DWORD head[4], char* texts) {
       compile(source, head[3], NULL, types_of_unity, NULL, entry, profile, head[0], 0, &bytecode, &messages);
   EnterCriticalSection(&answering);
   InterlockedExchange(&compiling, 0);
+  if (result == E_OUTOFMEMORY) {  // the system gave it less than it may have, or what it may have is used up
+    answer(kTooLarge, NULL, 0, NULL, 0);
+    ExitProcess(2);
+  }
   const int compiled = SUCCEEDED(result) && bytecode != NULL;
   answer(compiled ? kCompiled : kRefused, compiled ? ID3D10Blob_GetBufferPointer(bytecode) : NULL,
          compiled ? (DWORD)ID3D10Blob_GetBufferSize(bytecode) : 0,
