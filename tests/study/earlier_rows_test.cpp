@@ -89,6 +89,13 @@ TEST(EarlierRows, OfOtherMapsOrReferencesAreRefused) {
   EXPECT_THAT(problem(other), HasSubstr("was measured there with"));
 }
 
+TEST(EarlierRows, OfAnotherCompilerAreRefused) {
+  Results earlier = before();
+  earlier.front_end = "FXC 10.0";
+  EXPECT_THAT(problem(earlier), AllOf(HasSubstr("compiled by FXC 10.0, those here are by glslang"),
+                                      HasSubstr("the same --front-end")));
+}
+
 TEST(EarlierRows, ThatAreUnknownOrMeasuredAgainAreRefused) {
   EXPECT_THAT(problem(before(), {"tent-5x6"}),
               AllOf(HasSubstr("it has no technique 'tent-5x6'"), HasSubstr("did you mean 'tent-5x5'?")));

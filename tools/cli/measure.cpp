@@ -267,7 +267,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
 study::Results earlier_results(const MeasureOptions& options) {
   if (options.earlier.empty()) return {};
   study::Results earlier = study::read_results(options.earlier);
-  study::check_earlier_rows(earlier, options.earlier_rows, options.earlier);
+  study::check_earlier_rows(earlier, options.earlier_rows, front_end_name(options), options.earlier);
   return earlier;
 }
 

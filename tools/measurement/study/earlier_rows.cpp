@@ -68,7 +68,12 @@ void add_runs(Results& results, const Results& earlier, std::vector<std::string>
 }  // namespace
 
 void check_earlier_rows(const Results& earlier, const std::vector<std::string>& techniques,
-                        const std::filesystem::path& file) {
+                        const std::optional<std::string>& front_end, const std::filesystem::path& file) {
+  if (earlier.front_end != front_end)
+    throw InputError(file.string(),
+                     fmt::format("its shaders were compiled by {}, those here are by {}",
+                                 earlier.front_end.value_or(kGlslang), front_end.value_or(kGlslang)),
+                     "measure both with the same --front-end");
   std::vector<std::string> known;
   for (const Record& record : earlier.records)
     if (!contains(known, record.technique)) known.push_back(record.technique);
@@ -80,7 +85,7 @@ void check_earlier_rows(const Results& earlier, const std::vector<std::string>& 
 
 void add_earlier_rows(Results& results, const Results& earlier, const std::vector<std::string>& techniques,
                       const std::filesystem::path& file) {
-  check_earlier_rows(earlier, techniques, file);
+  check_earlier_rows(earlier, techniques, results.front_end, file);
   const std::string name = file.string();
   require_same_frames(results, earlier, name);
   for (const Record& own : results.records)

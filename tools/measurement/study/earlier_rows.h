@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,10 @@
 
 namespace penumbra::study {
 
-// Throws InputError if `earlier` lacks one of the techniques.
+// Throws InputError if `earlier` lacks one of the techniques, or has them of another compiler's shaders,
+// whose operations are others. front_end: Results::front_end of the new ones.
 void check_earlier_rows(const Results& earlier, const std::vector<std::string>& techniques,
-                        const std::filesystem::path& file);
+                        const std::optional<std::string>& front_end, const std::filesystem::path& file);
 
 // Appends the records of these techniques to `results`, and says in them how they were measured. Both must
 // have measured the same scenes under the same lights, with the same pictures, maps, cascades and reference:

@@ -145,7 +145,7 @@ std::string light_table(const Results& results, double light, BlockForm form) {
 std::string origin(const Results& results) {
   return fmt::format("Penumbra {}{}, shaders compiled by {}, on {}, driver {}, processor {}.\n",
                      markdown_cell(results.library_version), provenance(results),
-                     markdown_cell(results.front_end.value_or("glslang")), markdown_cell(results.device),
+                     markdown_cell(results.front_end.value_or(kGlslang)), markdown_cell(results.device),
                      markdown_cell(results.driver), markdown_cell(results.hardware));
 }
 

@@ -153,6 +153,9 @@ struct Record {
   bool operator==(const Record&) const = default;
 };
 
+// What compiles shaders where Results::front_end does not say.
+inline constexpr const char* kGlslang = "glslang";
+
 // Techniques of the records that were measured before the others, of the same pictures, and how.
 struct EarlierRun {
   std::vector<std::string> techniques;
