@@ -25,9 +25,9 @@ namespace {
 TEST(FindFxcDeathTest, OffAndWrongFilesAreSaid) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(say_what_is_missing("off"), testing::ExitedWithCode(0),
-              "not at hand: it is turned off by PENUMBRA_FXC");
+              "not at hand: it is turned off, by --fxc or PENUMBRA_FXC");
   EXPECT_EXIT(say_what_is_missing("/nowhere/d3dcompiler_47.dll"), testing::ExitedWithCode(0),
-              "'/nowhere/d3dcompiler_47.dll' is no DLL of Windows");
+              "'/nowhere/d3dcompiler_47.dll' does not exist");
   EXPECT_EXIT(say_what_is_missing("/etc/passwd"), testing::ExitedWithCode(0),
               "'/etc/passwd' is no DLL of Windows");
 }

@@ -54,6 +54,16 @@ TEST(FxcMessages, EachIsSaidOnceAndLinesWithoutANumberBelongToTheLast) {
   EXPECT_EQ(said[0].message, "X3067: 'f': ambiguous function call; f(float)");
 }
 
+TEST(FxcMessages, WhatItSaysWithoutASeverityHasNoFolder) {
+  const auto said = diagnostics_of("Z:\\tmp\\x\\Shader@0x0000000000C815CC(2,7): memory exhausted\n", expanded,
+                                   "Main.hlsl", sources());
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].file, "Wave.hlsl");
+  EXPECT_EQ(said[0].column, 7);
+  EXPECT_EQ(said[0].severity, hlsl::Severity::error);
+  EXPECT_EQ(said[0].message, "memory exhausted");
+}
+
 TEST(FxcMessages, CandidatesOfACallAreOneMessage) {
   const auto said = diagnostics_of(
       "m(4,1-5): error X3013: 'tex2D': no matching 2 parameter intrinsic function\n"

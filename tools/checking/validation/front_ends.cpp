@@ -1,5 +1,6 @@
 #include "validation/front_ends.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,14 @@ bool failed(const VariantRecord& record) {
   return record.status == VariantStatus::failed;
 }
 
+// Not by a lint rule alone.
+bool refused(const VariantRecord& record) {
+  return failed(record) &&
+         std::any_of(record.diagnostics.begin(), record.diagnostics.end(), [](const hlsl::Diagnostic& said) {
+           return said.severity == hlsl::Severity::error && said.rule.empty();
+         });
+}
+
 }  // namespace
 
 FrontEnds front_ends(const ValidationReport& report) {
@@ -33,7 +42,7 @@ FrontEnds front_ends(const ValidationReport& report) {
       of_variant.fxc = !failed(record);
     else  // a target that is made from the module says something of glslang only where there was none
       of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
-                           !(is_spirv_target(record.target) && failed(record));
+                           !(is_spirv_target(record.target) && refused(record));
   }
   FrontEnds counts;
   for (const Verdicts& of_variant : verdicts) {

@@ -17,10 +17,20 @@ platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {
   return hash;
 }
 
+// FXC judges the texts that glslang compiles, too: an answer is of one of them.
+std::string compiler_of(const AnswerContext& context, const CompileUnit& unit) {
+  if (!compiled_by_fxc(unit)) return {};
+  return context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile);
+}
+
 }  // namespace
 
 std::string sources_key(const AnswerContext& context, const CompileUnit& unit) {
-  return keyed("sources", context).update(encode(unit.compile)).update(encode(unit.lint)).hex();
+  return keyed("sources", context)
+      .update(encode(unit.compile))
+      .update(encode(unit.lint))
+      .update(compiler_of(context, unit))
+      .hex();
 }
 
 // Inputs of the preprocessor are already accounted for by the text; all others may affect the compiler.
@@ -38,9 +48,7 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
       .update(encode(unit.lint))
       .update(source.text)
       .update(encode(source.diagnostics))
-      .update(compiled_by_fxc(unit)
-                  ? context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile)
-                  : std::string())
+      .update(compiler_of(context, unit))
       .hex();
 }
 

@@ -6,6 +6,7 @@
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
 #include "platform/content_hash.h"
+#include "validation/kept_answers.h"
 #include "validation/unit_message.h"
 
 namespace penumbra::validation {
@@ -36,18 +37,24 @@ std::string name_of(const CompileUnit& unit, const std::string& content) {
   return stem + "-" + platform::ContentHash().update(content).hex().substr(0, 16) + ".hlsl";
 }
 
+// What --target names to see it again.
+std::string target_of(const CompileUnit& unit, const Crash& crash) {
+  return compiled_by_fxc(unit) ? unit.targets.front() : crash.target;
+}
+
 std::string head(const CompileUnit& unit, const Crash& crash, const std::string& file_name) {
   const std::string stage = hlsl::stage_name(unit.compile.stage);
   const bool by_lint = crash.target == note_lint;
-  std::string text = (by_lint ? "// lint " : "// " + crash.target + ": the compiler ") + crash.failure +
-                     ".\n// Of " + one_line(unit.file);
+  std::string text = (by_lint ? "// lint " : "// " + target_of(unit, crash) + ": the compiler ") +
+                     crash.failure + ".\n// Of " + one_line(unit.file);
   if (!unit.shader.empty()) text += ", shader " + one_line(unit.shader) + ", pass " + one_line(unit.pass);
   text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
   for (const auto& [name, value] : unit.compile.defines)
     text.append(one_line(std::string(" ").append(name).append("=").append(value)));
   if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not finish.";
   return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
-         " --stage " + stage + " --target " + (by_lint ? std::string(note_compile) : crash.target) + "\n";
+         " --stage " + stage + " --target " + (by_lint ? std::string(note_compile) : target_of(unit, crash)) +
+         "\n";
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view turned_off = "off";
+
 const char* environment(const char* name) {
   return std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets it while threads run
 }
@@ -102,10 +104,22 @@ std::string version_of(std::string_view library) {
          std::to_string(parts[2]);
 }
 
+// Why the file cannot be the library; empty where it may be.
+std::string problem_of(const fs::path& library) {
+  std::error_code error;
+  if (!fs::is_regular_file(library, error))
+    return "'" + library.string() + (fs::exists(library, error) ? "' is no file" : "' does not exist");
+  std::ifstream stream(library, std::ios::binary);
+  char mark[2] = {};
+  stream.read(mark, sizeof mark);
+  if (std::string_view(mark, sizeof mark) != "MZ") return "'" + library.string() + "' is no DLL of Windows";
+  return {};
+}
+
 Search search() {
   const char* given = environment(location_variable);
-  if (given != nullptr && std::string_view(given) == "off")
-    return {std::nullopt, std::string("it is turned off by ") + location_variable};
+  if (given != nullptr && std::string_view(given) == turned_off)
+    return {std::nullopt, std::string("it is turned off, by --fxc or ") + location_variable};
   Installation installation;
   installation.library = given != nullptr && *given != '\0' ? fs::path(given) : find_library();
   if (installation.library.empty())
@@ -113,9 +127,9 @@ Search search() {
             "D3DCompiler_47.dll was not found; scripts/setup gets it, or --fxc and PENUMBRA_FXC name it (it "
             "is in every Windows, "
             "and in the NuGet package Microsoft.WindowsDesktop.App.Runtime.win-x64)"};
+  if (const std::string problem = problem_of(installation.library); !problem.empty())
+    return {std::nullopt, problem};
   const std::string library = bytes_of(installation.library);
-  if (!library.starts_with("MZ"))
-    return {std::nullopt, "'" + installation.library.string() + "' is no DLL of Windows"};
 #ifndef _WIN32
   installation.wine = find_wine();
   if (installation.wine.empty())
@@ -135,6 +149,8 @@ Search search() {
 }  // namespace
 
 void choose_fxc(const std::string& location) {
+  if (const std::string problem = location == turned_off ? "" : problem_of(location); !problem.empty())
+    throw InputError("--fxc", problem, "name D3DCompiler_47.dll itself, or 'off'");
 #ifdef _WIN32
   ::_putenv_s(location_variable, location.c_str());
 #else

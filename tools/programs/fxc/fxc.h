@@ -32,7 +32,7 @@ struct Search {
 const Search& find_fxc();
 
 // Gives $PENUMBRA_FXC that value, in this process and those that it starts. Before the first call of
-// find_fxc(), and before any thread is started.
+// find_fxc(), and before any thread is started. Throws InputError where it is neither "off" nor a DLL.
 void choose_fxc(const std::string& location);
 
 // As find_fxc(); throws EnvironmentError when there is none.

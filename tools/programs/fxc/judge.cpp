@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "input/input_error.h"
@@ -43,7 +44,9 @@ struct Prefix {
   fs::path folder = platform::new_private_directory("penumbra-fxc");
 
   Prefix() {
-    if (folder.empty()) throw EnvironmentError("no temporary folder for Wine can be made");
+    if (folder.empty())
+      throw EnvironmentError("no folder for Wine can be made in '" +
+                             platform::temporary_directory().string() + "', where TMPDIR points");
     std::error_code error;
     fs::create_directories(folder / "drive_c", error);
     fs::create_directories(folder / "dosdevices", error);
@@ -58,9 +61,14 @@ struct Prefix {
   Prefix& operator=(const Prefix&) = delete;
 
  private:
+  // Wine's server, which is told of nothing, may still write its registry while it is removed.
   void remove() const {
     std::error_code error;
-    fs::remove_all(folder, error);
+    for (int tries = 0; tries < 100; ++tries) {
+      fs::remove_all(folder, error);
+      if (!fs::exists(folder, error)) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
   }
 };
 

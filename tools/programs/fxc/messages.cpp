@@ -48,11 +48,26 @@ struct Said {
   std::string text;
 };
 
+// Where its memory is used up, FXC says so without a severity: "folder/Shader@0x000012(1,10026): memory
+// exhausted".
+constexpr std::string_view kOwnName = "Shader@0x";
+
 int number(std::string_view& text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return error == std::errc() ? value : 0;
+}
+
+// Of "file(line,first-last): ".
+void read_place(std::string_view place, Said& said) {
+  const std::size_t open = place.rfind('(');
+  if (open == std::string_view::npos) return;
+  std::string_view numbers = place.substr(open + 1);
+  said.line = number(numbers);
+  if (!numbers.starts_with(',')) return;
+  numbers.remove_prefix(1);
+  said.column = number(numbers);
 }
 
 std::optional<Said> said_in(std::string_view line) {
@@ -61,15 +76,14 @@ std::optional<Said> said_in(std::string_view line) {
     const std::size_t at = line.find(word);
     if (at == std::string_view::npos) continue;
     Said said{0, 0, severity, std::string(without_blanks(line.substr(at + word.size() - 1)))};
-    const std::string_view place = line.substr(0, at);
-    if (const std::size_t open = place.rfind('('); open != std::string_view::npos) {
-      std::string_view numbers = place.substr(open + 1);
-      said.line = number(numbers);
-      if (numbers.starts_with(',')) {
-        numbers.remove_prefix(1);
-        said.column = number(numbers);
-      }
-    }
+    read_place(line.substr(0, at), said);
+    return said;
+  }
+  const std::size_t own = line.find(kOwnName);
+  if (const std::size_t end = line.find("): ", own);
+      own != std::string_view::npos && end != std::string_view::npos) {
+    Said said{0, 0, hlsl::Severity::error, std::string(without_blanks(line.substr(end + 2)))};
+    read_place(line.substr(0, end), said);
     return said;
   }
   return std::nullopt;
