@@ -6,9 +6,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "fxc/at_hand.h"
 #include "fxc/profile.h"
+#include "input/input_error.h"
 #include "platform/worker_pool.h"
 
 namespace penumbra::fxc {
@@ -70,6 +72,11 @@ TEST(FxcJudge, LeavesNoFilesBehind) {
   std::filesystem::create_directories(own);
   ::setenv("TMPDIR", own.c_str(), 1);
   Judge fxc = judge();
+  EXPECT_TRUE(std::filesystem::is_empty(own));
+  Installation broken = require_fxc();
+  broken.library = own.parent_path() / "fxc-broken.dll";
+  std::ofstream(broken.library, std::ios::binary) << "MZ" << std::string(3000000, '\x17');
+  EXPECT_THROW(Judge{broken}, EnvironmentError);
   EXPECT_TRUE(std::filesystem::is_empty(own));
   ::unsetenv("TMPDIR");
   EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);

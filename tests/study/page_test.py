@@ -302,7 +302,7 @@ class WeightedCosts(unittest.TestCase):
         self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
         self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
         self.assertIn("| cycles, gfx1100 | `flagship` | 1 ± 0 |", text)
-        self.assertIn("| operations, executed | `tent-7` | 500 ± 0 |", text)
+        self.assertIn("| operations of bytecode | `tent-7` | 500 ± 0 |", text)
 
     def test_a_pass_without_a_program_is_an_error(self):
         unknown = record("flagship", "a", operations_per_pixel=1.0, passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
