@@ -35,12 +35,19 @@ ReportContent* Report::content_ = nullptr;
 TEST_F(Report, SaysOnWhatAndHowItWasMeasured) {
   const std::string html = render_report(*content_);
   for (const char* text :
-       {"made-up processor, 2 cores", "made-up device", "made-up driver 1.2", "Penumbra 0.1.0",
+       {"made-up processor, 2 cores", "made-up device", "made-up driver 1.2",
+        "<dt>Compiler</dt><dd>glslang</dd>", "Penumbra 0.1.0",
         "commit <code>0123456789abcdef0123456789abcdef01234567</code>", "com.example.shadows 17.0.3",
         "<span>penumbra</span> <span>measure</span> <span>--seed</span> <span>1</span></code>",
         "milliseconds are CPU time and say little about speed on a GPU"}) {
     EXPECT_THAT(html, HasSubstr(text));
   }
+}
+
+TEST_F(Report, NamesTheCompilerOfTheShaders) {
+  ReportContent content = *content_;
+  content.results.front_end = "FXC <1>";
+  EXPECT_THAT(render_report(content), HasSubstr("<dt>Compiler</dt><dd>FXC &lt;1&gt;</dd>"));
 }
 
 TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {

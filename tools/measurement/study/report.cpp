@@ -109,8 +109,9 @@ std::string machine(const Results& results) {
   }
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
-         entry("Library", library) + packages + entry("Times", note) + "</dl>\n<h3>The command</h3>\n" +
-         command_html(results.command) + earlier;
+         entry("Compiler", escape_html(results.front_end.value_or("glslang"))) + entry("Library", library) +
+         packages + entry("Times", note) + "</dl>\n<h3>The command</h3>\n" + command_html(results.command) +
+         earlier;
 }
 
 // The reference of the figures, and its accuracy, per scene and light.
