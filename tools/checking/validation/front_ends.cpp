@@ -57,7 +57,7 @@ FrontEnds front_ends(const ValidationReport& report) {
 
 std::string text_of(const FrontEnds& counts) {
   if (counts.compared == 0) return {};
-  return "of " + std::to_string(counts.compared) + " variants that both compilers read, FXC alone refuses " +
+  return "of " + counted(counts.compared, "variant") + " that both compilers read, FXC alone refuses " +
          std::to_string(counts.fxc_alone) + ", glslang alone " + std::to_string(counts.glslang_alone) +
          ", both " + std::to_string(counts.both);
 }
