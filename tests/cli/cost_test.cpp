@@ -65,7 +65,10 @@ TEST_F(Cost, BytecodeIsCountedWithoutADriver) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   const nlohmann::json report = nlohmann::json::parse(read("cost.json"));
   EXPECT_THAT(report["driver"].get<std::string>(), StartsWith("FXC "));
+  EXPECT_EQ(report["compiler"], report["driver"]);
   ASSERT_EQ(report["rows"].size(), 1U);
+  EXPECT_FALSE(report["rows"][0].contains("spirv"));
+  EXPECT_THAT(run_with_fxc({"cost", "--list-families"}).output, HasSubstr("d3d11"));
   const nlohmann::json figures = report["rows"][0]["figures"];
   EXPECT_EQ(figures["lds_bytes"], 64 * 16);
   EXPECT_EQ(figures["textures"], 1);
@@ -91,6 +94,8 @@ TEST_F(Cost, WithoutFxcBytecodeIsAnEnvironmentError) {
   const auto result = run({"cost", shader(), "--family", "d3d11"});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.errors, HasSubstr("FXC"));
+  const auto families = run_with_fxc({"cost", "--list-families", "--fxc", "off"});
+  EXPECT_THAT(families.output, AllOf(HasSubstr("navi21"), Not(HasSubstr("d3d11"))));
 }
 
 TEST_F(Cost, StagesThatAreNotMeasuredAreNamed) {
@@ -207,7 +212,7 @@ TEST_F(Cost, AFamilyOrTechniqueNamedTwiceIsMeasuredOnce) {
 TEST_F(Cost, ItsOwnBaselinePasses) {
   const auto result = run({"cost", shader(), "--family", "navi21", "--baseline", baseline("{", "{")});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("1 rows compared, 0 figures worse"));
+  EXPECT_THAT(result.errors, HasSubstr("1 row compared, 0 figures worse"));
 }
 
 TEST_F(Cost, AWorseFigureIsAFindingAndATolerancePermitsIt) {
@@ -244,6 +249,7 @@ TEST_F(Cost, BadInputIsTwo) {
   const auto family = run({"cost", shader(), "--family", "navi2l"});
   EXPECT_EQ(family.exit_code, 2);
   EXPECT_THAT(family.errors, HasSubstr("did you mean 'navi21'?"));
+  EXPECT_THAT(run({"cost", shader(), "--family", "d3d12"}).errors, HasSubstr("d3d11"));
   const auto technique = run({"cost", "--technique", "tent5"});
   EXPECT_EQ(technique.exit_code, 2);
   EXPECT_THAT(technique.errors, HasSubstr("tent-5"));

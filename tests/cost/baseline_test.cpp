@@ -147,6 +147,31 @@ TEST(Baseline, AnotherFxcIsRefusedWhereBothHaveItsBytecode) {
   }
 }
 
+TEST(Baseline, OfBytecodeAloneFxcIsNamedOnceAndTheDriverDoesNotMatter) {
+  const auto of_fxc = [](const std::string& version) {
+    CostReport report;
+    report.driver = report.compiler = version;
+    report.families = {{direct3d_family.name, direct3d_family.architecture, version}};
+    return report;
+  };
+  CostReport both = made_up::report();
+  both.families.push_back({direct3d_family.name, direct3d_family.architecture, "FXC 1"});
+  EXPECT_NO_THROW(require_same_compilers(of_fxc("FXC 1"), both, "cost.json"));
+  EXPECT_EQ(compilers_of(of_fxc("FXC 1"), of_fxc("FXC 2")), "FXC 1");
+  EXPECT_EQ(compilers_of(of_fxc("FXC 1"), made_up::report()), "FXC 1");
+  EXPECT_THROW(require_same_compilers(of_fxc("FXC 1"), made_up::report(), "cost.json"), EnvironmentError);
+  EXPECT_THROW(require_same_compilers(of_fxc("FXC 2"), both, "cost.json"), EnvironmentError);
+}
+
+TEST(Baseline, CountsOfOneAreSingular) {
+  CostReport now = made_up::report();
+  set_instructions(now.rows[0], 91);
+  now.rows[1].variants = {{"soft", {}}};
+  EXPECT_THAT(
+      comparison_text(compare_with_baseline(now, made_up::report(), {}, 0.0)),
+      HasSubstr("\n5 rows compared, 1 figure worse, 0 better, 1 row not in the baseline, 1 only there\n"));
+}
+
 TEST(Baseline, FamiliesOutsideOfTheExtentAreNotCompared) {
   CostReport now = made_up::report();
   now.rows.push_back(made_up::row(direct3d_family.name, {{"hard", {}}}, 12));

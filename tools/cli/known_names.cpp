@@ -8,6 +8,7 @@
 
 #include "cli/subcommand.h"
 #include "cost/families.h"
+#include "fxc/fxc.h"
 #include "lint/rule.h"
 #include "platform/data_directory.h"
 #include "scene/scene.h"
@@ -52,7 +53,8 @@ std::vector<KnownName> families() {
   std::vector<KnownName> names;
   for (const cost::KnownFamily& family : cost::known_families())
     names.push_back({family.name, family.architecture});
-  names.push_back({cost::direct3d_family.name, cost::direct3d_family.architecture});
+  if (fxc::find_fxc().found)
+    names.push_back({cost::direct3d_family.name, cost::direct3d_family.architecture});
   return names;
 }
 
@@ -105,7 +107,10 @@ void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
   const NameKind& kind = kind_of(placeholder);
   option->type_name(placeholder);
   if (command.get_option_no_throw(kind.flag) != nullptr) return;
-  const auto print_and_end = [&kind] {
+  const auto print_and_end = [&kind, &command] {
+    // Which families there are depends on it.
+    const CLI::Option* location = command.get_option_no_throw("--fxc");
+    if (location != nullptr && !location->empty()) fxc::choose_fxc(location->results().front());
     print(kind);
     throw CLI::Success();
   };

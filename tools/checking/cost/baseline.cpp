@@ -85,6 +85,12 @@ std::string change_text(const char* kind, const BaselineChange& change) {
          std::to_string(change.before) + " -> " + std::to_string(change.after) + "\n";
 }
 
+bool has_radv(const CostReport& report) {
+  return report.families.empty() ||
+         std::any_of(report.families.begin(), report.families.end(),
+                     [](const RadvFamily& family) { return family.name != direct3d_family.name; });
+}
+
 bool has_bytecode(const CostReport& report) {
   return std::any_of(report.families.begin(), report.families.end(),
                      [](const RadvFamily& family) { return family.name == direct3d_family.name; });
@@ -92,11 +98,14 @@ bool has_bytecode(const CostReport& report) {
 
 }  // namespace
 
-// Without FXC where one of the two has no bytecode.
+// Those of the families that both have; without any, all.
 std::string compilers_of(const CostReport& report, const CostReport& other) {
-  const std::string names = report.driver + " and " + report.compiler;
-  const bool bytecode = has_bytecode(report) && has_bytecode(other);
-  return bytecode ? names + " and " + driver_of(report, direct3d_family.name) : names;
+  std::string names;
+  if (has_radv(report) && has_radv(other)) names = report.driver + " and " + report.compiler;
+  if (has_bytecode(report) && has_bytecode(other))
+    names += (names.empty() ? "" : " and ") + driver_of(report, direct3d_family.name);
+  if (!names.empty()) return names;
+  return has_radv(report) ? report.driver + " and " + report.compiler : report.driver;
 }
 
 BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
@@ -139,10 +148,13 @@ std::string comparison_text(const BaselineComparison& comparison) {
   for (const BaselineChange& change : comparison.better) text += change_text("better", change);
   for (const std::string& row : comparison.unknown) text += "not in the baseline: " + visible(row) + "\n";
   for (const std::string& row : comparison.gone) text += "only in the baseline: " + visible(row) + "\n";
-  return text + std::to_string(comparison.compared) + " rows compared, " +
-         std::to_string(comparison.worse.size()) + " figures worse, " +
-         std::to_string(comparison.better.size()) + " better, " + std::to_string(comparison.unknown.size()) +
-         " rows not in the baseline, " + std::to_string(comparison.gone.size()) + " only there\n";
+  const auto counted = [](std::size_t count, const char* thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  };
+  return text + counted(comparison.compared, "row") + " compared, " +
+         counted(comparison.worse.size(), "figure") + " worse, " + std::to_string(comparison.better.size()) +
+         " better, " + counted(comparison.unknown.size(), "row") + " not in the baseline, " +
+         std::to_string(comparison.gone.size()) + " only there\n";
 }
 
 }  // namespace penumbra::cost

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cost/cost_report.h"
+#include "cost/families.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
 
@@ -30,11 +31,12 @@ Json row_json(const CostRow& row) {
     of_variant["keywords"] = variant.keywords;
     json["variants"].push_back(std::move(of_variant));
   }
-  json["spirv"] = {{"instructions", row.spirv.instructions},
-                   {"alu", row.spirv.alu},
-                   {"texture", row.spirv.texture},
-                   {"memory", row.spirv.memory},
-                   {"control", row.spirv.control}};
+  if (row.family != direct3d_family.name)
+    json["spirv"] = {{"instructions", row.spirv.instructions},
+                     {"alu", row.spirv.alu},
+                     {"texture", row.spirv.texture},
+                     {"memory", row.spirv.memory},
+                     {"control", row.spirv.control}};
   if (!row.measured.failure.empty()) {
     json["failure"] = row.measured.failure;
     return json;

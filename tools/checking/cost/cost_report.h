@@ -3,7 +3,8 @@
 // As JSON: {"command", "driver", "compiler", "families": [{name, device, driver}], "rows": [{family, file,
 // entry, stage, variants: [{technique, keywords}], spirv: {instructions, alu, texture, memory, control},
 // subgroup_size, figures: {...}, statistics: {driver's name: value}} or, without figures, {..., failure}]}.
-// The same shaders, families and driver give the same bytes: no time, path of a machine or hash is in it.
+// Rows of Direct3D's bytecode have no `spirv`. The same shaders, families and driver give the same bytes: no
+// time, path of a machine or hash is in it.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +38,7 @@ struct CostRow {
 struct CostReport {
   std::string command;   // that reproduces it
   std::string driver;    // the GPU compiler, with its version; FXC where there is no other family
-  std::string compiler;  // shaders::compiler_version(), which made the SPIR-V
+  std::string compiler;  // shaders::compiler_version(), which made the SPIR-V; FXC where there is none
   std::vector<RadvFamily> families;
   std::vector<CostRow> rows;
 

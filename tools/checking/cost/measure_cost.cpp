@@ -101,9 +101,10 @@ CostOutcome measure_cost(const CostRequest& request) {
   CostOutcome outcome;
   outcome.report.families = open_families(request);
   outcome.report.driver = driver_of(outcome.report.families);
-  outcome.report.compiler = shaders::compiler_version();
   std::vector<std::string> of_radv = request.families;
   std::erase_if(of_radv, is_direct3d);
+  // Without modules of glslang, FXC is the compiler, too.
+  outcome.report.compiler = of_radv.empty() ? outcome.report.driver : shaders::compiler_version();
   std::vector<CostRow> radv;
   if (!of_radv.empty()) {
     CostModules compiled = compile_modules(request, Compiler::glslang);

@@ -142,9 +142,12 @@ RadvFamily open_family(const NullRadv& radv) {
     return {radv.family, answer["device"].get<std::string>(), answer["driver"].get<std::string>()};
   if (answer.contains("failure")) throw EnvironmentError("RADV: " + answer["failure"].get<std::string>());
   // RADV ends the process when it does not know the family.
-  if (result.errors.find("Unknown family") != std::string::npos)
+  if (result.errors.find("Unknown family") != std::string::npos) {
+    std::vector<std::string> known = known_family_names();
+    known.emplace_back(direct3d_family.name);
     throw InputError("--family", "this machine's RADV does not know the family '" + radv.family + "'",
-                     unknown_name_way_out(radv.family, known_family_names()));
+                     unknown_name_way_out(radv.family, known));
+  }
   throw EnvironmentError("RADV does not start for family '" + radv.family + "': " + sudden_end(result, radv));
 }
 
