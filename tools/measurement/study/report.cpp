@@ -109,7 +109,7 @@ std::string machine(const Results& results) {
   }
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
-         entry("Compiler", escape_html(results.front_end.value_or("glslang"))) + entry("Library", library) +
+         entry("Compiler", escape_html(results.front_end.value_or(kGlslang))) + entry("Library", library) +
          packages + entry("Times", note) + "</dl>\n<h3>The command</h3>\n" + command_html(results.command) +
          earlier;
 }
