@@ -48,7 +48,8 @@ std::optional<std::string> text_of_glslang(const std::string& source) {
   const char* const names[] = {name};
   glslang::TShader shader(EShLangFragment);
   shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
-  shader.setPreamble(definitions);
+  const std::string preamble = std::string("#undef VULKAN\n") + definitions;  // as SourceShader has it
+  shader.setPreamble(preamble.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangFragment, glslang::EShClientVulkan, 100);
   glslang::TShader::ForbidIncluder includer;
   std::string text;
