@@ -109,7 +109,7 @@ RingSearch SearchOfPart(RingSearch search, uint part)
     return all;
 }
 
-// Of the part's receiver, by its threads; 1 of threads that are not active.
+// The threads of a part compute the visibility of its receiver. Threads that are not active get 1.
 float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
                            TYPED_TEXTURE2D(uint4, coarseSpreads), bool active, ShadowTile tile, uint thread)
 {

@@ -52,8 +52,8 @@ int2 TargetSize(ScreenView view)
 #endif
 }
 
-// By two gathers and what edges need: of a pixel that shares none with its neighbours. pixelOfTarget: at half resolution, of every
-// second pixel of the screen.
+// This surface takes two gathers, and more reads at edges: it is for a pixel that shares no depths with its neighbours.
+// pixelOfTarget: at half resolution, of every second pixel of the screen.
 CameraSurface SurfaceAt(int2 pixelOfTarget, ScreenView view, SAMPLER(sampler_point))
 {
 #if defined(_PENUMBRA_HALF_RESOLUTION)

@@ -108,7 +108,7 @@ void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
   option->type_name(placeholder);
   if (command.get_option_no_throw(kind.flag) != nullptr) return;
   const auto print_and_end = [&kind, &command] {
-    // Which families there are depends on it.
+    // The list of families depends on whether FXC is found.
     const CLI::Option* location = command.get_option_no_throw("--fxc");
     if (location != nullptr && !location->empty()) fxc::choose_fxc(location->results().front());
     print(kind);

@@ -153,7 +153,7 @@ struct Record {
   bool operator==(const Record&) const = default;
 };
 
-// What compiles shaders where Results::front_end does not say.
+// The name of the compiler of shaders where Results::front_end is absent.
 inline constexpr const char* kGlslang = "glslang";
 
 // Techniques of the records that were measured before the others, of the same pictures, and how.

@@ -32,7 +32,8 @@ constexpr std::uint32_t kCompiled = 0;
 constexpr std::uint32_t kTooLong = 2;
 constexpr std::uint32_t kTooLarge = 3;
 
-// A busy machine takes longer than the processor.
+// FXC gets so many seconds of elapsed time for each second of processor time, since a busy machine takes
+// longer.
 constexpr int kPatience = 20;
 
 constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes

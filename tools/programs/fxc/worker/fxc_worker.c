@@ -113,7 +113,7 @@ static void serve(Compile compile, const DWORD head[4], char* texts) {
       compile(source, head[3], NULL, types_of_unity, NULL, entry, profile, head[0], 0, &bytecode, &messages);
   EnterCriticalSection(&answering);
   InterlockedExchange(&compiling, 0);
-  if (result == E_OUTOFMEMORY) {  // the system gave it less than it may have, or what it may have is used up
+  if (result == E_OUTOFMEMORY) {  // FXC got less memory than it may have, or has used all of it
     answer(kTooLarge, NULL, 0, NULL, 0);
     ExitProcess(2);
   }
