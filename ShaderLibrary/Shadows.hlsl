@@ -17,8 +17,6 @@
 //             Pipelines/TechniqueByKeyword.hlsl has those of filters that read maps, for the renderer feature's passes. With
 //             PENUMBRA_MAPS_BOUND, your shader may have the filter of the feature's own technique, above all
 //             _PENUMBRA_FLAGSHIP_PIXEL, also with the technique Flagship.
-//             With _PENUMBRA_EXITS besides, a filter of the map alone runs only where the planes do not decide it that the
-//             feature makes while its option Exits is on.
 // Source:     see each filter's file.
 // Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. The uniforms of
 //             Pipelines/Urp.hlsl and, of PCSS, of Pipelines/TechniqueByKeyword.hlsl.
@@ -35,12 +33,6 @@ float PenumbraMainLightVisibility(float3 positionWS, float3 normalWS, float2 pix
 {
     const PenumbraMainLight shadow = PreparePenumbraMainLight(positionWS, normalWS, pixel);
     if (!shadow.covered) return 1.0;
-#if defined(PENUMBRA_USES_EXITS)
-    // Here, so that compilers see the same from the filter to the end as without exits, and round alike.
-    const float decided = DecideByKeyword(shadow.receiver, shadow.tile);
-    UNITY_BRANCH
-    if (decided >= 0.0) return ApplyPenumbraStrength(decided);
-#endif
     const float visibility =
         FilterByKeyword(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_PenumbraLinearClampCompare),
                         sampler_PenumbraPointClamp, shadow.receiver, shadow.tile, shadow.cascade);

@@ -9,7 +9,7 @@
 //             Filters/PcssAngularDecision.hlsl reads; fewer where the first pixels are of different cascades.
 // Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart. Resolve
 //             gives the same picture with it as without, to the last bit where programs compute the same floats.
-// Use it:     before Resolve with _PENUMBRA_MASK and _PENUMBRA_PCSS; without a dilation, the light's cones are in it. Not:
+// Use it:     before Resolve with _PENUMBRA_PCSS; without a dilation, the light's cones are in it. Not:
 //             where raw depths cannot be gathered (OpenGL, WebGL), or without the keyword: there it says kMaskFilter everywhere.
 #ifndef PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL
 #define PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL

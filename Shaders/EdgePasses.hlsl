@@ -1,22 +1,26 @@
 // Penumbra: shadows of a multisampled picture: once for a pixel, and for each sample where a pixel has an edge.
 //
 // Computes:   MarkSamples, MarkSurfaces  1 at pixels whose samples see several surfaces (Screen/SampleEdges.hlsl)
-//             ShadePixels                Resolve (ResolvePass.hlsl) at all other pixels
+//             ShadePixels                PenumbraMainLightVisibility at all other pixels
 //             ShadeSamples               the same filter at the surface of each sample, at marked pixels
 //             MeanOfSamples              what of both a target with one sample shows
 // Source:     Screen/SampleEdges.hlsl.
-// Inputs:     those of ResolvePass.hlsl; _PenumbraSampleNormals and _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl, the maps of a filter that reads some; _PenumbraSampleNormals and _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the
 //             pipeline; _PenumbraSourceTexture: of MarkSurfaces what MarkSamples found; _PenumbraEdgeTexture: what
 //             MarkSurfaces found; _PenumbraPixelTexture and _PenumbraSampleTexture: of the two shading passes;
 //             _PenumbraEdgeParameters0, of Screen/EdgeParameters.hlsl.
 // Cost:       of MarkSamples 2 to 8 fetches; of MarkSurfaces 1, at pixels that MarkSamples found up to 16 more; of the
-//             shading passes 1 and Resolve's, ShadeSamples for each sample of marked pixels.
+//             shading passes 1 and those of ResolvePass.hlsl without a mask, ShadeSamples for each sample of marked pixels.
 // Guarantees: [0, 1]. A sample that sees the sky is lit.
 // Use it:     where lighting is shaded per sample at the same pixels. Not: where each pixel is lit once; then Resolve.
 #ifndef PENUMBRA_EDGE_PASSES_HLSL
 #define PENUMBRA_EDGE_PASSES_HLSL
 
-#include "ResolvePass.hlsl"
+// The passes before this one bind the maps that the keyword's filter reads.
+#define PENUMBRA_MAPS_BOUND
+
+#include "ScreenPass.hlsl"
+#include "../ShaderLibrary/Shadows.hlsl"
 #include "../ShaderLibrary/Screen/SampleEdges.hlsl"
 
 TEXTURE2D_X_MSAA(float4, _PenumbraSampleNormals);
@@ -72,9 +76,16 @@ float4 MarkSurfaces(ScreenVaryings input) : SV_Target
 float4 ShadePixels(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    const int2 pixel = int2(input.positionCS.xy);
+    float visibility = 1.0;
     UNITY_BRANCH
-    if (IsEdge(int2(input.positionCS.xy))) return 1.0;
-    return Resolve(input);
+    if (!IsEdge(pixel))
+    {
+        const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, ViewOfThisEye(), pixel);
+        UNITY_BRANCH
+        if (surface.seen) visibility = PenumbraMainLightVisibility(surface.positionWS, surface.normalWS, input.positionCS.xy);
+    }
+    return visibility;
 }
 
 float4 ShadeSamples(ScreenVaryings input, uint index : SV_SampleIndex) : SV_Target

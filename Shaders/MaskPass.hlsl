@@ -6,7 +6,7 @@
 //             Screen/MaskParameters.hlsl. Target and source: the screen's size over 4, rounded up.
 // Cost:       8 fetches per texel of the mask; the dilations 4 depths each and their own.
 // Guarantees: exactly 0 or 1, so 8 bits hold it. 0 on the sky.
-// Use it:     PenumbraMask, MaskBlurHorizontal, MaskBlurVertical; then Resolve with _PENUMBRA_MASK.
+// Use it:     PenumbraMask, MaskBlurHorizontal, MaskBlurVertical; then Resolve.
 #ifndef PENUMBRA_MASK_PASS_HLSL
 #define PENUMBRA_MASK_PASS_HLSL
 

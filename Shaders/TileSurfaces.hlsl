@@ -1,12 +1,11 @@
-// Penumbra: the surfaces that the camera sees in a square of pixels of the target, by a group of threads.
+// Penumbra: the surfaces that the camera sees at pixels of the target, from depths that a group of threads reads once.
 //
-// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel of the square, from depths that the group reads once;
-//             with _PENUMBRA_HALF_RESOLUTION of the pixels of the screen that those of a half as wide target stand for, each
-//             from depths of its own.
+// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel in a square of the screen, or of one pixel of the
+//             target alone, which at half resolution is every second one of the screen.
 // Source:     Screen/CameraSurface.hlsl.
-// Inputs:     _CameraDepthTexture; ScreenView; the square's first pixel, of an even place, and its even width.
-// Cost:       100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are needed alone. At
-//             half resolution 2 gathers for each pixel of the target, and up to 4 loads more at edges.
+// Inputs:     _CameraDepthTexture; ScreenView; _PenumbraTargetSize; the square.
+// Cost:       of a square 100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are
+//             needed alone. Of one pixel 2 gathers, and up to 4 loads more at edges.
 // Guarantees: those of CameraSurface.hlsl, and the same values.
 // Use it:     in kernels, all threads of which call LoadScreenDepths.
 #ifndef PENUMBRA_TILE_SURFACES_HLSL
@@ -26,8 +25,8 @@ groupshared float sharedDepths[SHARED_DEPTHS];
 
 struct ScreenSquare
 {
-    int2 first; // pixel
-    int width;  // pixels, at most WIDEST_SQUARE
+    int2 first; // pixel of the screen, of an even place
+    int width;  // pixels, even, at most WIDEST_SQUARE
 };
 
 float DepthInSquare(ScreenSquare square, int2 pixelOfSquare)
@@ -41,26 +40,21 @@ int2 GatheredTexel(int component)
     return int2(component == 1 || component == 2 ? 1 : 0, component < 2 ? 1 : 0);
 }
 
-// Of the target, in pixels.
-int2 TargetSize(ScreenView view)
+// Pixels of the screen to one of the target, along each axis: 1, or 2 at half resolution.
+int TargetScale()
 {
-    const int2 screen = int2(view.size.xy);
-#if defined(_PENUMBRA_HALF_RESOLUTION)
-    return (screen + 1) >> 1;
-#else
-    return screen;
-#endif
+    return ScreenScale(_PenumbraScreenSize.x, _PenumbraTargetSize.x);
 }
 
-// This surface takes two gathers, and more reads at edges: it is for a pixel that shares no depths with its neighbours.
-// pixelOfTarget: at half resolution, of every second pixel of the screen.
-CameraSurface SurfaceAt(int2 pixelOfTarget, ScreenView view, SAMPLER(sampler_point))
+// The pixel of the screen that one of the target stands for.
+int2 PixelOfScreen(int2 pixelOfTarget, ScreenView view)
 {
-#if defined(_PENUMBRA_HALF_RESOLUTION)
-    const int2 pixel = FullPixel(pixelOfTarget, 2, int2(view.size.xy));
-#else
-    const int2 pixel = pixelOfTarget;
-#endif
+    return FullPixel(pixelOfTarget, TargetScale(), int2(view.size.xy));
+}
+
+// For a pixel of the screen that shares no depths with its neighbours.
+CameraSurface SurfaceAt(int2 pixel, ScreenView view, SAMPLER(sampler_point))
+{
     const float4 low = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel) * view.size.zw);
     const float4 high = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel + 1) * view.size.zw);
     // At the screen's border a gather repeats pixels where none are.
@@ -82,22 +76,11 @@ CameraSurface SurfaceAt(int2 pixelOfTarget, ScreenView view, SAMPLER(sampler_poi
     return SurfaceWithSlope(view, pixel, low.y, slope);
 }
 
-#if defined(_PENUMBRA_HALF_RESOLUTION)
-void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
-{
-    GroupMemoryBarrierWithGroupSync();
-}
-
-CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
-{
-    return SurfaceAt(square.first + pixelOfSquare, view, sampler_point);
-}
-#else
 void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView view, SAMPLER(sampler_point))
 {
     const int2 last = int2(view.size.xy) - 1;
     const int side = square.width + 2 * SQUARE_APRON;
-    const int quads = side / 2;
+    const int quads = side >> 1;
     PENUMBRA_LOOP
     for (int n = int(thread); n < quads * quads; n += int(threads))
     {
@@ -127,8 +110,10 @@ float DepthSlopeInSquare(ScreenSquare square, int2 pixelOfSquare, int2 direction
                            DepthInSquare(square, pixelOfSquare + 2 * direction));
 }
 
-CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenView view, SAMPLER(sampler_point))
+// pixel: of the screen, in the square.
+CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixel, ScreenView view)
 {
+    const int2 pixelOfSquare = pixel - square.first;
     const float depth = DepthInSquare(square, pixelOfSquare);
     float2 slope = float2(kNoDepthSlope, kNoDepthSlope);
     if (IsSurfaceDepth(depth))
@@ -136,8 +121,7 @@ CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixelOfSquare, ScreenVie
         slope.x = DepthSlopeInSquare(square, pixelOfSquare, int2(1, 0), depth);
         slope.y = DepthSlopeInSquare(square, pixelOfSquare, int2(0, 1), depth);
     }
-    return SurfaceWithSlope(view, square.first + pixelOfSquare, depth, slope);
+    return SurfaceWithSlope(view, pixel, depth, slope);
 }
-#endif
 
 #endif

@@ -59,7 +59,6 @@ namespace Penumbra.Editor
             custom.FindPropertyRelative(nameof(options.discRadiusMetres)).floatValue = options.discRadiusMetres;
             custom.FindPropertyRelative(nameof(options.mask)).boolValue = options.mask;
             custom.FindPropertyRelative(nameof(options.conservativeMask)).boolValue = options.conservativeMask;
-            custom.FindPropertyRelative(nameof(options.exits)).boolValue = options.exits;
             custom.FindPropertyRelative(nameof(options.halfResolution)).boolValue = options.halfResolution;
             custom.FindPropertyRelative(nameof(options.denoise)).boolValue = options.denoise;
         }

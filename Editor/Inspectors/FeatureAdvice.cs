@@ -180,9 +180,8 @@ namespace Penumbra.Editor
         {
             if (state.drawn.technique != state.asked.technique) return TechniqueName.Of(Computed(state));
             if (state.drawn.clouds != state.asked.clouds) return "the same without cloud shadows";
-            if (state.drawn.mapFormat != state.asked.mapFormat) return "the same with maps of 16 bits";
-            return state.drawn.conservativeMask != state.asked.conservativeMask
-                       ? "the same with the mask of four comparisons" : "the same without exits";
+            return state.drawn.mapFormat != state.asked.mapFormat
+                       ? "the same with maps of 16 bits" : "the same with the mask of four comparisons";
         }
 
         // On OpenGL, shaders compute another filter in the place of one that reads the shadow map: see DeviceLimits.IsOpenGl.

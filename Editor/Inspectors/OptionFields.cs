@@ -83,10 +83,6 @@ namespace Penumbra.Editor
             OptionTable.ConservativeMask.Tooltip,
             options => options.CanMaskConservatively, volume => volume.conservativeMask);
 
-        internal static readonly OptionField Exits = new OptionField(
-            nameof(ShadowOptions.exits), OptionTable.Exits.Label, OptionTable.Exits.Tooltip,
-            options => options.CanExit, volume => volume.exits);
-
         internal static readonly OptionField HalfResolution = new OptionField(
             nameof(ShadowOptions.halfResolution), OptionTable.HalfResolution.Label, OptionTable.HalfResolution.Tooltip,
             options => options.CanHalveResolution, volume => volume.halfResolution);
@@ -127,8 +123,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField[] All =
         {
             Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius, FilterCells,
-            SoftnessCap, MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, Exits, HalfResolution,
-            Denoise,
+            SoftnessCap, MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, HalfResolution, Denoise,
         };
     }
 }

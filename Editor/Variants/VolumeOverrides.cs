@@ -12,10 +12,10 @@ namespace Penumbra.Editor
     internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
     {
         private readonly (QualityPreset? preset, bool? hasWidth, ShadowTechnique? technique, bool? mask,
-            bool? conservativeMask, bool? exits, bool? halfResolution, bool? denoise, bool? contactShadows) values;
+            bool? conservativeMask, bool? halfResolution, bool? denoise, bool? contactShadows) values;
 
         private VolumeOverrides(
-            (QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?, bool?, bool?) values)
+            (QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?, bool?) values)
         {
             this.values = values;
         }
@@ -40,15 +40,14 @@ namespace Penumbra.Editor
 
         private static VolumeOverrides Of(PenumbraShadowsVolume volume, bool? hasWidth, bool? hasContactShadows) =>
             new VolumeOverrides((Value(volume.preset), hasWidth, Value(volume.technique), Value(volume.mask),
-                                 Value(volume.conservativeMask), Value(volume.exits), Value(volume.halfResolution),
-                                 Value(volume.denoise), hasContactShadows));
+                                 Value(volume.conservativeMask), Value(volume.halfResolution), Value(volume.denoise),
+                                 hasContactShadows));
 
         /// <summary>Both overrides combined; this one has priority.</summary>
         internal VolumeOverrides After(in VolumeOverrides earlier) =>
             new VolumeOverrides((values.preset ?? earlier.values.preset, values.hasWidth ?? earlier.values.hasWidth,
                                  values.technique ?? earlier.values.technique, values.mask ?? earlier.values.mask,
                                  values.conservativeMask ?? earlier.values.conservativeMask,
-                                 values.exits ?? earlier.values.exits,
                                  values.halfResolution ?? earlier.values.halfResolution,
                                  values.denoise ?? earlier.values.denoise,
                                  values.contactShadows ?? earlier.values.contactShadows));
@@ -62,7 +61,6 @@ namespace Penumbra.Editor
             Set(stack.technique, values.technique);
             Set(stack.mask, values.mask);
             Set(stack.conservativeMask, values.conservativeMask);
-            Set(stack.exits, values.exits);
             Set(stack.halfResolution, values.halfResolution);
             Set(stack.denoise, values.denoise);
             Set(stack.contactShadowMetres, values.contactShadows.HasValue

@@ -55,7 +55,6 @@ namespace Penumbra.Editor
             choices.angularDiameterDegrees = options.angularDiameterDegrees > 0.0f ? AngularDiameter.SunDegrees : 0.0f;
             choices.mask = options.mask;
             choices.conservativeMask = options.conservativeMask;
-            choices.exits = options.exits;
             choices.halfResolution = options.halfResolution;
             choices.denoise = options.denoise;
             choices.contactShadowMetres = options.HasContactShadows ? OptionTable.ContactShadowMetres.Max : 0.0f;

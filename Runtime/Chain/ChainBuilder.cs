@@ -101,6 +101,8 @@ namespace Penumbra
             {
                 pass = pass, reads = pass.reads.Select(Bound).ToArray(),
                 writes = pass.writes.Concat(pass.updates).Select(Bound).ToArray(),
+                absent = pass.absent.Select(Shader.PropertyToID).ToArray(),
+                absentSizes = pass.absent.Select(SizeProperty).ToArray(),
             };
             step.depth = Place(pass.depth, placed);
             if (pass.kind == PassKind.Compute)
@@ -122,9 +124,11 @@ namespace Penumbra
             bound.index = binding.isBuffer ? firstBuffer + binding.index : placed[binding.index];
             if (binding.property == null) return bound;
             bound.property = Shader.PropertyToID(binding.property);
-            if (!binding.isBuffer) bound.sizeProperty = Shader.PropertyToID(SizeName(binding.property));
+            if (!binding.isBuffer) bound.sizeProperty = SizeProperty(binding.property);
             return bound;
         }
+
+        private static int SizeProperty(string texture) => Shader.PropertyToID(SizeName(texture));
 
         // _PenumbraSourceSize for _PenumbraSourceTexture.
         private static string SizeName(string texture)

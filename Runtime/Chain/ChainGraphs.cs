@@ -15,8 +15,7 @@ namespace Penumbra
         private const int ContactShadows = 32;
         private const int Clouds = 64;
         private const int FarShadows = 128;  // times the mode
-        private const int Exits = 512;
-        private const int Bits = 10;
+        private const int Bits = 9;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -68,7 +67,7 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Append(PenumbraShadowsGraphs.Exits).Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
             .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
@@ -81,7 +80,6 @@ namespace Penumbra
             int bits = ScreenBits(options);
             TechniqueGraph screen = (bits & Conservative) == 0
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
-            if (options.HasExits) return new[] { PenumbraShadowsGraphs.Exits, screen };
             if (!options.HasPasses) return new[] { screen };
             TechniqueGraph own = options.OwnGraph;
             return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
@@ -91,7 +89,7 @@ namespace Penumbra
         internal static int Key(in ShadowOptions options) =>
             (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
             (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
-            FarShadows * (int)options.farShadows | (options.HasExits ? Exits : 0) | ScreenBits(options);
+            FarShadows * (int)options.farShadows | ScreenBits(options);
 
         // A filter without samples has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>

@@ -32,6 +32,10 @@ namespace Penumbra
         internal GraphPass pass;
         internal ChainBinding[] reads;
 
+        /// <summary>The properties of the pass's absent textures, and those that receive their sizes, which are 0.</summary>
+        internal int[] absent;
+        internal int[] absentSizes;
+
         /// <summary>The pass's writes, then its updates.</summary>
         internal ChainBinding[] writes;
 

@@ -18,22 +18,17 @@ namespace Penumbra
         internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
 
         /// <summary>
-        /// The options that need less of the device: the mask of four taps or no exits, then maps of 16 bits, then the
-        /// fallback of a technique with passes, then no clouds, then a tent in the place of a filter that needs shader target
-        /// 4.5. False if these options have none.
+        /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the fallback of a
+        /// technique with passes, then no clouds, then a tent in the place of a filter that needs shader target 4.5. False
+        /// if these options have none.
         /// </summary>
         internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
         {
             instead = options;
-            // Both have the same passes over the map.
-            if (options.MasksConservatively) instead.conservativeMask = instead.exits = false;
-            else if (options.HasExits) instead.exits = false;
+            if (options.MasksConservatively) instead.conservativeMask = false;
             else if (options.HasMapFormats && options.mapFormat == MapFormat.Bits32) instead.mapFormat = MapFormat.Bits16;
             else if (options.HasPasses && Has(options.technique))
-            {
                 instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
-                instead.exits = false;
-            }
             else if (options.clouds) instead.clouds = false;
             else if (options.technique.NeedsTarget45() && Has(options.technique))
                 instead.technique = TechniqueTable.Fallbacks[(int)options.technique];

@@ -31,10 +31,10 @@ namespace Penumbra
         internal static string Problem(in ShadowOptions options)
         {
             bool hasMaps = options.HasPasses && ChainSubstitute.Has(options.technique);
-            if (IsOpenGl && (options.MasksConservatively || options.HasExits || hasMaps))
+            if (IsOpenGl && (options.MasksConservatively || hasMaps))
                 return "OpenGL does not define how its passes read the shadow map";
-            bool needsTarget45 = options.HasExits || options.technique.NeedsTarget45();
-            return needsTarget45 && SystemInfo.graphicsShaderLevel < Level45 ? "it needs shader model 4.5" : null;
+            return options.technique.NeedsTarget45() && SystemInfo.graphicsShaderLevel < Level45
+                       ? "it needs shader model 4.5" : null;
         }
 
         /// <summary>Null if there is no problem.</summary>

@@ -69,7 +69,6 @@ namespace Penumbra
             drawn.technique = options.technique;
             drawn.mapFormat = options.mapFormat;
             drawn.conservativeMask = options.conservativeMask;
-            drawn.exits = options.exits;
             drawn.clouds = options.clouds;
             return drawn;
         }

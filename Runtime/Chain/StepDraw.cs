@@ -77,6 +77,13 @@ namespace Penumbra
                 commands.SetGlobalVector(step.reads[i].sizeProperty,
                                          TextureSize.Drawn(chain.Slots[step.reads[i].index], frame).At(level).Uniform);
             }
+            for (int i = 0; i < step.absentSizes.Length; ++i)
+            {
+                // Bound under its name is what an earlier pass or frame has left there, which may be this step's target:
+                // OpenGL and WebGL refuse such a draw, even if the program does not read it.
+                commands.SetGlobalTexture(step.absent[i], Texture2D.blackTexture);
+                commands.SetGlobalVector(step.absentSizes[i], Vector4.zero);
+            }
             int sized = step.threadsOf != ShadowChain.None ? step.threadsOf : step.Target;
             if (sized == ShadowChain.None) return;
             ChainTexture target = chain.Slots[sized];

@@ -163,17 +163,6 @@ namespace Penumbra
                 "For PCSS; not with OpenGL.";
         }
 
-        internal static class Exits
-        {
-            internal const string Label = "Exits";
-            internal const string Tooltip =
-                "Runs the filter only where planes around the shadow map's depths do not show that a pixel is " +
-                "wholly lit or dark. The picture should be the same; on one GPU, an NVIDIA H200, it was not, so " +
-                "compare (exits.md). It pays where the filter takes many samples. For filters that read the " +
-                "shadow map alone; not with Conservative Mask, which decides the same for blocks of pixels, nor " +
-                "with OpenGL.";
-        }
-
         internal static class HalfResolution
         {
             internal const string Label = "Half Resolution";

@@ -76,9 +76,6 @@ namespace Penumbra
         [Tooltip(OptionTable.ConservativeMask.Tooltip)]
         public BoolParameter conservativeMask = new BoolParameter(true);
 
-        [Tooltip(OptionTable.Exits.Tooltip)]
-        public BoolParameter exits = new BoolParameter(true);
-
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public BoolParameter halfResolution = new BoolParameter(false);
 
@@ -143,7 +140,6 @@ namespace Penumbra
             if (filterCells.overrideState) options.filterCells = filterCells.value;
             if (mask.overrideState) options.mask = mask.value;
             if (conservativeMask.overrideState) options.conservativeMask = conservativeMask.value;
-            if (exits.overrideState) options.exits = exits.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
             if (cascadeBlend.overrideState) options.cascadeBlend = cascadeBlend.value;

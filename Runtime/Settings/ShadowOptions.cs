@@ -93,13 +93,6 @@ namespace Penumbra
         [Tooltip(OptionTable.ConservativeMask.Tooltip)]
         public bool conservativeMask;
 
-        /// <summary>
-        /// The filter runs only where planes around the map's depths do not decide it, with the same picture; for
-        /// filters of the shadow map alone.
-        /// </summary>
-        [Tooltip(OptionTable.Exits.Tooltip)]
-        public bool exits;
-
         /// <summary>Filters a quarter of the pixels and reconstructs the rest along edges.</summary>
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public bool halfResolution;
@@ -157,7 +150,7 @@ namespace Penumbra
             mapFormat == other.mapFormat && rays == other.rays && samplesPerRay == other.samplesPerRay &&
             discRadiusMetres.Equals(other.discRadiusMetres) && filterCells == other.filterCells &&
             mask == other.mask && conservativeMask == other.conservativeMask &&
-            exits == other.exits && halfResolution == other.halfResolution && denoise == other.denoise &&
+            halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
             contactShadowSteps == other.contactShadowSteps && farShadows == other.farShadows &&
             clouds == other.clouds && debugView == other.debugView;
@@ -219,11 +212,6 @@ namespace Penumbra
         internal bool CanMaskConservatively => HasMask && technique == ShadowTechnique.Pcss;
 
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
-
-        /// <summary>The technique's filter has exits, and no conservative mask decides the same before it.</summary>
-        internal bool CanExit => technique.HasExits() && !MasksConservatively;
-
-        internal bool HasExits => exits && CanExit;
 
         internal bool HasContactShadows => contactShadowMetres > 0.0f;
 

@@ -195,13 +195,6 @@ namespace Penumbra
             true, true, true, true, false, false,
         };
 
-        private static readonly bool[] Exits =
-        {
-            true, true, true, true, true, true, false, false, false, false,
-            false, true, false, false, false, false, false, false, false, false,
-            true, true, true, true, false, false,
-        };
-
         private static readonly string[][] Options =
         {
             new string[0],
@@ -959,9 +952,6 @@ namespace Penumbra
 
         /// <summary>The filter biases receivers itself: the light's own biases should be 0.</summary>
         internal static bool HasOwnBias(this ShadowTechnique technique) => Biased[(int)technique];
-
-        /// <summary>Exits can stand before the filter, one of the shadow map alone that says what it reads.</summary>
-        internal static bool HasExits(this ShadowTechnique technique) => Exits[(int)technique];
 
         /// <summary>Gives the technique's own options the values that it is measured with.</summary>
         internal static void SetMeasured(this ShadowTechnique technique, ref ShadowOptions options) =>

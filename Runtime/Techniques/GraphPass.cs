@@ -43,6 +43,12 @@ namespace Penumbra
         internal PassFrequency runs = PassFrequency.Frame;
         internal GraphBinding[] reads = Array.Empty<GraphBinding>();
 
+        /// <summary>
+        /// Textures that its program declares and this pass does not bind: their sizes are 0, by which the program knows
+        /// that it has none.
+        /// </summary>
+        internal string[] absent = Array.Empty<string>();
+
         /// <summary>In the order of its render targets, for a pass that draws.</summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
 

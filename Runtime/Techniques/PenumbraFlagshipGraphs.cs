@@ -194,12 +194,12 @@ namespace Penumbra
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 4) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(5) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_HALF_RESOLUTION" },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0), GraphBinding.Texture("_PenumbraDepthSpreadsTexture", 1), GraphBinding.Texture("_PenumbraCoarsePlanesTexture", 2), GraphBinding.Texture("_PenumbraCoarseSpreadsTexture", 3) },
             visibility = 5,
         };

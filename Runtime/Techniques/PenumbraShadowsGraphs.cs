@@ -20,42 +20,11 @@ namespace Penumbra
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
+                    absent = new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(0) },
                 },
             },
             visibility = 0,
-        };
-
-        internal static readonly TechniqueGraph Exits = new TechniqueGraph
-        {
-            name = "exits",
-            textures = new[]
-            {
-                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
-            },
-            passes = new[]
-            {
-                new GraphPass
-                {
-                    kind = PassKind.Raster,
-                    asset = "Shaders/PenumbraMaps.shader",
-                    program = "QuarterDepthPlanes",
-                    runs = PassFrequency.Cascade,
-                    writes = new[] { GraphBinding.Texture(0) },
-                },
-                new GraphPass
-                {
-                    kind = PassKind.Raster,
-                    asset = "Shaders/PenumbraMaps.shader",
-                    program = "DepthPlanesMip",
-                    runs = PassFrequency.Cascade,
-                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
-                    writes = new[] { GraphBinding.Texture(0) },
-                    eachMip = true,
-                },
-            },
-            keywords = new[] { "_PENUMBRA_EXITS" },
-            filterTextures = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
         };
 
         internal static readonly TechniqueGraph TentMasked = new TechniqueGraph
@@ -99,10 +68,10 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 2) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 3,
             mask = 2,
         };
@@ -121,6 +90,7 @@ namespace Penumbra
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
+                    absent = new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(0) },
                 },
             },
@@ -168,10 +138,10 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 2) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 3,
             mask = 2,
         };
@@ -219,10 +189,10 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(2) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 2,
             mask = 1,
         };
@@ -243,6 +213,7 @@ namespace Penumbra
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
+                    absent = new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(0) },
                 },
                 new GraphPass
@@ -308,6 +279,7 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 2) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
                 new GraphPass
@@ -327,7 +299,6 @@ namespace Penumbra
                     writes = new[] { GraphBinding.Texture(5) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 5,
             mask = 2,
         };
@@ -377,6 +348,7 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(2) },
                 },
                 new GraphPass
@@ -396,7 +368,6 @@ namespace Penumbra
                     writes = new[] { GraphBinding.Texture(4) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 4,
             mask = 1,
         };
@@ -416,14 +387,16 @@ namespace Penumbra
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
+                    absent = new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(0) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(1) },
                 },
             },
@@ -447,14 +420,16 @@ namespace Penumbra
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
+                    absent = new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 3) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(0) },
                 },
                 new GraphPass
@@ -519,18 +494,19 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 2) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 3) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(4) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 4,
             mask = 2,
         };
@@ -579,18 +555,19 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(2) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 2) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 3,
             mask = 1,
         };
@@ -639,14 +616,16 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 2) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(6) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 6) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(3) },
                 },
                 new GraphPass
@@ -666,7 +645,6 @@ namespace Penumbra
                     writes = new[] { GraphBinding.Texture(5) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 5,
             mask = 2,
         };
@@ -717,14 +695,16 @@ namespace Penumbra
                     asset = "Shaders/PenumbraShadows.shader",
                     program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    absent = new[] { "_PenumbraSourceTexture" },
                     writes = new[] { GraphBinding.Texture(5) },
                 },
                 new GraphPass
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraShadows.shader",
-                    program = "Upsample",
+                    program = "Resolve",
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 5) },
+                    absent = new[] { "_PenumbraMaskTexture" },
                     writes = new[] { GraphBinding.Texture(2) },
                 },
                 new GraphPass
@@ -744,7 +724,6 @@ namespace Penumbra
                     writes = new[] { GraphBinding.Texture(4) },
                 },
             },
-            keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 4,
             mask = 1,
         };

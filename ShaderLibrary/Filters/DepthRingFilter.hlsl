@@ -3,7 +3,7 @@
 // Computes:   whether the planes of the blocks around the receiver show that PCSS by angular diameter is 1 or 0 there; else the
 //             visibility of a disc light, from every texel near the receiver and larger cells farther away.
 // Source:     Penumbra's own: what Shaders/PenumbraFlagship.compute does for tiles of pixels, for a receiver alone.
-//             DepthRingSums.hlsl; FilterExits.hlsl.
+//             DepthRingSums.hlsl; DepthRingDecision.hlsl.
 // Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes and depthSpreads of blocks of 4 x 4
 //             texels, and coarsePlanes and coarseSpreads of 8 x 8 texels, with mip levels: of the passes QuarterDepthBlocks,
 //             EighthDepthBlocks and DepthBlocksMip, or of the flagship's kernels FirstLevels and NextLevel.
@@ -17,31 +17,8 @@
 #define PENUMBRA_DEPTH_RING_FILTER_HLSL
 
 #include "../Core/FastLoop.hlsl"
+#include "DepthRingDecision.hlsl"
 #include "DepthRingSums.hlsl"
-#include "PcssAngularExits.hlsl"
-
-// Each radius is that of the blockers which the blocks within the one before allow. Fetches per pixel of two scenes under a
-// light of 2 degrees, without the passes over the map, with 1, 2, 3 and 4: 57, 47, 47 and 47; under 5 degrees 103, 100, 95 and 95.
-static const int kMostRingRadii = 3;
-// A radius that shrinks by less is not tried again.
-static const float kRingRadiusShrinks = 0.75;
-static const float kSmallestRingRadius = 2.0;
-
-struct RingDecision
-{
-    float visibility; // or kUndecided
-    float radius;     // texels: no blocker's penumbra is wider
-};
-
-// Of a block of the level; its first level is a texture of its own.
-DepthPlanes PlanesOfLevel(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), int2 block, int level)
-{
-    float4 planes;
-    UNITY_BRANCH
-    if (level == 0) planes = LOAD_TEXTURE2D(depthPlanes, block);
-    else planes = LOAD_TEXTURE2D_LOD(coarsePlanes, block, level - 1);
-    return UnpackPlanes(planes);
-}
 
 // Of the four cells of a level of which block is one of the level above. level: 1 or more.
 uint4 SpreadsOfLevel(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), int2 block, int level)
@@ -51,43 +28,6 @@ uint4 SpreadsOfLevel(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4
     if (level == 1) spreads = LOAD_TEXTURE2D(depthSpreads, block);
     else spreads = LOAD_TEXTURE2D_LOD(coarseSpreads, block, level - 2);
     return spreads;
-}
-
-// As BoundExits.
-ExitBounds BoundRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach reach, float radius)
-{
-    const ExitBlocks blocks = ExitBlocksWithin(radius, reach);
-    ExitBounds bounds = BoundsOfNoBlock(blocks, reach);
-    int2 texel = blocks.disc.low;
-    PENUMBRA_LOOP
-    while (HoldsBlock(texel, blocks.disc))
-    {
-        const DepthPlanes planes = PlanesOfLevel(depthPlanes, coarsePlanes, texel, blocks.disc.level);
-        bounds = AddExitBlock(bounds, planes, texel, radius, blocks, reach);
-        texel = NextBlock(texel, blocks.disc);
-    }
-    return bounds;
-}
-
-RingDecision DecideRings(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), ExitReach reach, ConeScales scales)
-{
-    RingDecision decision;
-    decision.visibility = kUndecided;
-    const float narrowest = max(reach.smallestRadius, kSmallestRingRadius);
-    decision.radius = max(reach.largestRadius, narrowest);
-    PENUMBRA_LOOP
-    for (int i = 0; i < kMostRingRadii; ++i)
-    {
-        const ExitBounds bounds = BoundRings(depthPlanes, coarsePlanes, reach, decision.radius + kSampleReachTexels);
-        if (!bounds.whole) break;
-        if (bounds.noneBlocks) decision.visibility = 1.0;
-        else if (bounds.allBlock && bounds.smallestGap > reach.darkShare * bounds.largestGap) decision.visibility = 0.0;
-        if (decision.visibility >= 0.0) break;
-        const float before = decision.radius;
-        decision.radius = max(min(PenumbraRadius(bounds.largestGap, scales), before), narrowest);
-        if (decision.radius > kRingRadiusShrinks * before) break;
-    }
-    return decision;
 }
 
 // Four texels from the first on, row by row.
@@ -235,12 +175,11 @@ float FilterDepthRings(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAM
                        TYPED_TEXTURE2D(uint4, depthSpreads), TEXTURE2D(coarsePlanes), TYPED_TEXTURE2D(uint4, coarseSpreads),
                        ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
 {
-    const ExitReach reach = ReachOfPcssAngular(receiver, tile, parameters);
-    const ConeScales scales = ConeScalesOf(tile);
-    const RingDecision decision = DecideRings(depthPlanes, coarsePlanes, reach, scales);
+    const RingReach reach = RingReachOf(receiver, tile, parameters);
+    const RingDecision decision = DecideRings(depthPlanes, coarsePlanes, reach);
     if (decision.visibility >= 0.0) return decision.visibility;
     return RingVisibility(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads,
-                          min(decision.radius, scales.largestRadius), reach.receiver, scales);
+                          min(decision.radius, reach.cone.scales.largestRadius), reach.receiver, reach.cone.scales);
 }
 
 #endif

@@ -37,11 +37,8 @@
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
 //             these passes, while the feature's technique is the keyword's or one that publishes the same maps.
-//             _PENUMBRA_EXITS: where PENUMBRA_USES_EXITS is defined then, DecideByKeyword says what the planes of the
-//             map decide of the filter. The same holds for their texture. Without effect on filters that read maps,
-//             and where raw depths cannot be read.
-// Cost:       the technique's fetches; with exits up to 9 more, up to 18 of filters with a search.
-// Guarantees: [0, 1]. Only the file of the selected filter is included, and that of its exits. Exits change no bit.
+// Cost:       the technique's fetches.
+// Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
 #ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
@@ -70,31 +67,23 @@
 #define PENUMBRA_USES_TENT_7X7
 #elif defined(_PENUMBRA_HARD)
 #define PENUMBRA_USES_HARD
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_BILINEAR)
 #define PENUMBRA_USES_BILINEAR
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_FOUR_TAP)
 #define PENUMBRA_USES_FOUR_TAP
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_TENT_3X3)
 #define PENUMBRA_USES_TENT_3X3
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_TENT_7X7)
 #define PENUMBRA_USES_TENT_7X7
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_PCSS_POISSON)
 #define PENUMBRA_USES_PCSS_POISSON
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_PCSS)
 #define PENUMBRA_USES_PCSS
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_PCSS_HDRP)
 #define PENUMBRA_USES_PCSS_HDRP
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_VSM)
 #define PENUMBRA_USES_VSM
 #define PENUMBRA_READS_MAPS
@@ -113,23 +102,18 @@
 #elif defined(_PENUMBRA_SMRT)
 #define PENUMBRA_USES_SMRT
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_PCSS_GODOT)
 #define PENUMBRA_USES_PCSS_GODOT
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_DPCF_FILAMENT)
 #define PENUMBRA_USES_DPCF_FILAMENT
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_PCSS_FILAMENT)
 #define PENUMBRA_USES_PCSS_FILAMENT
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_SINGLE_LOOP)
 #define PENUMBRA_USES_SINGLE_LOOP
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_HAS_EXITS
 #elif defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX)
 #define PENUMBRA_USES_SINGLE_LOOP_MIN_MAX
 #define PENUMBRA_READS_RAW_DEPTH
@@ -160,14 +144,6 @@
 #elif defined(_PENUMBRA_FLAGSHIP_PIXEL)
 #define PENUMBRA_USES_FLAGSHIP_PIXEL
 #define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_READS_MAPS
-#else
-#define PENUMBRA_HAS_EXITS
-#endif
-
-// Before the filter, with the planes that the renderer feature's passes make and bind while its option Exits is on.
-#if defined(_PENUMBRA_EXITS) && defined(PENUMBRA_HAS_EXITS) && !defined(PENUMBRA_WITHOUT_GATHER)
-#define PENUMBRA_USES_EXITS
 #define PENUMBRA_READS_MAPS
 #endif
 
@@ -234,38 +210,6 @@
 #include "../Filters/TentPcf.hlsl"
 #endif
 
-#if defined(PENUMBRA_USES_EXITS)
-#if defined(PENUMBRA_USES_HARD)
-#include "../Filters/KernelExits.hlsl"
-#elif defined(PENUMBRA_USES_BILINEAR)
-#include "../Filters/KernelExits.hlsl"
-#elif defined(PENUMBRA_USES_FOUR_TAP)
-#include "../Filters/KernelExits.hlsl"
-#elif defined(PENUMBRA_USES_TENT_3X3)
-#include "../Filters/KernelExits.hlsl"
-#elif defined(PENUMBRA_USES_TENT_7X7)
-#include "../Filters/KernelExits.hlsl"
-#elif defined(PENUMBRA_USES_PCSS_POISSON)
-#include "../Filters/PcssExits.hlsl"
-#elif defined(PENUMBRA_USES_PCSS)
-#include "../Filters/PcssExits.hlsl"
-#elif defined(PENUMBRA_USES_PCSS_HDRP)
-#include "../Filters/PcssExits.hlsl"
-#elif defined(PENUMBRA_USES_SMRT)
-#include "../Filters/PeerExits.hlsl"
-#elif defined(PENUMBRA_USES_PCSS_GODOT)
-#include "../Filters/PeerExits.hlsl"
-#elif defined(PENUMBRA_USES_DPCF_FILAMENT)
-#include "../Filters/PeerExits.hlsl"
-#elif defined(PENUMBRA_USES_PCSS_FILAMENT)
-#include "../Filters/PeerExits.hlsl"
-#elif defined(PENUMBRA_USES_SINGLE_LOOP)
-#include "../Filters/PcssExits.hlsl"
-#else
-#include "../Filters/KernelExits.hlsl"
-#endif
-#endif
-
 #if defined(PENUMBRA_USES_VSM)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
@@ -304,10 +248,6 @@ TEXTURE2D(_PenumbraDepthPlanesTexture);
 TYPED_TEXTURE2D(uint4, _PenumbraDepthSpreadsTexture);
 TEXTURE2D(_PenumbraCoarsePlanesTexture);
 TYPED_TEXTURE2D(uint4, _PenumbraCoarseSpreadsTexture);
-#endif
-
-#if defined(PENUMBRA_USES_EXITS)
-TEXTURE2D(_PenumbraDepthPlanesTexture);
 #endif
 
 #include "../Filters/PcssClassicParameters.hlsl"
@@ -428,42 +368,6 @@ MssmParameters PenumbraMssm()
 {
     return UnpackMssmParameters(_PenumbraMssmParameters0, _PenumbraMssmParameters1);
 }
-
-#if defined(PENUMBRA_USES_EXITS)
-// What the filter would give, 1 or 0, or kUndecided.
-float DecideByKeyword(ShadowReceiver receiver, ShadowTile tile)
-{
-#if defined(PENUMBRA_USES_HARD)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfOneTap(receiver, tile));
-#elif defined(PENUMBRA_USES_BILINEAR)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfOneTap(receiver, tile));
-#elif defined(PENUMBRA_USES_FOUR_TAP)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfFourTapPlane(receiver, tile));
-#elif defined(PENUMBRA_USES_TENT_3X3)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfTent3x3Plane(receiver, tile));
-#elif defined(PENUMBRA_USES_TENT_7X7)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfTent7x7Plane(receiver, tile));
-#elif defined(PENUMBRA_USES_PCSS_POISSON)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfPcssClassic(receiver, tile, PenumbraPcssClassic()));
-#elif defined(PENUMBRA_USES_PCSS)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfPcssAngular(receiver, tile, PenumbraPcssAngular()));
-#elif defined(PENUMBRA_USES_PCSS_HDRP)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfPcssHdrp(receiver, tile, PenumbraPcssHdrp()));
-#elif defined(PENUMBRA_USES_SMRT)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfUnrealSmrt(receiver, tile, PenumbraUnrealSmrt()));
-#elif defined(PENUMBRA_USES_PCSS_GODOT)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfGodotPcss(receiver, tile, PenumbraGodotPcss()));
-#elif defined(PENUMBRA_USES_DPCF_FILAMENT)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfFilamentDpcf(receiver, tile, PenumbraFilament()));
-#elif defined(PENUMBRA_USES_PCSS_FILAMENT)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfFilamentPcss(receiver, tile, PenumbraFilament()));
-#elif defined(PENUMBRA_USES_SINGLE_LOOP)
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfSingleLoop(receiver, tile, PenumbraSingleLoop()));
-#else
-    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfTent5x5Plane(receiver, tile));
-#endif
-}
-#endif
 
 float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                       ShadowReceiver receiver, ShadowTile tile, int cascade)

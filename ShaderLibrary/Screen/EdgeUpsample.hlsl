@@ -90,7 +90,7 @@ float UpsampleOverPlane(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, CameraS
     float weights = 0.0;
     float lowest = 1.0;
     float highest = 0.0;
-    UNITY_UNROLL
+    UNITY_LOOP
     for (int i = 0; i < 4; ++i)
     {
         if (!HasTap(taps, i)) continue;

@@ -54,16 +54,8 @@ TEST(StaticCycles, AddThePassesOverTheMap) {
 
 TEST(StaticCycles, KnowEveryTechnique) {
   const techniques::TechniqueList list = techniques::read_technique_list(kRoot);
-  for (const auto* techniques : {&list.techniques, &list.with_exits})
-    for (const techniques::Technique& technique : *techniques)
-      EXPECT_TRUE(facts().techniques.at(technique.name).cycles) << technique.name;
-}
-
-TEST(StaticCycles, OfExitsAddThePassesThatMakeThePlanes) {
-  EXPECT_EQ(of("tent-5-exits").visibility, row("tent-5-exits", "Fragment"));
-  EXPECT_GT(of("tent-5-exits").visibility, of("tent-5").visibility);
-  EXPECT_EQ(of("tent-5-exits").others,
-            row("tent-5-exits", "QuarterDepthPlanes") + row("tent-5-exits", "DepthPlanesMip"));
+  for (const techniques::Technique& technique : list.techniques)
+    EXPECT_TRUE(facts().techniques.at(technique.name).cycles) << technique.name;
 }
 
 TEST(StaticCycles, AreOfTheFamilyThatThereIs) {

@@ -81,32 +81,6 @@ TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
   EXPECT_EQ(scenes.size(), scene::scene_names().size());
 }
 
-TEST_F(TechniqueListCommand, ExitsThatChangeThePictureAreFindings) {
-  const auto measure = [](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(),
-                     {"measure", "--scene", "trees", "--light", "2", "--map-size", "512", "--size", "64x36",
-                      "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-    return run(std::move(arguments));
-  };
-  const auto wrong = measure({"--technique-list", added("FarTap"), "--technique", "far-tap,far-tap-exits"});
-  EXPECT_EQ(wrong.exit_code, 1) << wrong.errors;
-  EXPECT_THAT(wrong.errors,
-              AllOf(HasSubstr("far-tap-exits: "), HasSubstr("(scene trees, light 2°, device "),
-                    HasSubstr("exits must not change the picture"), HasSubstr("use far-tap there")));
-  EXPECT_EQ(nlohmann::json::parse(wrong.output).at("records").size(), 2U) << "nothing is lost";
-  const std::filesystem::path kept = std::filesystem::path(testing::TempDir()) / "differing-exits.json";
-  std::ofstream(kept) << wrong.output;
-  EXPECT_EQ(run({"measure", "--from", kept.string()}).exit_code, 1);
-
-  const auto named_by_settings = measure({"--technique-list", added("FarTap"), "--technique",
-                                          "far-tap,far-tap-exits", "--light-fit", "sphere,casters"});
-  EXPECT_EQ(named_by_settings.exit_code, 1) << named_by_settings.errors;
-
-  const auto right =
-      measure({"--technique", "tent-5,tent-5-exits,pcss-angular-24-16,pcss-angular-24-16-exits"});
-  EXPECT_EQ(right.exit_code, 0) << right.errors;
-}
-
 TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFirstPicture) {
   const auto refused =
       run({"measure", "--technique", "tent-5,flagship", "--scene", "trees", "--map-size", "200"});

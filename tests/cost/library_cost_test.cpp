@@ -28,10 +28,9 @@ CostRequest library_request() {
 }
 
 void keep(CostRequest& request, const std::vector<std::string>& names) {
-  for (auto* techniques : {&request.techniques->techniques, &request.techniques->with_exits})
-    std::erase_if(*techniques, [&names](const techniques::Technique& technique) {
-      return std::find(names.begin(), names.end(), technique.name) == names.end();
-    });
+  std::erase_if(request.techniques->techniques, [&names](const techniques::Technique& technique) {
+    return std::find(names.begin(), names.end(), technique.name) == names.end();
+  });
 }
 
 const Figures& figures_of_technique(const CostReport& report, const std::string& technique) {

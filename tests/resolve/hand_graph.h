@@ -35,9 +35,15 @@ inline ShadowGraph hand_graph(const std::vector<HandPass>& passes, bool reversed
     pass.kind = techniques::PassKind::raster;
     pass.file = "Shaders/PenumbraShadows.shader";
     pass.writes = {{"", texture_of(i)}};
-    if (passes[i].reads_previous) pass.reads.emplace_back("_PenumbraSourceTexture", texture_of(i - 1));
-    if (mask >= 0 && passes[i].program == "Resolve")
+    const bool resolves = passes[i].program == "Resolve";
+    if (passes[i].reads_previous)
+      pass.reads.emplace_back("_PenumbraSourceTexture", texture_of(i - 1));
+    else if (resolves)
+      pass.absent.emplace_back("_PenumbraSourceTexture");
+    if (mask >= 0 && resolves)
       pass.reads.emplace_back("_PenumbraMaskTexture", texture_of(static_cast<std::size_t>(mask)));
+    else if (resolves)
+      pass.absent.emplace_back("_PenumbraMaskTexture");
     made.graph.passes.push_back(pass);
   }
   made.graph.visibility = texture_of(passes.size() - 1);

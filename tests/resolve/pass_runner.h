@@ -83,6 +83,7 @@ class PassRunner {
     values.set("_PenumbraScreenSize", size_vector(depth.width, depth.height));
     values.set("_PenumbraTargetSize", size_vector(width, height));
     values.set("_PenumbraSourceSize", size_vector(source.width, source.height));
+    values.set("_PenumbraMaskSize", glm::vec4(0.0f));
     values.merge(more);
     const gpu::Image depth_image = uploaded(depth);
     const gpu::Image source_image = uploaded(source);
@@ -91,6 +92,7 @@ class PassRunner {
     const gpu::Image shadow_map(test_device(), gpu::Format::depth32, 1, 1);
     resources.images = {{"_CameraDepthTexture", {&depth_image}},
                         {"_PenumbraSourceTexture", {&source_image}},
+                        {"_PenumbraMaskTexture", {&source_image}},  // absent: _PenumbraMaskSize is 0
                         {"_MainLightShadowmapTexture", {&shadow_map}}};
     const gpu::Sampler compare(test_device(), gpu::SamplerKind::compare_greater_equal);
     resources.samplers = {{"sampler_PenumbraLinearClampCompare", &compare}};

@@ -67,7 +67,7 @@ class Upsample : public testing::Test {
  protected:
   static PassRunner& pass() {
     static KeptOnDevice<std::optional<PassRunner>> runner;
-    return *runner ? **runner : runner->emplace("Upsample");
+    return *runner ? **runner : runner->emplace("Resolve");
   }
   static PassAnswer run(const HandImage& depth, const HandImage& halved) {
     return pass().run(depth, halved, depth.width, depth.height);

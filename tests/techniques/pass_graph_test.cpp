@@ -225,6 +225,20 @@ TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
       HasSubstr("'Columns' runs for each mip level of 'blurred'"));
 }
 
+TEST_F(PassGraphTest, AnAbsentTextureIsWhatTheProgramCallsOneThatThePassDoesNotRead) {
+  const std::string reads = R"("reads": {"_Source": "before"}, "writes")";
+  const auto with = [](const std::string& absent) {
+    return R"("reads": {"_Source": "before"}, "absent": [)" + absent + R"(], "writes")";
+  };
+  std::string text = darker();
+  const TechniqueList list = read_technique_list(
+      files_.write("t.technique.json", text.replace(text.find(reads), reads.size(), with(R"("_Other")"))));
+  EXPECT_THAT(list.find("both").graph.passes.back().absent, ElementsAre("_Other"));
+  EXPECT_THAT(problem(darker(), reads, with(R"("_Source")")),
+              AllOf(HasSubstr("t.technique.json:"), HasSubstr("the pass reads '_Source'")));
+  EXPECT_THAT(problem(darker(), reads, with(R"("2 = x")")), HasSubstr("'2 = x' is no identifier"));
+}
+
 // "Blank" fills the visibility, "Shade" changes it, and "Darken" reads what both have made.
 TEST_F(PassGraphTest, AKernelUpdatesWhatAnotherPassHasWritten) {
   std::string text = kTiles;
@@ -482,7 +496,9 @@ TEST(LibraryGraphs, OfTheLibraryAreThoseThatWereMeasured) {
                                  "Upsample", "DenoiseHorizontal", "DenoiseVertical"));
   EXPECT_EQ(graph.mask, "mask");
   EXPECT_EQ(graph.visibility, "visibility");
-  EXPECT_THAT(graph.keywords, ElementsAre("_PENUMBRA_MASK"));
+  EXPECT_EQ(graph.passes[4].program, "Resolve") << "one program filters and upsamples";
+  EXPECT_THAT(graph.passes[3].absent, ElementsAre("_PenumbraSourceTexture"));
+  EXPECT_THAT(graph.passes[4].absent, ElementsAre("_PenumbraMaskTexture"));
 }
 
 }  // namespace

@@ -95,38 +95,6 @@ TEST_F(SelectionTest, IsEmittedAsTheLadderOfKeywords) {
                         "receiver, tile);\n#endif\n"));
 }
 
-TEST_F(SelectionTest, ExitsStandBeforeFiltersThatSayWhatTheyRead) {
-  EXPECT_THAT(emit_keywords_hlsl(read(ring_manifest)), Not(HasSubstr("HAS_EXITS")));
-  std::string text = with(R"("parameters": "RingParameters"}}])",
-                          R"("parameters": "RingParameters",
-                "exits": {"file": "Ring.hlsl", "function": "ReachOfRing"}}}])");
-  const TechniqueList list = read(text);
-  EXPECT_TRUE(list.selections[2].has_exits());
-  EXPECT_FALSE(list.selections[0].has_exits());
-  const std::string hlsl = emit_keywords_hlsl(list);
-  EXPECT_THAT(hlsl, HasSubstr("#define PENUMBRA_USES_RING\n#define PENUMBRA_READS_RAW_DEPTH\n"
-                              "#define PENUMBRA_HAS_EXITS\n#endif\n"));
-  EXPECT_THAT(hlsl, HasSubstr("#if defined(_PENUMBRA_EXITS) && defined(PENUMBRA_HAS_EXITS) && "
-                              "!defined(PENUMBRA_WITHOUT_GATHER)\n"
-                              "#define PENUMBRA_USES_EXITS\n#define PENUMBRA_READS_MAPS\n#endif\n"));
-  EXPECT_THAT(hlsl, HasSubstr("#if defined(PENUMBRA_USES_RING)\n    return "
-                              "DecideExits(_PenumbraDepthPlanesTexture, ReachOfRing(receiver, tile, "
-                              "PenumbraRing()));\n#endif\n}\n"));
-  text = text.replace(text.find(R"("fallback": "Wide")"), 18, R"("fallback": "Plain")");
-  EXPECT_THAT(emit_selections_csharp(read(text)),
-              HasSubstr("Exits =\n        {\n            true, false,\n        };\n"));
-}
-
-TEST_F(SelectionTest, ExitsOfTheFilterWithoutAKeywordAreThoseOfNone) {
-  const std::string hlsl = emit_keywords_hlsl(read(
-      with(R"("function": "FilterPlain"})",
-           R"("function": "FilterPlain", "exits": {"file": "Ring.hlsl", "function": "ReachOfPlain"}})")));
-  EXPECT_THAT(hlsl, HasSubstr("#else\n#define PENUMBRA_HAS_EXITS\n#endif\n"));
-  EXPECT_THAT(
-      hlsl,
-      HasSubstr("    return DecideExits(_PenumbraDepthPlanesTexture, ReachOfPlain(receiver, tile));\n"));
-}
-
 TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
   const std::string graph = R"("graphs": [{"name": "rings",
     "textures": [{"name": "nearestOfAllTexels", "extent": "map", "format": "rgba32f"},

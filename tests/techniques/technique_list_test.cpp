@@ -206,10 +206,6 @@ TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
 
 TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
-  EXPECT_THAT(
-      problem("\"name\": \"box-3\"", "\"name\": \"box-3-exits\""),
-      AllOf(HasSubstr("box.technique.json:"), HasSubstr("'box-3-exits' is what a technique with exits"),
-            HasSubstr("does not end with \"-exits\"")));
   EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
               AllOf(HasSubstr("box.technique.json:13:35: "), HasSubstr("unknown key 'targets_absnt'"),
                     HasSubstr("did you mean 'targets_absent'?")));
@@ -368,68 +364,6 @@ constexpr const char* by_cascade = R"({
      "cascades": [{"from": 1, "values": {"taps": 5}}, {"from": 3, "technique": "plain"}]}
   ]
 })";
-
-TEST_F(TechniqueListTest, AFilterThatSaysWhatItReadsHasExits) {
-  const std::string text =
-      with(R"("function": "FilterBox",)",
-           R"("function": "FilterBox", "exits": {"file": "Box.hlsl", "function": "ReachOfBox"},)");
-  const TechniqueList list = read(text);
-  ASSERT_EQ(list.techniques.size(), 1U);
-  ASSERT_EQ(list.with_exits.size(), 1U);
-  const Technique& exits = list.find("box-3-exits");
-  EXPECT_EQ(exits.title, "Box, exits");
-  EXPECT_EQ(exits.values, list.techniques[0].values);
-  ASSERT_EQ(exits.graph.passes.size(), 3U);
-  EXPECT_EQ(graph_problem(exits.graph), std::nullopt);
-  const TechniqueCall call = emit_technique_call(list, exits);
-  EXPECT_THAT(call.declarations, HasSubstr("TEXTURE2D(_PenumbraDepthPlanesTexture);"));
-  EXPECT_THAT(
-      call.function,
-      AllOf(HasSubstr(
-                "DecideExits(_PenumbraDepthPlanesTexture, ReachOfBox(receiver, tile, UnpackBoxParameters("),
-            HasSubstr("if (decided >= 0.0) return decided;"),
-            HasSubstr("return FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), "
-                      "sampler_PointClamp, receiver, tile, ")));
-  EXPECT_EQ(emit_technique_call(list, list.techniques[0]).function.find("DecideExits"), std::string::npos);
-}
-
-TEST_F(TechniqueListTest, AGraphsFilterThatTakesThePlanesRunsBehindExits) {
-  files_.write("Maps.shader", "// maps\n");
-  const auto graphs = [](const std::string& filter) {
-    return R"("graphs": [{"name": "exits", "keywords": ["_PENUMBRA_EXITS"],
-    "textures": [{"name": "depthPlanes", "extent": "map", "format": "rgba32f"}],
-    "passes": [{"name": "Planes", "kind": "raster", "shader": "Maps.shader", "runs": "cascade",
-                "writes": ["depthPlanes"]},
-               {"name": "filter", "kind": "filter", "filter": {"file": "Box.hlsl", "function": "FilterBox",
-                "arguments": ["shadowMap", "depthPlanes"])" +
-           filter + R"(}}]}], "techniques")";
-  };
-  const std::string reach = R"(, "exits": {"file": "Box.hlsl", "function": "ReachOfBox"})";
-  EXPECT_TRUE(read(with(R"("techniques")", graphs(reach))).graphs.at(0).graph.filter()->exits);
-  EXPECT_FALSE(read(with(R"("techniques")", graphs(""))).graphs.at(0).graph.filter()->exits);
-}
-
-TEST_F(TechniqueListTest, ATechniqueSaysWhyItHasNoExits) {
-  const std::string why = with(R"("title": "Box",)", R"("title": "Box", "no_exits": "It is a box.",)");
-  const TechniqueList list = read(why);
-  EXPECT_TRUE(list.with_exits.empty());
-  EXPECT_EQ(list.techniques[0].no_exits, "It is a box.");
-  try {
-    (void)list.find("box-3-exits");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("'box-3' has no exits: It is a box."));
-  }
-  const auto with_exits = [](std::string text) {
-    const std::string key = R"("function": "FilterBox",)";
-    return text.insert(text.find(key), R"("exits": {"file": "Box.hlsl", "function": "ReachOfBox"}, )");
-  };
-  EXPECT_THAT(refusal_of(with_exits(why)), HasSubstr("says why it has no exits, and its filter has them"));
-  EXPECT_THAT(refusal_of(with_exits(
-                  with(R"("keywords": ["_WIDE"],)",
-                       R"("keywords": ["_WIDE"], "cascades": [{"from": 1, "values": {"taps": 5}}],)"))),
-              HasSubstr("has passes or rules for cascades"));
-}
 
 TEST_F(TechniqueListTest, ATechniqueMayDifferFromACascadeOn) {
   const TechniqueList list = read(by_cascade);

@@ -15,8 +15,7 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes:\n"
     "  0    success\n"
-    "  1    findings: a variant fails, a figure is worse than its baseline, results are invalid, "
-    "exits change them\n"
+    "  1    findings: a variant fails, a figure is worse than its baseline, results are invalid\n"
     "  2    usage or input error: correct the command line or the file\n"
     "  3    environment error: no Vulkan device, a missing package, too little memory\n"
     "  70   a bug in penumbra; please report it\n"

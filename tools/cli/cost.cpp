@@ -91,7 +91,6 @@ void add_techniques(const CostOptions& options, cost::CostRequest& request) {
   for (const std::string& name : each_once(options.techniques))
     chosen.push_back(request.techniques->find(name));
   request.techniques->techniques = std::move(chosen);
-  request.techniques->with_exits.clear();
 }
 
 cost::CostRequest make_request(const CostOptions& options) {

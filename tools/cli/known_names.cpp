@@ -41,11 +41,8 @@ std::vector<KnownName> scenes() {
 std::vector<KnownName> techniques() {
   std::vector<KnownName> names;
   const techniques::TechniqueList list = techniques::read_own_techniques();
-  for (const techniques::Technique& technique : list.techniques) {
+  for (const techniques::Technique& technique : list.techniques)
     names.push_back({technique.name, technique.title});
-    for (const techniques::Technique& exits : list.with_exits)
-      if (exits.name == technique.name + techniques::exits_ending) names.push_back({exits.name, exits.title});
-  }
   return names;
 }
 

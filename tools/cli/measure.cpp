@@ -294,7 +294,6 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
     measured.results = study::read_results(options.from);
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
-  tell_differing_exits(measured.results, context);
   if (writes_report(options)) {
     write_report(options.output, measured.results, std::move(measured.pictures), facts);
     print_headlines(options.output, measured.results);

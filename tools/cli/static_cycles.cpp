@@ -59,9 +59,8 @@ void add_cycles(study::FactsOfTechniques& facts, const techniques::TechniqueList
   for (const cost::RadvFamily& each : report.families)
     if (each.name == "navi21") family = each.name;
   facts.cycles_of = "RADV, " + family;
-  for (const auto* techniques : {&list.techniques, &list.with_exits})
-    for (const techniques::Technique& technique : *techniques)
-      facts.techniques[technique.name].cycles = cycles_of(technique, report, family);
+  for (const techniques::Technique& technique : list.techniques)
+    facts.techniques[technique.name].cycles = cycles_of(technique, report, family);
 }
 
 }  // namespace penumbra::cli

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "study/exits_difference.h"
-
 namespace penumbra::cli {
 
 void tell_notes(const std::vector<std::string>& notes, const Context& context) {
@@ -23,20 +21,6 @@ void tell_invalid_results(const std::vector<study::Record>& records, Context& co
     const std::size_t all = std::max(metrics.pixels * metrics.seeds, metrics.invalid);
     fmt::print(stderr, "{}: {} of {} results are not finite or not in 0..1 (scene {}, light {}°)\n",
                record.technique, metrics.invalid, all, record.scene, record.light_degrees);
-  }
-}
-
-void tell_differing_exits(const study::Results& results, Context& context) {
-  for (const study::ExitsDifference& difference : study::differing_exits(results)) {
-    const study::Record& exits = *difference.exits;
-    context.exit_code = findings;
-    fmt::print(
-        stderr,
-        "{}: {} {:.4f}, without exits {:.4f} (scene {}, light {}°, device {}): exits must not change the "
-        "picture\n  either the technique's exits say less than its filter reads, or the device's driver "
-        "compiles them wrongly: use {} there\n",
-        exits.technique, difference.figure, difference.with, difference.without, exits.scene,
-        exits.light_degrees, exits.device, difference.plain->technique);
   }
 }
 

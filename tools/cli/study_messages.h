@@ -16,7 +16,4 @@ void tell_notes(const std::vector<std::string>& notes, const Context& context);
 // findings.
 void tell_invalid_results(const std::vector<study::Record>& records, Context& context);
 
-// A line for each scene and light where exits change a technique's error; such a command ends with findings.
-void tell_differing_exits(const study::Results& results, Context& context);
-
 }  // namespace penumbra::cli

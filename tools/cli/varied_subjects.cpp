@@ -281,8 +281,7 @@ class KnownTechniques {
   const techniques::TechniqueList& list_of(const std::string& name) const {
     const auto has = [&](const techniques::TechniqueList& list) {
       const auto is_named = [&](const techniques::Technique& technique) { return technique.name == name; };
-      return std::any_of(list.techniques.begin(), list.techniques.end(), is_named) ||
-             std::any_of(list.with_exits.begin(), list.with_exits.end(), is_named);
+      return std::any_of(list.techniques.begin(), list.techniques.end(), is_named);
     };
     return library_ && !has(given_) && has(*library_) ? *library_ : given_;
   }

@@ -12,8 +12,8 @@ namespace Penumbra.Tests
         private static readonly PenumbraShadowsVolume[] NoVolumes = new PenumbraShadowsVolume[0];
         private static readonly string[] Passes =
         {
-            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample", "DenoiseHorizontal",
-            "DenoiseVertical", "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace",
+            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "DenoiseHorizontal", "DenoiseVertical",
+            "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace",
             "CloudMap", "FarShadows",
         };
 
@@ -49,7 +49,7 @@ namespace Penumbra.Tests
                 .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
                            .Select(pass => (pass.asset, pass.program))).ToArray();
 
-        // "Resolve _PENUMBRA_PCSS": only the passes that filter, and the mask that foretells a filter, declare keywords.
+        // "Resolve _PENUMBRA_PCSS": only the pass that filters, and the mask that foretells a filter, declare keywords.
         private static IEnumerable<(string asset, string pass, string[] keywords)> EveryProgram()
         {
             foreach ((string asset, string pass) in AllPasses)
@@ -59,12 +59,9 @@ namespace Penumbra.Tests
                     yield return (asset, pass, new string[0]);
                     continue;
                 }
-                bool isResolve = pass == "Resolve";
                 foreach (string technique in TechniqueTable.Keywords.Distinct()
                              .Where(name => name == null || Declared(pass).Contains(name)))
-                    foreach (string mask in isResolve ? new[] { null, "_PENUMBRA_MASK" } : new string[] { null })
-                        foreach (string exits in isResolve ? new[] { null, "_PENUMBRA_EXITS" } : new string[] { null })
-                            yield return (asset, pass, new[] { technique, exits, mask }.Where(name => name != null).ToArray());
+                    yield return (asset, pass, technique == null ? new string[0] : new[] { technique });
             }
         }
 
@@ -78,10 +75,7 @@ namespace Penumbra.Tests
         private static IReadOnlyCollection<string> Declared(string pass)
         {
             if (pass == "ConservativeMask") return new[] { "_PENUMBRA_PCSS" };
-            if (pass != "Resolve" && pass != "Upsample") return new string[0];
-            IEnumerable<string> techniques = TechniqueTable.Keywords.Where(name => name != null).Distinct();
-            return pass == "Upsample" ? techniques.ToArray()
-                                      : techniques.Append("_PENUMBRA_MASK").Append("_PENUMBRA_EXITS").ToArray();
+            return pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().ToArray() : new string[0];
         }
 
         private static string[] Kept(ChainPrograms programs) =>
@@ -117,12 +111,8 @@ namespace Penumbra.Tests
         public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
         {
             string[] filter = { Tent, "Resolve _PENUMBRA_PCSS" };
-            string[] masked =
-            {
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent, "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
-            };
-            string[] half = { "Upsample _PENUMBRA_TENT_7X7", "Upsample _PENUMBRA_PCSS" };
-            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(half).Concat(FlagshipKernels)));
+            IEnumerable<string> masked = new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" }.Concat(filter);
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(FlagshipKernels)));
             Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(FlagshipKernels)));
@@ -160,7 +150,6 @@ namespace Penumbra.Tests
         [Test]
         public void AVolumeComesWhole()
         {
-            // Never the one's technique without its mask.
             PenumbraShadowsVolume volume = Volume(one =>
             {
                 Override(one.technique, ShadowTechnique.PcssHdrp);
@@ -169,8 +158,7 @@ namespace Penumbra.Tests
             Assert.That(Kept(Of(QualityPreset.Reference, volume)),
                         Is.EquivalentTo(Asked(ShadowPresets.Options(QualityPreset.Reference)).Concat(new[]
                         {
-                            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical",
-                            "Resolve _PENUMBRA_PCSS_HDRP _PENUMBRA_MASK",
+                            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS_HDRP",
                         })));
         }
 
@@ -185,8 +173,7 @@ namespace Penumbra.Tests
             });
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
             {
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
-                "Resolve _PENUMBRA_PCSS", "Upsample _PENUMBRA_PCSS", Tent, "Upsample _PENUMBRA_TENT_7X7",
+                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS", Tent,
             }.Concat(FlagshipKernels)));
             ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
             met.halfResolution = true;
@@ -260,27 +247,9 @@ namespace Penumbra.Tests
             options.conservativeMask = true;
             Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
             {
-                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS",
-                "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
+                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS", "Resolve _PENUMBRA_PCSS",
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent,
             }));
-        }
-
-        [Test]
-        public void ExitsAreKeptWhereAFeatureOrAVolumeHasThem()
-        {
-            string[] without = { "Resolve _PENUMBRA_PCSS", Tent };
-            string[] with = without.Concat(new[]
-            {
-                "QuarterDepthPlanes", "DepthPlanesMip", "Resolve _PENUMBRA_PCSS _PENUMBRA_EXITS",
-            }).ToArray();
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);
-            Assert.That(Kept(Of(options)), Is.EquivalentTo(without));
-            Assert.That(Kept(Of(options, Volume(one => Override(one.exits, true)))), Is.EquivalentTo(with));
-            options.exits = true;
-            Assert.That(Kept(Of(options)), Is.EquivalentTo(with));
-            options.technique = ShadowTechnique.Vsm;
-            Assert.That(Kept(Of(options)), Has.None.Contains("EXITS"));
         }
 
         // What VolumeOverrides leaves out must not choose.
@@ -343,7 +312,6 @@ namespace Penumbra.Tests
             if (random.Next(3) == 0) Override(volume.angularDiameterDegrees, random.Next(2) * 0.5f);
             if (random.Next(3) == 0) Override(volume.mask, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.conservativeMask, random.Next(2) == 0);
-            if (random.Next(3) == 0) Override(volume.exits, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.contactShadowMetres, random.Next(2) * 0.5f);
@@ -370,7 +338,6 @@ namespace Penumbra.Tests
                 Take(stack.technique, meeting[i].technique);
                 Take(stack.mask, meeting[i].mask);
                 Take(stack.conservativeMask, meeting[i].conservativeMask);
-                Take(stack.exits, meeting[i].exits);
                 Take(stack.halfResolution, meeting[i].halfResolution);
                 Take(stack.denoise, meeting[i].denoise);
                 Blend(stack.angularDiameterDegrees, meeting[i].angularDiameterDegrees, weight);

@@ -27,7 +27,6 @@ namespace Penumbra.Tests
                 technique = ShadowTechnique.Tent3x3, angularDiameterDegrees = 7.0f, blockerSamples = 3, filterSamples = 5,
                 softnessCapMetres = 9.0f, minFilterTexels = 4.0f, lightBleeding = 0.5f, mapBlurTexels = 2.0f,
                 mapFormat = MapFormat.Bits16, rays = 2, samplesPerRay = 3, discRadiusMetres = 0.5f, filterCells = 4, mask = true,
-                exits = true,
                 halfResolution = true, denoise = true,
             };
         }

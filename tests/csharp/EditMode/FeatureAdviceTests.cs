@@ -219,9 +219,6 @@ namespace Penumbra.Tests
             state.drawn = state.asked;
             state.drawn.conservativeMask = !state.asked.conservativeMask;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("mask of four"));
-            state.drawn = state.asked;
-            state.asked.exits = true;
-            Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: the same without exits."));
         }
 
         [TestCase(ShadowTechnique.Smrt, true)]

@@ -99,8 +99,7 @@ namespace Penumbra.Tests
             foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
                 foreach (float degrees in new[] { 0.0f, 2.0f })
                     foreach (OptionField option in new[] { OptionFields.Mask, OptionFields.ConservativeMask,
-                                                           OptionFields.Exits, OptionFields.HalfResolution,
-                                                           OptionFields.Denoise })
+                                                           OptionFields.HalfResolution, OptionFields.Denoise })
                     {
                         ShadowOptions options = Options(technique, degrees);
                         bool changes = !Draws(With(options, option.name, true))

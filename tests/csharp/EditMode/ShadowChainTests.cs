@@ -31,8 +31,6 @@ namespace Penumbra.Tests
                 {
                     ShadowOptions options = Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique,
                                                     (bits & 8) != 0);
-                    // With and without each of the others: not all combinations, of which there are twice as many.
-                    options.exits = (bits + bits / 16) % 3 == 0;
                     options.contactShadowMetres = (bits & 16) != 0 ? 0.5f : 0.0f;
                     options.clouds = (bits & 32) != 0;
                     options.farShadows = (FarShadowMode)(bits / 64);
@@ -53,7 +51,7 @@ namespace Penumbra.Tests
                 bool conservative = (bits & 8) != 0;
                 IEnumerable<string> expected = !mask ? new string[0] : conservative ? ConservativeMask : Mask;
                 expected = expected.Append("Resolve");
-                if (half) expected = expected.Append("Upsample");
+                if (half) expected = expected.Append("Resolve");
                 if (denoise) expected = expected.Concat(Denoise);
                 Assert.That(Names(Options(mask, half, denoise, ShadowTechnique.Pcss, conservative)), Is.EqualTo(expected));
             }
@@ -141,45 +139,6 @@ namespace Penumbra.Tests
                             Is.EqualTo(Mask.Append("Resolve")), other.ToString());
         }
 
-        private static readonly string[] Planes = { "QuarterDepthPlanes", "DepthPlanesMip" };
-
-        [Test]
-        public void ExitsReadPlanesThatAreMadeFirst()
-        {
-            foreach (ShadowTechnique technique in System.Enum.GetValues(typeof(ShadowTechnique)))
-            {
-                ShadowOptions options = Options(true, true, true, technique);
-                string[] without = Names(options);
-                options.exits = true;
-                Assert.That(options.HasExits, Is.EqualTo(technique.HasExits()), technique.ToString());
-                ShadowChain chain = ShadowChain.Of(options);
-                if (!technique.HasExits())
-                {
-                    Assert.That(Names(options), Is.EqualTo(without), technique.ToString());
-                    Assert.That(chain.Keywords, Has.None.EqualTo("_PENUMBRA_EXITS"));
-                    continue;
-                }
-                Assert.That(Names(options), Is.EqualTo(Planes.Concat(without)), technique.ToString());
-                Assert.That(chain.Keywords, Has.Member("_PENUMBRA_EXITS"));
-                ChainGlobal planes = chain.Globals.Single();
-                Assert.That(planes.afterStep, Is.EqualTo(1));
-                Assert.That(planes.texture.property, Is.EqualTo(Shader.PropertyToID("_PenumbraDepthPlanesTexture")));
-                Assert.That(planes.texture.index, Is.EqualTo(chain.Steps[1].Target));
-                Assert.That(chain.Slots[planes.texture.index].kept, "a cascade that is not drawn anew keeps its tile");
-            }
-        }
-
-        [Test]
-        public void AConservativeMaskDecidesInThePlaceOfExits()
-        {
-            ShadowOptions options = Options(true, false, false, ShadowTechnique.Pcss, conservative: true);
-            options.exits = true;
-            Assert.That(Names(options), Is.EqualTo(ConservativeMask.Append("Resolve")));
-            Assert.That(ShadowChain.Of(options).Keywords, Has.None.EqualTo("_PENUMBRA_EXITS"));
-            options.mask = false;
-            Assert.That(Names(options), Is.EqualTo(Planes.Append("Resolve")));
-        }
-
         [Test]
         public void APointLightHasNoPenumbra()
         {
@@ -236,9 +195,30 @@ namespace Penumbra.Tests
             }
             bool masked = options.mask && options.technique.TakesSamples();
             Assert.That(chain.Mask != ShadowChain.None, Is.EqualTo(masked));
-            Assert.That(chain.Steps.Where(step => step.pass.program == "Resolve").Select(step => step.reads.Length),
-                        Is.EqualTo(options.DrawsVisibility ? new int[0] : new[] { masked ? 1 : 0 }));
             if (masked) Assert.That(holds[(false, chain.Mask)], Is.EqualTo(MaskOf(options)), "a debug view shows it");
+        }
+
+        private const string MaskTexture = "_PenumbraMaskTexture", SourceTexture = "_PenumbraSourceTexture";
+
+        /// <summary>One program filters, with and without a mask, and upsamples: it learns from sizes what it has.</summary>
+        [TestCaseSource(nameof(EveryChain))]
+        public void WhatAResolveDoesNotReadIsAbsent(ShadowOptions options)
+        {
+            ShadowChain chain = ShadowChain.Of(options);
+            ChainStep[] resolves = chain.Steps.Where(step => step.pass.program == "Resolve").ToArray();
+            var reads = new List<string>();
+            if (!options.DrawsVisibility) reads.Add(chain.Mask == ShadowChain.None ? null : MaskTexture);
+            if (options.HalvesResolution) reads.Add(SourceTexture);
+            Assert.That(resolves.Select(step => step.pass.reads.SingleOrDefault().property), Is.EqualTo(reads));
+            foreach (ChainStep step in resolves)
+            {
+                string[] all = step.pass.reads.Select(read => read.property).Concat(step.pass.absent).ToArray();
+                Assert.That(all, Is.EquivalentTo(new[] { MaskTexture, SourceTexture }));
+                Assert.That(step.absentSizes, Is.EqualTo(step.pass.absent.Select(
+                    texture => Shader.PropertyToID(texture.Replace("Texture", "Size")))));
+            }
+            IEnumerable<ChainStep> others = chain.Steps.Where(step => step.pass.asset != PenumbraShadows.ShaderFile);
+            Assert.That(others.SelectMany(step => step.absentSizes), Is.Empty);
         }
 
         [Test]
@@ -287,7 +267,7 @@ namespace Penumbra.Tests
             ShadowChain chain = WithMapGraph();
             Assert.That(chain.Steps.Select(step => step.pass.program),
                         Is.EqualTo(new[] { "Noise", "Table", "Whole", "Half" }.Concat(Mask).Append("Resolve")));
-            Assert.That(chain.Keywords, Is.EqualTo(new[] { "_TECHNIQUE", "_HALVES", "_PENUMBRA_MASK" }));
+            Assert.That(chain.Keywords, Is.EqualTo(new[] { "_TECHNIQUE", "_HALVES" }));
             ChainGlobal half = chain.Globals.Single();
             Assert.That(half.afterStep, Is.EqualTo(3));
             Assert.That(half.texture.property, Is.EqualTo(Shader.PropertyToID("_PenumbraHalfTexture")));
@@ -335,8 +315,7 @@ namespace Penumbra.Tests
         [Test]
         public void TheKeywordsAreTheTechniquesAndTheGraphs() =>
             Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null).Distinct()
-                                                               .Append("_PENUMBRA_MASK").Append("_PENUMBRA_EXITS").Append("_PENUMBRA_CLOUDS")
-                                                               .Append("_PENUMBRA_HALF_RESOLUTION")
+                                                               .Append("_PENUMBRA_CLOUDS")
                                                                .Append("_PENUMBRA_BOTH_EYES")
                                                                .Append("_PENUMBRA_FAR_HEIGHTS")
                                                                .Append("_PENUMBRA_FAR_HORIZON")));

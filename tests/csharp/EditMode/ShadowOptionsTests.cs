@@ -153,8 +153,6 @@ namespace Penumbra.Tests
             volume.mask.value = false;
             volume.conservativeMask.overrideState = true;
             volume.conservativeMask.value = true;
-            volume.exits.overrideState = true;
-            volume.exits.value = true;
             volume.halfResolution.overrideState = true;
             volume.halfResolution.value = true;
             volume.denoise.overrideState = true;
@@ -170,8 +168,8 @@ namespace Penumbra.Tests
                 filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
                 minFilterTexels = Feature.minFilterTexels, lightBleeding = 0.4f, mapBlurTexels = 3.0f,
                 mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, filterCells = 4,
-                mask = false, conservativeMask = true, exits = true,
-                halfResolution = true, denoise = false, contactShadowMetres = 0.125f, contactShadowSteps = 20,
+                mask = false, conservativeMask = true, halfResolution = true, denoise = false,
+                contactShadowMetres = 0.125f, contactShadowSteps = 20,
             }));
         }
 

@@ -73,7 +73,7 @@ namespace Penumbra.Tests
         [Test]
         public void OnlyWhatCountsForTheTechniqueIsShown()
         {
-            string[] ofTents = { "Technique", "Exits", "Half Resolution" };
+            string[] ofTents = { "Technique", "Half Resolution" };
             Assert.That(Shown(State(Technique(ShadowTechnique.Tent7x7))), Is.EqualTo(ofTents));
             Assert.That(Shown(State(Preset(QualityPreset.Low))),
                         Is.EqualTo(new[]
@@ -104,7 +104,7 @@ namespace Penumbra.Tests
             Assert.That(Shown(State(Technique(ShadowTechnique.Smrt))),
                         Is.EqualTo(new[]
                         {
-                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask", "Exits",
+                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask",
                             "Half Resolution", "Denoise",
                         }));
         }

@@ -237,7 +237,7 @@ namespace Penumbra.Tests
             },
             passes = new[]
             {
-                Pass("Upsample", PassFrequency.Frame, new[] { 1 }, GraphBinding.Texture("_Before", 0)),
+                Pass("DenoiseHorizontal", PassFrequency.Frame, new[] { 1 }, GraphBinding.Texture("_Before", 0)),
                 Pass("Resolve", PassFrequency.Frame, new[] { 2 }, GraphBinding.Texture("_Mean", 1)),
             },
             visibility = 2,
@@ -248,12 +248,12 @@ namespace Penumbra.Tests
         {
             AddedTechniques.Use(Mean());
             Prepare();
-            Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "Upsample", "Resolve" }));
+            Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "DenoiseHorizontal", "Resolve" }));
             Assert.That(device.Draws[0].Target, Is.EqualTo(device.Draws[1].Textures["_Before"]), "nothing was before");
             for (int i = 0; i < 3; ++i)
             {
-                string written = device.Draws.Single(call => call.Pass == "Upsample").Target;
-                Assert.That(Draws(0), Is.EqualTo(new[] { "Upsample", "Resolve" }));
+                string written = device.Draws.Single(call => call.Pass == "DenoiseHorizontal").Target;
+                Assert.That(Draws(0), Is.EqualTo(new[] { "DenoiseHorizontal", "Resolve" }));
                 Assert.That(device.Draws[0].Textures["_Before"], Is.EqualTo(written));
                 Assert.That(device.Draws[0].Target, Is.Not.EqualTo(written));
                 Assert.That(device.Draws[1].Textures["_Mean"], Is.EqualTo(device.Draws[0].Target));
@@ -271,7 +271,7 @@ namespace Penumbra.Tests
             AddedTechniques.Use(mean);
             Prepare();
             Draws(0);
-            string before = device.Draws.First(call => call.Pass == "Upsample").Textures["_Before"];
+            string before = device.Draws.First(call => call.Pass == "DenoiseHorizontal").Textures["_Before"];
             Assert.That(device.Draws.Where(call => call.Pass == "clear").Select(call => call.Target),
                         Is.EqualTo(new[] { before, before + " mip 1" }));
         }
@@ -284,7 +284,7 @@ namespace Penumbra.Tests
             Prepare();
             frame.isProbe = true;
             for (int face = 0; face < 6; ++face)
-                Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "Upsample", "Resolve" }));
+                Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "DenoiseHorizontal", "Resolve" }));
         }
 
         /// <summary>The device puts a scaled texture elsewhere in its memory.</summary>

@@ -43,9 +43,14 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void AConservativeMaskIsMadeFromTheMap() =>
+        public void AConservativeMaskIsMadeFromTheMap([Values(true, false)] bool reversedZ)
+        {
+            SystemInfo.usesReversedZBuffer = reversedZ;
             Assert.That(DrawnWithConservativeMask(),
                         Is.EqualTo(new[] { "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask", "Resolve" }));
+            Assert.That(Draw("ConservativeMask").Textures["_PenumbraDepthPlanesTexture"],
+                        Is.EqualTo(urp.Device.Draws.First(draw => draw.Pass == "QuarterDepthPlanes").Target));
+        }
 
         // There the filter is not the one that it decides for.
         [TestCase(GraphicsDeviceType.OpenGLCore)]
@@ -61,81 +66,6 @@ namespace Penumbra.Tests
         {
             SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_SFloat;
             Assert.That(DrawnWithConservativeMask(), Is.EqualTo(FourTaps));
-        }
-
-        private FakeDevice.DrawCall ResolvedWithExits(ShadowTechnique technique)
-        {
-            feature.Dispose();
-            SetUp();
-            feature.Settings.preset = QualityPreset.Custom;
-            feature.Settings.custom.technique = technique;
-            feature.Settings.custom.mask = false;
-            feature.Settings.custom.exits = true;
-            urp.Render(new FakeScene(), feature);
-            return urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
-        }
-
-        private string[] DrawnPasses => urp.Device.Draws.Select(draw => draw.Pass).Distinct().ToArray();
-
-        [Test]
-        public void ExitsReadThePlanesOfTheMap([Values(true, false)] bool reversedZ)
-        {
-            foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
-            {
-                if (!technique.HasExits()) continue;
-                SystemInfo.usesReversedZBuffer = reversedZ;
-                FakeDevice.DrawCall resolve = ResolvedWithExits(technique);
-                Assert.That(DrawnPasses, Is.EqualTo(new[] { "QuarterDepthPlanes", "DepthPlanesMip", "Resolve" }),
-                            technique.ToString());
-                string keyword = TechniqueTable.Keywords[(int)technique];
-                Assert.That(resolve.Keywords, Is.EquivalentTo(new[] { keyword, "_PENUMBRA_EXITS" }.Where(name => name != null)));
-                Assert.That(resolve.Textures["_PenumbraDepthPlanesTexture"],
-                            Is.EqualTo(urp.Device.Draws.First(draw => draw.Pass == "QuarterDepthPlanes").Target));
-                Assert.That(feature.Replaced, Is.Null);
-                Assert.That(feature.Drawn.exits);
-            }
-        }
-
-        [Test]
-        public void AFilterThatReadsMapsHasNoExits()
-        {
-            FakeDevice.DrawCall resolve = ResolvedWithExits(ShadowTechnique.Vsm);
-            Assert.That(DrawnPasses, Has.None.EqualTo("QuarterDepthPlanes"));
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_VSM" }));
-            Assert.That(feature.Replaced, Is.Null, "nothing is missing");
-        }
-
-        private void ExpectNoExits(ShadowTechnique technique, string reason)
-        {
-            FakeDevice.DrawCall resolve = ResolvedWithExits(technique);
-            Assert.That(DrawnPasses, Is.EqualTo(new[] { "Resolve" }));
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { TechniqueTable.Keywords[(int)technique] }));
-            Assert.That(feature.Replaced, Does.Contain(reason));
-            Assert.That(feature.Drawn.technique, Is.EqualTo(technique));
-            Assert.That(feature.Asked.exits);
-            Assert.That(feature.Drawn.exits, Is.False);
-        }
-
-        [Test]
-        public void WithoutTheFormatOfThePlanesTheFilterRunsEverywhere()
-        {
-            SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_SFloat;
-            ExpectNoExits(ShadowTechnique.PcssPoisson, "R32G32B32A32_SFloat");
-        }
-
-        [TestCase(GraphicsDeviceType.OpenGLCore)]
-        [TestCase(GraphicsDeviceType.OpenGLES3)]
-        public void OnOpenGlTheFilterRunsEverywhere(GraphicsDeviceType device)
-        {
-            SystemInfo.Device = device;
-            ExpectNoExits(ShadowTechnique.Tent7x7, "OpenGL does not define");
-        }
-
-        [Test]
-        public void BelowTarget45ATentHasNoExits()
-        {
-            SystemInfo.graphicsShaderLevel = 35;
-            ExpectNoExits(ShadowTechnique.Tent3x3, "shader model 4.5");
         }
 
         [TearDown]
@@ -177,18 +107,60 @@ namespace Penumbra.Tests
             Assert.That(vertical.Textures["_PenumbraSourceTexture"], Is.EqualTo(Draw("MaskBlurHorizontal").Target));
             Assert.That(Vector(vertical, "_PenumbraTargetSize"),
                         Is.EqualTo(new Vector4(481.0f, 271.0f, 1.0f / 481.0f, 1.0f / 271.0f)));
-            FakeDevice.DrawCall resolve = Draw("Resolve");
+            FakeDevice.DrawCall[] resolves = urp.Device.Draws.Where(draw => draw.Pass == "Resolve").ToArray();
+            Assert.That(resolves, Has.Length.EqualTo(2));
+            FakeDevice.DrawCall resolve = resolves[0];
             Assert.That(resolve.Textures["_PenumbraMaskTexture"], Is.EqualTo(vertical.Target));
+            Assert.That(Vector(resolve, "_PenumbraMaskSize"), Is.EqualTo(Vector(vertical, "_PenumbraTargetSize")));
+            Assert.That(Vector(resolve, "_PenumbraSourceSize"), Is.EqualTo(Vector4.zero));
             Assert.That(Vector(resolve, "_PenumbraTargetSize").x, Is.EqualTo(961.0f));
             Assert.That(Vector(resolve, "_PenumbraScreenSize"),
                         Is.EqualTo(new Vector4(1921.0f, 1081.0f, 1.0f / 1921.0f, 1.0f / 1081.0f)));
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_MASK", "_PENUMBRA_PCSS" }));
-            FakeDevice.DrawCall upsample = Draw("Upsample");
-            Assert.That(upsample.Textures["_PenumbraSourceTexture"], Is.EqualTo(resolve.Target));
-            Assert.That(Vector(upsample, "_PenumbraSourceSize").x, Is.EqualTo(961.0f));
-            Assert.That(Vector(upsample, "_PenumbraTargetSize").x, Is.EqualTo(1921.0f));
+            FakeDevice.DrawCall upsampling = resolves[1];
+            Assert.That(upsampling.Textures["_PenumbraSourceTexture"], Is.EqualTo(resolve.Target));
+            Assert.That(Vector(upsampling, "_PenumbraSourceSize"), Is.EqualTo(Vector(resolve, "_PenumbraTargetSize")));
+            Assert.That(Vector(upsampling, "_PenumbraMaskSize"), Is.EqualTo(Vector4.zero));
+            Assert.That(Vector(upsampling, "_PenumbraTargetSize").x, Is.EqualTo(1921.0f));
+            Assert.That(resolves.Select(draw => draw.Keywords), Is.All.EqualTo(new[] { "_PENUMBRA_PCSS" }));
             Assert.That(Draw("DenoiseVertical").Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"));
             Assert.That(urp.Device.Draws.Select(draw => draw.Vertices), Is.All.EqualTo(3));
+        }
+
+        // By the sizes it knows that it has no mask and nothing to upsample, whatever a camera before it had.
+        [Test]
+        public void AnUnmaskedResolveSetsTheSizesOfAbsentTexturesToZero()
+        {
+            ShadowOptions options = PresetFallback.Options(QualityPreset.High);
+            options.denoise = true;
+            Use(options);
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Uniforms["_PenumbraMaskSize"], Is.Not.EqualTo(Vector4.zero));
+            Assert.That(urp.Device.Uniforms["_PenumbraSourceSize"], Is.Not.EqualTo(Vector4.zero));
+            urp.Device.Draws.Clear();
+            feature.Settings.preset = QualityPreset.Reference;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
+            Assert.That(Vector(Draw("Resolve"), "_PenumbraMaskSize"), Is.EqualTo(Vector4.zero));
+            Assert.That(Vector(Draw("Resolve"), "_PenumbraSourceSize"), Is.EqualTo(Vector4.zero));
+        }
+
+        // Of no frame: what one leaves bound is there in the next.
+        [Test]
+        public void NoResolveHasItsOwnTargetBound([Values] bool mask, [Values] bool half, [Values] bool denoise)
+        {
+            ShadowOptions options = PresetFallback.Options(QualityPreset.High);
+            options.mask = mask;
+            options.halfResolution = half;
+            options.denoise = denoise;
+            Use(options);
+            for (int frame = 0; frame < 3; ++frame)
+            {
+                urp.Device.Draws.Clear();
+                urp.Render(new FakeScene(), feature);
+                foreach (FakeDevice.DrawCall draw in urp.Device.Draws.Where(draw => draw.Pass == "Resolve"))
+                    foreach (string name in new[] { "_PenumbraMaskTexture", "_PenumbraSourceTexture" })
+                        Assert.That(draw.Textures[name], Is.Not.EqualTo(draw.Target), name + " in frame " + frame);
+            }
         }
 
         [Test]
@@ -497,7 +469,7 @@ namespace Penumbra.Tests
             Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName));
             Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
             Assert.That(feature.Replaced, Is.Not.Null);
-            FakeDevice.DrawCall[] filters = urp.Device.Draws.Where(draw => draw.Pass == "Resolve" || draw.Pass == "Upsample").ToArray();
+            FakeDevice.DrawCall[] filters = urp.Device.Draws.Where(draw => draw.Pass == "Resolve").ToArray();
             Assert.That(filters, Is.Not.Empty);
             foreach (FakeDevice.DrawCall draw in filters)
                 Assert.That(draw.Keywords.Intersect(FakeShader.KeywordsOfTarget45()), Is.Empty, draw.Pass);
@@ -509,7 +481,7 @@ namespace Penumbra.Tests
         {
             SystemInfo.Device = GraphicsDeviceType.WebGPU;
             Assert.That(DeviceLimits.IsOpenGl);
-            ExpectNoExits(ShadowTechnique.Tent7x7, "OpenGL does not define");
+            Assert.That(DrawnWithConservativeMask(), Is.EqualTo(FourTaps));
         }
 #endif
 

@@ -122,14 +122,15 @@ namespace Penumbra.Tests
             int halfWidth = (width + 1) / 2;
             int halfHeight = (height + 1) / 2;
             Assert.That(classify.Groups, Is.EqualTo(GroupsOf(halfWidth) + " " + GroupsOf(halfHeight) + " 1"));
-            Assert.That(classify.Keywords, Has.Member("_PENUMBRA_HALF_RESOLUTION"));
+            Assert.That(classify.Keywords.Intersect(FakeShader.Flagship.KeywordNames), Is.Empty, "the sizes tell it");
             Assert.That(((Vector4)classify.Uniforms["_PenumbraScreenSize"]).x, Is.EqualTo(width));
             Assert.That(((Vector4)classify.Uniforms["_PenumbraTargetSize"]).x, Is.EqualTo(halfWidth));
             int words = WordsOfTile * Tiles(halfWidth) * Tiles(halfHeight);
             Assert.That(classify.Textures["_PenumbraTileList"], Does.EndWith(" of " + words + " x 4"));
-            FakeDevice.DrawCall upsample = urp.Device.Draws.Last(draw => draw.Pass == "Upsample");
-            Assert.That(classify.Textures["_PenumbraVisibility"], Does.StartWith(upsample.Textures["_PenumbraSourceTexture"]));
-            Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass == "Resolve"), Is.Empty);
+            FakeDevice.DrawCall upsampling = urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
+            Assert.That(classify.Textures["_PenumbraVisibility"], Does.StartWith(upsampling.Textures["_PenumbraSourceTexture"]));
+            Assert.That(upsampling.Uniforms["_PenumbraSourceSize"], Is.EqualTo(classify.Uniforms["_PenumbraTargetSize"]));
+            Assert.That(upsampling.Uniforms["_PenumbraMaskSize"], Is.EqualTo(Vector4.zero));
         }
 
         // Each eye is a slice of the screen's textures and of the groups, and has room of its own in the lists.
@@ -174,8 +175,9 @@ namespace Penumbra.Tests
         [Test]
         public void AtFullResolutionNothingIsUpsampled()
         {
-            Assert.That(Calls("ClassifyTiles").Single().Keywords, Has.None.EqualTo("_PENUMBRA_HALF_RESOLUTION"));
-            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Has.None.EqualTo("Upsample"));
+            Dictionary<string, object> uniforms = Calls("ClassifyTiles").Single().Uniforms;
+            Assert.That(uniforms["_PenumbraTargetSize"], Is.EqualTo(uniforms["_PenumbraScreenSize"]));
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Has.None.EqualTo("Resolve"));
         }
 
         [TestCase("ResolveTiles", "ClassifyTiles", "_PenumbraTile")]

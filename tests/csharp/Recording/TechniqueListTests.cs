@@ -252,14 +252,13 @@ namespace Penumbra.Tests
                 Assert.That(shader, Does.Contain(" " + keyword));
         }
 
-        /// <summary>Without its keyword, a pass would filter with another technique and say nothing.</summary>
-        [TestCase("Resolve")]
-        [TestCase("Upsample")]
-        public void EachPassThatFiltersDeclaresEveryTechnique(string pass)
+        /// <summary>Without its keyword, the pass would filter with another technique and say nothing.</summary>
+        [Test]
+        public void ThePassThatFiltersDeclaresEveryTechnique()
         {
             string shader = File.ReadAllText(
                 Path.Combine(FakeShader.PackageRoot(), "Shaders", "PenumbraShadows.shader"));
-            string text = shader.Substring(shader.IndexOf("Name \"" + pass + "\""));
+            string text = shader.Substring(shader.IndexOf("Name \"Resolve\""));
             string[] declared = text.Substring(0, text.IndexOf("ENDHLSL")).Split('\n')
                 .Where(line => line.Contains("#pragma multi_compile")).SelectMany(line => line.Trim().Split(' ')).ToArray();
             Assert.That(TechniqueTable.Keywords.Where(name => name != null).Except(declared), Is.Empty);

@@ -121,8 +121,7 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
         add_for_targets(request, std::move(variant), variants);
   };
   if (request.techniques)
-    for (const auto* techniques : {&request.techniques->techniques, &request.techniques->with_exits})
-      for (const techniques::Technique& technique : *techniques) add(technique);
+    for (const techniques::Technique& technique : request.techniques->techniques) add(technique);
   for (const ShaderToValidate& shader : request.files) {
     for (const std::vector<std::string>& keywords : shader.keyword_sets) {
       SourceVariant variant;
@@ -133,36 +132,6 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
       variant.unit.compile.file = shader.file;
       variant.unit.compile.entry = shader.entry;
       variant.unit.compile.stage = shader.stage;
-      add_for_targets(request, std::move(variant), variants);
-    }
-  }
-  return variants;
-}
-
-std::vector<SourceVariant> screen_exits_variants(const ValidationRequest& request) {
-  std::vector<SourceVariant> variants;
-  if (!request.techniques) return variants;
-  const techniques::TechniqueList& list = *request.techniques;
-  const std::filesystem::path file = (list.package / screen_shader).lexically_normal();
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return variants;
-  const shaders::PackageShader shader(file, request.package_roots);
-  for (const techniques::Selection& selection : list.selections) {
-    if (!selection.value || !selection.has_exits()) continue;
-    for (const bool reversed_z : {false, true}) {
-      SourceVariant variant;
-      variant.technique = &list.find(selection.technique + techniques::exits_ending);
-      variant.unit.technique = variant.technique->name;
-      if (reversed_z) variant.unit.keywords.emplace_back("UNITY_REVERSED_Z");
-      if (!selection.keyword.empty()) variant.unit.keywords.push_back(selection.keyword);
-      variant.unit.keywords.emplace_back(techniques::exits_keyword);
-      variant.unit.file = file.string();
-      variant.unit.pass = screen_pass;
-      variant.unit.lint = request.lint;
-      variant.unit.compile =
-          shader.request(screen_pass, hlsl::Stage::fragment, variant.unit.keywords, reversed_z);
-      auto& defines = variant.unit.compile.defines;
-      defines.insert(defines.end(), request.defines.begin(), request.defines.end());
       add_for_targets(request, std::move(variant), variants);
     }
   }

@@ -13,11 +13,7 @@ struct SourceVariant {
   CompileUnit unit;
 };
 
-// Of the techniques, each with exits where its filter has them, and of the files.
+// Of the techniques and of the files.
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
-
-// The renderer feature's own pass over the screen with exits, for every technique that it offers them for.
-// Those without exits are the techniques' that run over the screen.
-std::vector<SourceVariant> screen_exits_variants(const ValidationRequest& request);
 
 }  // namespace penumbra::validation

@@ -110,7 +110,6 @@ ValidationReport validate(const ValidationRequest& request) {
   if (request.engine.shard.index == 1) report.records = request.records;
   for (std::size_t i = 0; i < report.records.size(); ++i) report.records[i].place = i;
   std::vector<SourceVariant> variants = source_variants(request);
-  for (SourceVariant& variant : screen_exits_variants(request)) variants.push_back(std::move(variant));
   for (const CompileUnit& unit : request.units) variants.push_back({nullptr, unit});
   std::vector<CompileUnit> units;
   units.reserve(variants.size());

@@ -275,6 +275,9 @@ class GraphRunner::Run {
           &resources_.texture(name),
           level_before ? gpu::ImageRange{.first_mip = mip - 1, .mips = 1} : gpu::ImageRange{}};
     }
+    // The program does not read it, but the device wants one bound.
+    if (depth_)
+      for (const std::string& shader_name : pass.absent) named.images[shader_name] = {&*depth_};
     if (pass.kind == PassKind::compute)
       for (const auto& [shader_name, name] : pass.writes) {
         if (resources_.is_texture(name))

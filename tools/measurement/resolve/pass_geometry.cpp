@@ -109,6 +109,7 @@ UniformValues PassGeometry::uniforms(const GraphPass& pass, int cascade, int mip
     const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
     values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
   }
+  for (const std::string& shader_name : pass.absent) values.set(size_uniform(shader_name), glm::vec4(0.0f));
   if (const GraphTexture* texture = target(pass))
     values.set("_PenumbraTargetSize", size_at(texture->name, mip));
   if (pass.each_mip) values.set("_PenumbraMip", mip);

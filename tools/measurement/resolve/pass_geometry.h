@@ -43,8 +43,8 @@ class PassGeometry {
   std::array<std::uint32_t, 3> groups(const techniques::GraphPass& pass,
                                       const std::array<std::uint32_t, 3>& workgroup_size, int mip) const;
 
-  // _PenumbraTargetSize; of every texture that is read _NameSize of _NameTexture; _PenumbraMip,
-  // _PenumbraCascade and _PenumbraTile, where the pass runs for each.
+  // _PenumbraTargetSize; of every texture that is read _NameSize of _NameTexture, 0 of one that is absent;
+  // _PenumbraMip, _PenumbraCascade and _PenumbraTile, where the pass runs for each.
   UniformValues uniforms(const techniques::GraphPass& pass, int cascade, int mip) const;
 
  private:

@@ -42,13 +42,12 @@ double bytes_of(const techniques::GraphTexture& texture, const resolve::GraphExt
 
 FactsOfTechniques facts_of(const techniques::TechniqueList& list) {
   FactsOfTechniques facts;
-  for (const auto* techniques : {&list.techniques, &list.with_exits})
-    for (const techniques::Technique& technique : *techniques)
-      facts.techniques[technique.name] = {technique.use_when,
-                                          technique.not_when,
-                                          technique.graph.textures,
-                                          {},
-                                          !technique.graph.draws(techniques::DrawnCasters::volumes)};
+  for (const techniques::Technique& technique : list.techniques)
+    facts.techniques[technique.name] = {technique.use_when,
+                                        technique.not_when,
+                                        technique.graph.textures,
+                                        {},
+                                        !technique.graph.draws(techniques::DrawnCasters::volumes)};
   return facts;
 }
 

@@ -143,6 +143,9 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
   if (pass.frequency != Frequency::frame)
     text += member("runs", "PassFrequency." + frequency(pass.frequency));
   text += bindings(graph, "reads", pass.reads);
+  std::vector<std::string> absent;
+  for (const std::string& property : pass.absent) absent.push_back(csharp_text(property));
+  text += array(pass_indent, "absent", absent, false);
   std::vector<std::pair<std::string, std::string>> made, changed;
   for (const auto& written : pass.writes) (changes(pass, written.second) ? changed : made).push_back(written);
   text += bindings(graph, "writes", made);

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hlsl/identifier.h"
+
 namespace penumbra::techniques {
 namespace {
 
@@ -118,6 +120,19 @@ void require_structs(JsonObject& object, const TechniqueList& list, const std::v
   for (const std::string& name : names) require_known(object, "parameters", "struct", name, known);
 }
 
+// Names that become C# and uniforms.
+std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) {
+  std::vector<std::string> absent = object.texts("absent");
+  for (const std::string& name : absent) {
+    if (!hlsl::is_identifier(name))
+      object.fail("absent", "'" + name + "' is no identifier", "write what the program calls the texture");
+    for (const auto& [shader_name, texture] : pass.reads)
+      if (shader_name == name)
+        object.fail("absent", "the pass reads '" + name + "'", "leave it out of one of both");
+  }
+  return absent;
+}
+
 GraphPass read_pass(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {
   GraphPass pass;
   pass.name = required_text(object, "name");
@@ -147,6 +162,7 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);
     if (!kernel) pass.stencil = object.text("stencil", "");
+    if (pass.kind == PassKind::raster) pass.absent = read_absent(object, pass);
     if (pass.kind == PassKind::casters) {
       pass.depth = object.text("depth", "");
       pass.casters = chosen<DrawnCasters>(object, "casters", "opaque", "kind of casters",
@@ -255,13 +271,6 @@ FilterCall read_filter(JsonObject object, const TechniqueList& list, const Manif
       object.has("arguments") ? object.texts("arguments") : std::vector<std::string>{"shadowMap"};
   filter.parameters = object.text("parameters", "");
   if (!filter.parameters.empty()) require_structs(object, list, {filter.parameters});
-  if (object.has("exits")) {
-    JsonObject exits = object.object("exits");
-    filter.exits_file = files.required(exits, "file");
-    filter.exits_function = required_identifier(exits, "function");
-    exits.finish();
-    filter.exits = filter.takes(exits_planes);
-  }
   object.finish();
   return filter;
 }

@@ -31,7 +31,7 @@ class ManifestFiles {
 //  textures: [{name, extent, divisor, size, format, mips, layers, samples} or {name, previous_of}],
 //  buffers: [{name, words, words_per_texel, texture, divisor, indirect}],
 //  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
-//  name), reads: {name in the shader: name},
+//  name), reads: {name in the shader: name}, absent: [names in the shader],
 //            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters
 //            depth: name, groups: {fixed | texels_of, divisor | indirect}}],
 //  keywords, needs: [names], visibility, mask, source}

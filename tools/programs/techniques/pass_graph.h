@@ -46,13 +46,6 @@ inline constexpr const char* shadow_map_name = "shadowMap";
 // An argument of filters: the SpotMap of ShaderLibrary/Core/SpotLight.hlsl.
 inline constexpr const char* spot_light_name = "spotLight";
 
-// The texture of a graph that exits read: planes of the shadow map's blocks, with mip levels. A filter that
-// has it among its arguments, and says what it reads, runs behind exits.
-inline constexpr const char* exits_planes = "depthPlanes";
-// The keyword of the renderer feature's programs that have exits before the filter of the technique's
-// keyword.
-inline constexpr const char* exits_keyword = "_PENUMBRA_EXITS";
-
 // The keyword of materials with alpha test, as URP's own shaders declare it. Programs of casters that declare
 // it have it on for such materials alone.
 inline constexpr const char* alpha_test_keyword = "_ALPHATEST_ON";
@@ -65,12 +58,6 @@ struct FilterCall {
   std::vector<std::string> arguments;  // "shadowMap" (with its comparison sampler), "pointSampler",
                                        // "linearSampler", "spotLight", or a texture of the graph
   std::string parameters;              // struct name, may be empty
-  // Says what the filter reads: ExitReach of ShaderLibrary/Filters/FilterExits.hlsl, of the receiver, its
-  // tile and the same parameters. Empty: nothing is known that decides the filter without running it.
-  std::string exits_file{};
-  std::string exits_function{};
-  bool exits =
-      false;  // the filter runs only where they do not decide; it has exits_planes among its arguments
 
   bool takes(const std::string& argument) const;
 };
@@ -113,6 +100,9 @@ struct GraphPass {
   std::string program;  // pass of the .shader or kernel of the .compute
   // What the program calls a texture or buffer, and which one of the graph it is.
   std::vector<std::pair<std::string, std::string>> reads;
+  // Textures that the program declares and this pass does not bind. The program sees from a size of 0 that it
+  // must not read them.
+  std::vector<std::string> absent;
   std::vector<std::pair<std::string, std::string>> writes;  // of drawn passes the targets in order, unnamed
   // Of kernels: those of `writes` that another pass has written before, and whose content this one changes.
   std::vector<std::string> updates;

@@ -118,11 +118,11 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   set("minFilterTexels", value_or(list, preset, "minFilterTexels", "1.25f"));
   for (const auto& [option, value] : of_other_techniques(list, preset)) set(option, value);
   set("mapFormat", "MapFormat.Bits32");
-  const auto has_pass = [&](const char* program) {
+  const auto has_pass = [&](const char* name) {
     const auto in = [&](const Technique& technique) {
       const std::vector<GraphPass>& passes = technique.graph.passes;
       return std::any_of(passes.begin(), passes.end(),
-                         [&](const GraphPass& pass) { return pass.program == program; });
+                         [&](const GraphPass& pass) { return pass.name == name; });
     };
     const Technique* fallback = fallback_of(list, preset);
     return in(preset) || (fallback != nullptr && in(*fallback));

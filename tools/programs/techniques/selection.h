@@ -45,7 +45,6 @@ struct Selection {
   std::string where;                           // file:line:column
 
   bool reads_raw_depth() const;  // the filter reads the shadow map through the point sampler
-  bool has_exits() const;        // the filter says what it reads, and no passes run before it
 };
 
 // A quality preset that draws passes of a selection, and what it draws where a device cannot run them. Both

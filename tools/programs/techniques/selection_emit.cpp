@@ -112,9 +112,6 @@ constexpr const char* table_end = R"(        };
         /// <summary>The filter biases receivers itself: the light's own biases should be 0.</summary>
         internal static bool HasOwnBias(this ShadowTechnique technique) => Biased[(int)technique];
 
-        /// <summary>Exits can stand before the filter, one of the shadow map alone that says what it reads.</summary>
-        internal static bool HasExits(this ShadowTechnique technique) => Exits[(int)technique];
-
         /// <summary>Gives the technique's own options the values that it is measured with.</summary>
         internal static void SetMeasured(this ShadowTechnique technique, ref ShadowOptions options) =>
             Measured[(int)technique](ref options);
@@ -278,7 +275,7 @@ std::string flags(const char* name, const std::vector<bool>& values) {
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
   std::string entries, keywords, options, cascades, graphs, half_graphs, parameters, measured, fallbacks;
-  std::vector<bool> sampled, widens, target_45, limiting, biased, exits;
+  std::vector<bool> sampled, widens, target_45, limiting, biased;
   const std::vector<const Selection*> selections = offered(list);
   for (const Selection* selection : selections) {
     require_fitting_rules(list, *selection);
@@ -298,11 +295,10 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     target_45.push_back(selection->needs_target_45);
     limiting.push_back(limits_width(list, *selection));
     biased.push_back(has_own_bias(list, *selection));
-    exits.push_back(selection->has_exits());
   }
   return enum_begin + entries + table_begin + keywords + table(flags("Sampled", sampled)) +
          table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
-         table(flags("Limiting", limiting)) + table(flags("Biased", biased)) + table(flags("Exits", exits)) +
+         table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
          table("        private static readonly string[][] Options =\n        {\n" + options) +
          cascades_begin + cascades + graphs_begin + graphs + half_graphs_begin + half_graphs +
          parameters_begin + parameters + measured_begin + measured + fallbacks_begin + fallbacks + table_end;

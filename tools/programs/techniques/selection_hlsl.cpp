@@ -25,11 +25,8 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
 //             these passes, while the feature's technique is the keyword's or one that publishes the same maps.
-//             _PENUMBRA_EXITS: where PENUMBRA_USES_EXITS is defined then, DecideByKeyword says what the planes of the
-//             map decide of the filter. The same holds for their texture. Without effect on filters that read maps,
-//             and where raw depths cannot be read.
-// Cost:       the technique's fetches; with exits up to 9 more, up to 18 of filters with a search.
-// Guarantees: [0, 1]. Only the file of the selected filter is included, and that of its exits. Exits change no bit.
+// Cost:       the technique's fetches.
+// Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
 #ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
@@ -57,16 +54,6 @@ constexpr const char* maps_rule =
 
 )";
 
-constexpr const char* exits_rule =
-    R"(// Before the filter, with the planes that the renderer feature's passes make and bind while its option Exits is on.
-#if defined(_PENUMBRA_EXITS) && defined(PENUMBRA_HAS_EXITS) && !defined(PENUMBRA_WITHOUT_GATHER)
-#define PENUMBRA_USES_EXITS
-#define PENUMBRA_READS_MAPS
-#endif
-
-)";
-
-constexpr const char* has_exits = "#define PENUMBRA_HAS_EXITS\n";
 constexpr const char* linear_sampler = "linearSampler";
 constexpr const char* linear_sampler_name = "sampler_PenumbraLinearClamp";  // Unity makes it from the words
 constexpr std::size_t kWidest = 100;  // characters of a condition in a line
@@ -99,13 +86,11 @@ class KeywordWriter {
     text_ += "#include \"../Core/ShadowStructs.hlsl\"\n";
     text_ += raw_depth_rule;
     choose();
-    if (any_exits()) text_ += exits_rule;
     require_maps();
     include();
     declare_maps();
     declare();
     declare_rules();
-    if (any_exits()) decide();
     call();
     return text_ + "\n#endif\n";
   }
@@ -161,25 +146,16 @@ class KeywordWriter {
           fmt::format("{} defined({})\n#define {}\n", directive, selection->keyword, macro_of(*selection));
       if (selection->reads_raw_depth()) text_ += "#define PENUMBRA_READS_RAW_DEPTH\n";
       if (!selection->textures.empty()) text_ += "#define PENUMBRA_READS_MAPS\n";
-      if (selection->has_exits()) text_ += has_exits;
       directive = "#elif";
     }
-    if (otherwise_->has_exits()) text_ += std::string("#else\n") + has_exits;
     text_ += "#endif\n\n";
   }
 
   bool any_maps() const {
-    return any_exits() || std::any_of(by_keyword_.begin(), by_keyword_.end(), [](const Selection* selection) {
-             return !selection->textures.empty();
-           });
+    return std::any_of(by_keyword_.begin(), by_keyword_.end(),
+                       [](const Selection* selection) { return !selection->textures.empty(); });
   }
 
-  bool any_exits() const {
-    return std::any_of(in_shaders_.begin(), in_shaders_.end(),
-                       [](const Selection* selection) { return selection->has_exits(); });
-  }
-
-  // Where nobody binds them, a filter would read any other texture.
   void require_maps() {
     if (any_maps()) text_ += maps_rule;
   }
@@ -197,9 +173,6 @@ class KeywordWriter {
       directive = "#elif";
     }
     if (std::string_view(directive) == "#elif") text_ += "#endif\n";
-    if (any_exits())
-      text_ +=
-          "\n#if defined(PENUMBRA_USES_EXITS)\nTEXTURE2D(" + argument_name(exits_planes) + ");\n#endif\n";
   }
 
   // A line for the filter that is used.
@@ -213,22 +186,6 @@ class KeywordWriter {
     text_ += fmt::format("#else\n{}\n#endif\n", line(*otherwise_));
   }
 
-  // The same where the filter has exits.
-  template <typename Line>
-  void branch_of_exits(Line line) {
-    const char* directive = "#if";
-    for (const Selection* selection : by_keyword_) {
-      if (!selection->has_exits()) continue;
-      text_ += fmt::format("{} defined({})\n{}\n", directive, macro_of(*selection), line(*selection));
-      directive = "#elif";
-    }
-    if (otherwise_->has_exits() && std::string_view(directive) == "#elif")
-      text_ += "#else\n" + line(*otherwise_) + "\n";
-    else if (otherwise_->has_exits())
-      text_ += line(*otherwise_) + "\n";
-    if (std::string_view(directive) == "#elif") text_ += "#endif\n";
-  }
-
   void include() {
     branch([this](const Selection& selection) {
       std::string lines = "#include \"../" + file_of(selection.filter) + "\"";
@@ -240,12 +197,6 @@ class KeywordWriter {
       }
       return lines;
     });
-    if (!any_exits()) return;
-    text_ += "\n#if defined(PENUMBRA_USES_EXITS)\n";
-    branch_of_exits([](const Selection& selection) {
-      return "#include \"../" + in_library(selection.filter.exits_file) + "\"";
-    });
-    text_ += "#endif\n";
   }
 
   std::vector<const ParameterStruct*> structs() const {
@@ -357,20 +308,6 @@ class KeywordWriter {
     if (!parameters.empty()) append(parameters, true);
     line.pop_back();
     return call + line + ");";
-  }
-
-  // What the planes decide of the filter.
-  void decide() {
-    text_ +=
-        "\n#if defined(PENUMBRA_USES_EXITS)\n// What the filter would give, 1 or 0, or kUndecided.\n"
-        "float DecideByKeyword(ShadowReceiver receiver, ShadowTile tile)\n{\n";
-    branch_of_exits([this](const Selection& selection) {
-      const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters);
-      return "    return DecideExits(" + argument_name(exits_planes) + ", " +
-             selection.filter.exits_function + "(receiver, tile" +
-             (parameters == nullptr ? "" : ", " + unpacker_of(*parameters) + "()") + "));";
-    });
-    text_ += "}\n#endif\n";
   }
 
   void call() {

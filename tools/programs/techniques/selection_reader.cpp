@@ -188,7 +188,7 @@ const Selection* selection_with_passes(const TechniqueList& list, const Techniqu
 
 bool is_at_half_resolution(const Technique& technique) {
   return std::any_of(technique.graph.passes.begin(), technique.graph.passes.end(),
-                     [](const GraphPass& pass) { return pass.program == upsampling_pass; });
+                     [](const GraphPass& pass) { return pass.name == upsampling_pass; });
 }
 
 // A preset's options set both what it draws and what it falls back to: what is measured must have them, too.
@@ -217,10 +217,6 @@ void require_same_options(JsonObject& object, const TechniqueList& list, const P
 
 bool Selection::reads_raw_depth() const {
   return filter.takes(shadow_map_name) && filter.takes("pointSampler");
-}
-
-bool Selection::has_exits() const {
-  return !filter.exits_function.empty() && !filter.exits;
 }
 
 void add_options(const Manifest& manifest, TechniqueList& list) {

@@ -47,7 +47,6 @@ class CallWriter {
     std::string arguments;
     for (const std::string& argument : filter.arguments) {
       if (declared_.insert(argument).second) call_.declarations += argument_declaration(argument, graph_);
-      if (filter.exits && argument == exits_planes) continue;
       arguments += argument_expression(argument) + ", ";
     }
     std::string receiver = "receiver, tile";
@@ -59,23 +58,13 @@ class CallWriter {
       }
       receiver += ", Unpack" + parameters->name + "(" + vectors + ")";
     }
-    if (filter.exits) {
-      if (included_.insert(filter.exits_file).second)
-        call_.includes += "#include \"" + filter.exits_file + "\"\n";
-      decision_ =
-          "DecideExits(" + argument_name(exits_planes) + ", " + filter.exits_function + "(" + receiver + "))";
-    }
     return filter.function + "(" + arguments + receiver + ")";
   }
-
-  // Of the filter with exits; empty: none has any.
-  const std::string& decision() const { return decision_; }
 
  private:
   const TechniqueList& list_;
   const PassGraph& graph_;
   TechniqueCall& call_;
-  std::string decision_;
   std::set<std::string> included_;
   std::set<std::string> declared_;  // arguments
 };
@@ -106,9 +95,6 @@ TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& te
   const std::string first = writer.expression(
       *filter, [](const ParameterStruct& parameters, std::size_t i) { return uniform_name(parameters, i); });
   std::string branches;
-  if (!writer.decision().empty())
-    branches =
-        "    const float decided = " + writer.decision() + ";\n    if (decided >= 0.0) return decided;\n";
   for (const CascadeRule& rule : technique.cascades) {
     const auto name = [&](const ParameterStruct& parameters, std::size_t i) {
       return uniform_name(parameters, i, rule);

@@ -43,6 +43,7 @@ Json of(const GraphPass& pass) {
             {"reads", std::move(reads)},
             {"writes", std::move(writes)},
             {"function", pass.filter ? pass.filter->function : ""}};
+  if (!pass.absent.empty()) json["absent"] = pass.absent;
   if (!pass.depth.empty()) json["depth"] = pass.depth;
   if (!pass.updates.empty()) json["updates"] = pass.updates;
   if (!pass.stencil.empty()) json["stencil"] = pass.stencil;

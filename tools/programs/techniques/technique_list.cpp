@@ -76,13 +76,6 @@ const Technique& TechniqueList::find(const std::string& name) const {
     if (technique.name == name) return technique;
     known.push_back(technique.name);
   }
-  for (const Technique& technique : with_exits) {
-    if (technique.name == name) return technique;
-    known.push_back(technique.name);
-  }
-  for (const Technique& technique : techniques)
-    if (technique.name + exits_ending == name && !technique.no_exits.empty())
-      throw InputError("", "'" + technique.name + "' has no exits: " + technique.no_exits);
   std::string way_out = titled(name, techniques);
   if (way_out.empty()) way_out = unknown_name_way_out(name, known) + "\n--list-techniques prints them all";
   throw InputError("", "unknown technique '" + name + "'", way_out);

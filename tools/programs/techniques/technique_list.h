@@ -44,14 +44,13 @@ enum class LightKind { directional, spot };
 const char* name_of(LightKind kind);  // as manifests write it
 
 struct Technique {
-  std::string name;        // for example pcss-angular-24-16
-  std::string title;       // for tables
-  std::string family;      // techniques of one family differ in parameters alone
-  std::string source;      // paper, year
-  std::string use_when;    // one line each, may be empty: whom its figures recommend it to
-  std::string not_when;    // and whom not
-  std::string no_exits{};  // why no row with exits is made of it; empty: one is
-  TechniqueBias bias;      // the casters' that it should have, and is measured at
+  std::string name;      // for example pcss-angular-24-16
+  std::string title;     // for tables
+  std::string family;    // techniques of one family differ in parameters alone
+  std::string source;    // paper, year
+  std::string use_when;  // one line each, may be empty: whom its figures recommend it to
+  std::string not_when;  // and whom not
+  TechniqueBias bias;    // the casters' that it should have, and is measured at
   std::vector<LightKind> lights{LightKind::directional};  // that it is for
   PassGraph graph;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
@@ -92,9 +91,6 @@ struct TechniqueList {
   std::filesystem::path package;  // its folder; files that lie in it are named relative to it
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
-  // Of those whose filter says what it reads: the same filter, run only where the planes of the shadow map do
-  // not decide it. Named NAME-exits; find() knows them, lists leave them out.
-  std::vector<Technique> with_exits;
   std::vector<NamedGraph> graphs;  // all but those that are parts of others
   std::vector<Look> looks;
   std::vector<FeatureOption> options;  // in the order in which inspectors show them
@@ -109,7 +105,6 @@ struct TechniqueList {
   std::vector<ParameterField> fields_of(const Technique& technique) const;  // of these structs
 };
 
-inline constexpr const char* exits_ending = "-exits";
 inline constexpr const char* manifest_ending = ".technique.json";
 
 // Every manifest in ShaderLibrary/ and Shaders/ of a package's folder, in the order that they give, and its

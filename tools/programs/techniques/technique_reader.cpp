@@ -59,8 +59,8 @@ class TechniqueReader {
         graphs_(std::move(graphs)),
         defaults_(JsonObject(document_).object("defaults")),
         shared_values_(defaults_.object("values")) {
-    for (const char* key : {"family", "source", "use_when", "not_when", "no_exits", "bias", "lights", "graph",
-                            "filter", "keywords", "unlimited", "keyword_sets", "targets_absent"})
+    for (const char* key : {"family", "source", "use_when", "not_when", "bias", "lights", "graph", "filter",
+                            "keywords", "unlimited", "keyword_sets", "targets_absent"})
       defaults_.has(key);
     defaults_.finish();
   }
@@ -74,16 +74,12 @@ class TechniqueReader {
     };
     Technique technique;
     technique.name = required_name(object);
-    if (technique.name.ends_with(exits_ending))
-      object.fail("name", "'" + technique.name + "' is what a technique with exits in front of it is called",
-                  "choose a name that does not end with \"" + std::string(exits_ending) + "\"");
     technique.where = object.where("name");
     technique.title = required_line(object, "title");
     technique.family = required_line(of("family"), "family");
     technique.source = required_line(of("source"), "source");
     technique.use_when = optional_line(of("use_when"), "use_when");
     technique.not_when = optional_line(of("not_when"), "not_when");
-    technique.no_exits = optional_line(of("no_exits"), "no_exits");
     if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
     if (object.has("graph") && object.has("filter"))
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
@@ -114,7 +110,6 @@ class TechniqueReader {
     if (of("keyword_sets").has("keyword_sets"))
       technique.keyword_sets = keyword_sets(of("keyword_sets"), document_.at(place("keyword_sets")));
     read_targets_absent(of("targets_absent").object("targets_absent"), technique);
-    require_one_of_exits(of("no_exits"), technique);
     object.finish();
     return technique;
   }
@@ -149,21 +144,6 @@ class TechniqueReader {
       object.fail("lights",
                   "the filter of '" + technique.name + "' takes the spot light, which the sun is not",
                   "write \"lights\": [\"spot\"]");
-  }
-
-  // What the library's own manifests must say of each technique.
-  void require_one_of_exits(JsonObject& object, const Technique& technique) const {
-    const GraphPass* pass = technique.graph.filter_pass();
-    const bool reaches = pass != nullptr && !pass->filter->exits_function.empty();
-    if (reaches && !technique.no_exits.empty())
-      object.fail("no_exits", "'" + technique.name + "' says why it has no exits, and its filter has them",
-                  "leave out \"no_exits\", or \"exits\" of the filter");
-    const bool filter_alone = technique.graph.passes.size() == 1 && technique.cascades.empty();
-    if (reaches && !filter_alone)
-      object.fail(
-          "filter",
-          "exits stand before a filter alone, and '" + technique.name + "' has passes or rules for cascades",
-          "leave out \"exits\" of the filter");
   }
 
   // A technique above this one whose visibility is a texture, which another graph can read.
@@ -333,44 +313,6 @@ class TechniqueReader {
   JsonObject shared_values_;
 };
 
-// The passes of Shaders/PenumbraMaps.shader that exits need, and the filter behind its exits.
-Technique with_exits(const Technique& technique, const TechniqueList& list) {
-  const std::filesystem::path shader = "Shaders/PenumbraMaps.shader";
-  std::error_code error;
-  const bool own = std::filesystem::exists(list.package / shader, error);
-  Technique exits = technique;
-  exits.name += exits_ending;
-  exits.title += ", exits";
-  exits.lights = {LightKind::directional};
-  exits.use_when.clear();
-  exits.not_when.clear();
-  PassGraph& graph = exits.graph;
-  GraphTexture planes;
-  planes.name = exits_planes;
-  planes.where = technique.where;
-  planes.extent = ExtentOf::map;
-  planes.divisor = 4;
-  planes.format = "rgba32f";
-  planes.mips = 0;
-  graph.textures.push_back(planes);
-  GraphPass first;
-  first.name = first.program = "QuarterDepthPlanes";
-  first.where = technique.where;
-  first.kind = PassKind::raster;
-  first.frequency = Frequency::cascade;
-  first.file = (own ? shader : platform::data_directory() / shader).generic_string();
-  first.writes = {{"", exits_planes}};
-  GraphPass next = first;
-  next.name = next.program = "DepthPlanesMip";
-  next.reads = {{"_PenumbraSourceTexture", exits_planes}};
-  next.each_mip = true;
-  graph.passes.insert(graph.passes.begin(), {first, next});
-  FilterCall& filter = *graph.passes.back().filter;
-  filter.exits = true;
-  filter.arguments.emplace_back(exits_planes);
-  return exits;
-}
-
 std::map<std::string, PassGraph> read_graphs(JsonObject& root, const TechniqueList& list,
                                              const ManifestFiles& files) {
   std::map<std::string, PassGraph> graphs;
@@ -411,9 +353,6 @@ void add_techniques(const Manifest& manifest, TechniqueList& list) {
       if (other.name == technique.name)
         object.fail("name", "there are two techniques '" + technique.name + "'",
                     "the other one is at " + other.where);
-    if (const GraphPass* pass = technique.graph.filter_pass();
-        pass != nullptr && !pass->filter->exits_function.empty() && technique.is_for(LightKind::directional))
-      list.with_exits.push_back(with_exits(technique, list));
     list.techniques.push_back(std::move(technique));
   }
   reader.finish();

@@ -18,6 +18,10 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public sealed partial class Texture2D : Texture
     {
+        private static readonly Texture2D black = new Texture2D { name = "black" };
+
+        public static Texture2D blackTexture => black;
+
         [OwnBehaviour] public Texture2D() { }
     }
 
