@@ -82,6 +82,19 @@ TEST(FxcJudge, LeavesNoFilesBehind) {
   EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);
 }
 
+TEST(FxcJudge, FoldersMayHaveLettersBeyondAscii) {
+  PENUMBRA_NEEDS_FXC();
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "fxc-für-José-日本";
+  std::filesystem::create_directories(folder);
+  Installation there = require_fxc();
+  for (std::filesystem::path* file : {&there.worker, &there.library}) {
+    const std::filesystem::path copy = folder / file->filename();
+    std::filesystem::copy_file(*file, copy, std::filesystem::copy_options::overwrite_existing);
+    *file = copy;
+  }
+  EXPECT_TRUE(Judge(there).compile({kDoubles, "Main", "cs_5_0"}).compiled);
+}
+
 // FXC unrolls all of it.
 const char* const kUnrolled =
     "float4 Main(float4 a : A) : SV_Target { float4 s = 0; [unroll(1000)] for (int i = 0; i < 1000; ++i) "

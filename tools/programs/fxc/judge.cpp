@@ -73,15 +73,20 @@ struct Prefix {
   }
 };
 
-std::string windows_path(const fs::path& path) {
-  return "Z:" + fs::absolute(path).string();
+// Wine takes no path with letters beyond ASCII in the "C" locale, so the file gets a name in the prefix.
+std::string windows_path(const fs::path& file, const fs::path& prefix, const char* name) {
+  std::error_code error;
+  fs::create_symlink(fs::canonical(file), prefix / name, error);
+  if (error) throw EnvironmentError("no temporary file for Wine can be made: " + error.message());
+  return "Z:" + (prefix / name).string();
 }
 
 platform::ConfinedCommand command_of(const Installation& installation, const JudgeLimits& limits,
                                      const fs::path& prefix) {
   platform::ConfinedCommand command;
   command.program = installation.wine.string();
-  command.arguments = {windows_path(installation.worker), windows_path(installation.library),
+  command.arguments = {windows_path(installation.worker, prefix, "worker.exe"),
+                       windows_path(installation.library, prefix, "library.dll"),
                        std::to_string(limits.processor_seconds), std::to_string(limits.megabytes)};
   command.environment = {{"WINEPREFIX", prefix.string()}, {"WINEARCH", "win64"},
                          {"WINEDEBUG", "-all"},           {"WINEBOOTSTRAPMODE", "1"},
