@@ -62,18 +62,17 @@ TEST(ResultBlock, OneSceneSaysNothingOfOthers) {
               HasSubstr("the choice of scenes and of pixels"));
 }
 
-TEST(ResultBlock, OperationsAreShownWhereTheyWereCounted) {
+TEST(ResultBlock, OperationsAreShownWhereOptimisedBytecodeRan) {
   Results results = synthetic::results();
   EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("perations")));
   for (Record& record : results.records) record.operations_per_pixel = 1234.4;
-  const std::string block = result_block(results, {kChart, {}});
-  EXPECT_THAT(block,
-              AllOf(HasSubstr("| fetches in penumbrae | operations per pixel |"), HasSubstr(" | 1234 |\n"),
-                    HasSubstr("before a compiler optimises it"), HasSubstr("shaders compiled by glslang")));
-  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("operations per pixel")));
+  EXPECT_THAT(result_block(results, {kChart, {}}),
+              AllOf(Not(HasSubstr("perations")), HasSubstr("shaders compiled by glslang")));
   results.front_end = "FXC 10.0";
   EXPECT_THAT(result_block(results, {kChart, {}}),
-              AllOf(HasSubstr("as FXC has optimised it"), HasSubstr("shaders compiled by FXC 10.0")));
+              AllOf(HasSubstr("| fetches in penumbrae | operations per pixel |"), HasSubstr(" | 1234 |\n"),
+                    HasSubstr("as FXC has optimised it"), HasSubstr("shaders compiled by FXC 10.0")));
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("operations per pixel")));
 }
 
 // A pass of 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.

@@ -52,7 +52,7 @@ Row row_of(const Results& results, const Record& record) {
           estimate(metrics.leak_rate, intervals.leak_rate),
           estimate(metrics.false_shadow_rate, intervals.false_shadow_rate),
           estimate(metrics.fetches_mean, intervals.fetches_mean, metrics.preprocess_fetches_per_pixel),
-          estimate(record.operations_per_pixel, std::nullopt),
+          results.front_end ? estimate(record.operations_per_pixel, std::nullopt) : std::nullopt,
           metrics.penumbra_pixels};
 }
 
@@ -70,7 +70,7 @@ Row row_of(const Results& results, const SummaryLine& line) {
           line.leak_rate,
           line.false_shadow_rate,
           line.fetches,
-          line.operations,
+          results.front_end ? line.operations : std::nullopt,
           sample_of(results, line.light_degrees).penumbra_pixels};
 }
 

@@ -67,9 +67,11 @@ std::string title_and_name(const Choice& choice) {
                                           : title_of(choice) + ", " + markdown_code(choice.technique);
 }
 
-// Files of older versions have none.
+// Only those of optimised bytecode: before a compiler optimises them, operations say little of what a GPU
+// runs.
 bool has_operations(const Results& results) {
-  return std::any_of(results.records.begin(), results.records.end(),
+  return results.front_end &&
+         std::any_of(results.records.begin(), results.records.end(),
                      [](const Record& record) { return record.operations_per_pixel.has_value(); });
 }
 
@@ -206,9 +208,9 @@ std::string how_to_read(const Results& results, BlockForm form) {
                                     picture_sizes(results) + "."
                               : "",
       form == BlockForm::full && has_operations(results)
-          ? fmt::format(
-                " Operations: scalar arithmetic that all passes execute, {}, per pixel of the picture.",
-                results.front_end ? "as FXC has optimised it" : "before a compiler optimises it")
+          ? " Operations: scalar arithmetic that all passes execute as FXC has optimised it, per pixel of "
+            "the "
+            "picture."
           : "");
 }
 
