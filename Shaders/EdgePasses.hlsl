@@ -5,10 +5,10 @@
 //             ShadeSamples               the same filter at the surface of each sample, at marked pixels
 //             MeanOfSamples              what of both a target with one sample shows
 // Source:     Screen/SampleEdges.hlsl.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl, the maps of a filter that reads some; _PenumbraSampleNormals and _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the
-//             pipeline; _PenumbraSourceTexture: of MarkSurfaces what MarkSamples found; _PenumbraEdgeTexture: what
-//             MarkSurfaces found; _PenumbraPixelTexture and _PenumbraSampleTexture: of the two shading passes;
-//             _PenumbraEdgeParameters0, of Screen/EdgeParameters.hlsl.
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl, the maps of a filter that reads some; _PenumbraSampleNormals and
+//             _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the pipeline; _PenumbraSourceTexture: of MarkSurfaces what
+//             MarkSamples found; _PenumbraEdgeTexture: what MarkSurfaces found; _PenumbraPixelTexture and
+//             _PenumbraSampleTexture: of the two shading passes; _PenumbraEdgeParameters0, of Screen/EdgeParameters.hlsl.
 // Cost:       of MarkSamples 2 to 8 fetches; of MarkSurfaces 1, at pixels that MarkSamples found up to 16 more; of the
 //             shading passes 1 and those of ResolvePass.hlsl without a mask, ShadeSamples for each sample of marked pixels.
 // Guarantees: [0, 1]. A sample that sees the sky is lit.

@@ -5,7 +5,7 @@
 // Source:     Penumbra's own.
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel; the receivers, from
 //             PutRestReceiver.
-// Cost:       that of FilterDepthRings, less its exits: some 50 fetches for each receiver. No groupshared memory but what
+// Cost:       that of FilterDepthRings, less its decision: some 50 fetches for each receiver. No groupshared memory but what
 //             TileWindows.hlsl has, whose windows are lost.
 // Guarantees: [0, 1]; that of RingVisibility but for the order of the sums; the same threads add in the same order.
 // Use it:     in kernels of WINDOW_THREADS threads, all of which call RingVisibilityByPart; after the windows have been used, and

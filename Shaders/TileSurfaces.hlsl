@@ -5,7 +5,8 @@
 // Source:     Screen/CameraSurface.hlsl.
 // Inputs:     _CameraDepthTexture; ScreenView; _PenumbraTargetSize; the square.
 // Cost:       of a square 100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are
-//             needed alone. Of one pixel 2 gathers, and up to 4 loads more at edges.
+//             needed alone; at half resolution, where every fourth pixel is needed, 1.27. Of one pixel 2 gathers, and up to 4
+//             loads more at edges.
 // Guarantees: those of CameraSurface.hlsl, and the same values.
 // Use it:     in kernels, all threads of which call LoadScreenDepths.
 #ifndef PENUMBRA_TILE_SURFACES_HLSL
@@ -26,7 +27,7 @@ groupshared float sharedDepths[SHARED_DEPTHS];
 struct ScreenSquare
 {
     int2 first; // pixel of the screen, of an even place
-    int width;  // pixels, even, at most WIDEST_SQUARE
+    int width;  // pixels, even, at most WIDEST_SQUARE; 0: the square is empty
 };
 
 float DepthInSquare(ScreenSquare square, int2 pixelOfSquare)
@@ -80,7 +81,7 @@ void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView
 {
     const int2 last = int2(view.size.xy) - 1;
     const int side = square.width + 2 * SQUARE_APRON;
-    const int quads = side >> 1;
+    const int quads = square.width > 0 ? side >> 1 : 0;
     PENUMBRA_LOOP
     for (int n = int(thread); n < quads * quads; n += int(threads))
     {

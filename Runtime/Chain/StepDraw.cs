@@ -81,7 +81,7 @@ namespace Penumbra
             {
                 // Bound under its name is what an earlier pass or frame has left there, which may be this step's target:
                 // OpenGL and WebGL refuse such a draw, even if the program does not read it.
-                commands.SetGlobalTexture(step.absent[i], Texture2D.blackTexture);
+                commands.SetGlobalTexture(step.absent[i], AbsentTexture.For(frame.views));
                 commands.SetGlobalVector(step.absentSizes[i], Vector4.zero);
             }
             int sized = step.threadsOf != ShadowChain.None ? step.threadsOf : step.Target;

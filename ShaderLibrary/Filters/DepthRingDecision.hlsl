@@ -6,8 +6,8 @@
 // Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes of blocks of 4 x 4 texels,
 //             coarsePlanes of 8 x 8 texels, with mip levels.
 // Cost:       up to 9 fetches of the planes for each of up to kMostRingRadii radii.
-// Guarantees: what is decided is what FilterPcssAngular returns, to the last bit. NaN texels count as the farthest depth, which
-//             comparison samplers need not share.
+// Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, in tests on a software device. NaN texels count
+//             as the farthest depth, which comparison samplers need not share.
 // Use it:     before DepthRingFilter.hlsl's sums.
 #ifndef PENUMBRA_DEPTH_RING_DECISION_HLSL
 #define PENUMBRA_DEPTH_RING_DECISION_HLSL

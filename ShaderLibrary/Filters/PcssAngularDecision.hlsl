@@ -15,7 +15,7 @@
 //             whole. After kMostBlocks it divides no more. In all three searches 5 to 120 on average over scenes and lights
 //             from 0.53 to 5 degrees, about 550 at most.
 // Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, for every receiver of the group, any
-//             rotation and any number of samples.
+//             rotation and any number of samples, in tests on a software device.
 // Use it:     for a mask of whole tiles of pixels, Shaders/ConservativeMaskPass.hlsl. Not: for PcssClassic.hlsl and
 //             PcssHdrp.hlsl, whose cones differ.
 #ifndef PENUMBRA_PCSS_ANGULAR_DECISION_HLSL

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 
 #include "fxc/at_hand.h"
 #include "resolve/drawn_scenes.h"
@@ -20,6 +22,8 @@ namespace {
 constexpr double kRounding = 1e-5;
 constexpr double kVisible = 1e-4;        // what differs by more is more than rounding
 constexpr double kVisibleShare = 0.025;  // of the pixels, where a technique magnifies rounding
+// The same in the scenes beside the colonnade, where a hash of a large sine turns the disks of more pixels.
+constexpr double kVisibleShareElsewhere = 0.16;
 
 struct Magnified {
   const char* technique;
@@ -46,6 +50,35 @@ constexpr Magnified kMagnified[] = {
     {"far-horizon", 1e-3},
     {"blob", 0.02}};
 
+// In the scenes beside the colonnade, where it is more. A pixel of the flagship is resolved alone by surfaces
+// whose normals are rounded otherwise; a ray, a sample's surface or a disk may be decided the other way at a
+// pixel.
+constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
+                                    {"moments-16", 0.02},
+                                    {"variance-quarter", 0.03},
+                                    {"vssm-sat-32", 0.03},
+                                    {"mssm-sat-32", 0.02},
+                                    {"evsm-mip", 0.04},
+                                    {"godot-pcss-8", 1.0},
+                                    {"godot-pcss-8-half-diameter", 0.05},
+                                    {"godot-pcss-32", 0.07},
+                                    {"unreal-smrt-7-8", 1.0 / 7.0 + kRounding},
+                                    {"screen-pcss-angular-24-16-edges", 0.5},
+                                    {"flagship", 1e-3},
+                                    {"flagship-half", 1e-3},
+                                    {"flagship-pixel", 1e-4},
+                                    {"preset-low", 1e-3},
+                                    {"preset-medium", 1e-3},
+                                    {"preset-high", 1e-3},
+                                    {"preset-ultra", 1e-3},
+                                    {"screen-high-trace", 1e-3},
+                                    {"screen-high-trace-far-heights-clouds", 1e-3},
+                                    {"far-heights-8", 1e-4},
+                                    {"far-heights-32", 1e-4},
+                                    {"far-heights-64", 1e-4},
+                                    {"pcss-angular-24-16-far-horizon", 1e-3},
+                                    {"pcss-angular-24-16-far-horizon-clouds", 1e-3}};
+
 // Passes that fetch otherwise, and by which share at most. The modules that count are glslang's before
 // optimisation: FXC does not read what a path does not need.
 struct Fetching {
@@ -60,16 +93,39 @@ constexpr Fetching kFetching[] = {{"FarShadows", 0.05},       {"ConservativeMask
                                   {"ShadePixels", 5e-4},      {"ShadeSamples", 0.01},
                                   {"MeanOfSamples", 0.001}};
 
-double largest_difference(const std::string& technique) {
+// In the scenes beside the colonnade, where it is more.
+constexpr Fetching kFetchingElsewhere[] = {
+    {"FarShadows", 0.2},    {"FarShadowsAlone", 1e-4}, {"ConservativeMask", 0.05},
+    {"MarkSurfaces", 0.03}, {"ShadePixels", 1e-3},     {"ResolveAlone", 1e-4},
+    {"Upsample", 5e-4},     {"ScreenTrace", 3e-4},     {"FilterGodotPcss", 1e-4}};
+
+constexpr const char* kUsualScene = "colonnade";
+
+double largest_difference(const std::string& technique, const std::string& scene) {
+  double largest = kRounding;
   for (const Magnified& one : kMagnified)
-    if (technique == one.technique) return one.largest;
-  return kRounding;
+    if (technique == one.technique) largest = one.largest;
+  if (scene == kUsualScene) return largest;
+  for (const Magnified& one : kElsewhere)
+    if (technique == one.technique) largest = one.largest;
+  return largest;
 }
 
-double share_of_fetches(const std::string& pass) {
+double share_of_fetches(const std::string& pass, const std::string& scene) {
+  double share = 0.0;
   for (const Fetching& one : kFetching)
-    if (pass == one.pass) return one.share;
-  return 0.0;
+    if (pass == one.pass) share = one.share;
+  if (scene == kUsualScene) return share;
+  for (const Fetching& one : kFetchingElsewhere)
+    if (pass == one.pass) share = one.share;
+  return share;
+}
+
+// One scene, or all that fit small pictures: those take a quarter of an hour.
+std::vector<std::string> scenes() {
+  if (std::getenv("PENUMBRA_EVERY_SCENE") != nullptr)  // NOLINT(concurrency-mt-unsafe)
+    return scenes_for_small_pictures();
+  return {kUsualScene};
 }
 
 class FrontEnds : public testing::TestWithParam<std::string> {
@@ -79,21 +135,25 @@ class FrontEnds : public testing::TestWithParam<std::string> {
     if (!shaders::translates_bytecode()) GTEST_SKIP() << "built without vkd3d-shader (libvkd3d-dev)";
   }
 
-  GraphResult result(const Compiler& compiler) const {
-    const scene::Scene scene = scene::built_in("colonnade");
+  static GraphRunner runner(const Compiler& compiler) {
+    const ShadowGraph graph = technique_graph(library_techniques(), library_techniques().find(GetParam()));
+    return GraphRunner(test_device(), compile(graph, compiler));
+  }
+
+  static GraphResult result(GraphRunner& runner, const std::string& name) {
+    const scene::Scene scene = scene::built_in(name);
     CastersOnDevice casters(test_device(), scene);
     casters.add_volumes(test_device(), scene);
     const FrameInputs inputs = ground_at_random();
-    const scene::Frame& frame = drawn("colonnade", 3, true);
+    const scene::Frame& frame = drawn(name, 3, true);
     const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
     const CameraImage camera = camera_image(frame);
-    const ShadowGraph graph = technique_graph(library_techniques(), library_techniques().find(GetParam()));
-    return GraphRunner(test_device(), compile(graph, compiler))
-        .run(on_device, &camera, {.noise_seeds = 1, .timing_repeats = 0});
+    return runner.run(on_device, &camera, {.noise_seeds = 1, .timing_repeats = 0});
   }
 };
 
-void expect_same_picture(const std::vector<float>& a, const std::vector<float>& b, double largest) {
+void expect_same_picture(const std::vector<float>& a, const std::vector<float>& b, double largest,
+                         double visible_share) {
   ASSERT_EQ(a.size(), b.size());
   double worst = 0.0;
   std::size_t visible = 0;
@@ -103,28 +163,38 @@ void expect_same_picture(const std::vector<float>& a, const std::vector<float>& 
     visible += difference > kVisible ? 1 : 0;
   }
   EXPECT_LE(worst, largest);
-  EXPECT_LE(static_cast<double>(visible), kVisibleShare * static_cast<double>(a.size()));
+  if (worst > kVisible) std::cout << "largest difference " << worst << '\n';
+  EXPECT_LE(static_cast<double>(visible), visible_share * static_cast<double>(a.size()));
   testing::Test::RecordProperty("largest_difference", std::to_string(worst));
 }
 
-TEST_P(FrontEnds, DrawTheSamePicture) {
-  const GraphResult by_glslang = result({});
-  Compiler compiler;
-  // One for all: techniques share programs.
-  static const BytecodeCompiler by_fxc_once = bytecode_by_fxc(fxc::require_fxc());
-  compiler.fxc = by_fxc_once;
-  const GraphResult by_fxc = result(compiler);
+void expect_the_same(const GraphResult& by_fxc, const GraphResult& by_glslang, const std::string& technique,
+                     const std::string& scene) {
   EXPECT_EQ(by_fxc.unset_uniforms, by_glslang.unset_uniforms);
   expect_same_picture(by_fxc.visibility.front(), by_glslang.visibility.front(),
-                      largest_difference(GetParam()));
+                      largest_difference(technique, scene),
+                      scene == kUsualScene ? kVisibleShare : kVisibleShareElsewhere);
   ASSERT_EQ(by_fxc.passes.size(), by_glslang.passes.size());
   for (std::size_t i = 0; i < by_fxc.passes.size(); ++i) {
     const PassCounts& ours = by_fxc.passes[i];
     const PassCounts& theirs = by_glslang.passes[i];
-    const double share = share_of_fetches(ours.pass);
+    const double share = share_of_fetches(ours.pass, scene);
     EXPECT_NEAR(ours.fetches, theirs.fetches, share * theirs.fetches) << ours.pass;
     EXPECT_NEAR(ours.texels_written, theirs.texels_written, share * theirs.texels_written) << ours.pass;
     EXPECT_EQ(ours.invocations, theirs.invocations) << ours.pass;
+  }
+}
+
+TEST_P(FrontEnds, DrawTheSamePicture) {
+  Compiler compiler;
+  // One for all: techniques share programs.
+  static const BytecodeCompiler by_fxc_once = bytecode_by_fxc(fxc::require_fxc());
+  compiler.fxc = by_fxc_once;
+  GraphRunner by_glslang = runner({});
+  GraphRunner by_fxc = runner(compiler);
+  for (const std::string& scene : scenes()) {
+    SCOPED_TRACE(scene);
+    expect_the_same(result(by_fxc, scene), result(by_glslang, scene), GetParam(), scene);
   }
 }
 

@@ -33,6 +33,28 @@ TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
   }
 }
 
+// The message names the pass and the texture.
+TEST(ScreenTechnique, AbsentTexturesAreThoseOfTheProgramAlone) {
+  const FrameOnDevice on_device(test_device(), drawn("trees", 4, true));
+  const CameraImage camera = camera_image(drawn("trees", 4, true));
+  const auto refusal = [&](const std::string& name) -> std::string {
+    ShadowGraph graph = hand_graph({{"Resolve"}});
+    graph.graph.passes[0].absent.push_back(name);
+    try {
+      GraphRunner(test_device(), compile(graph)).run(on_device, &camera, kOnce);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_THAT(refusal("_PenumbraMaskTexure"),
+              testing::HasSubstr(
+                  "'Resolve' lists '_PenumbraMaskTexure' as absent, and its program reads no such texture"));
+  EXPECT_THAT(
+      refusal("_CameraDepthTexture"),
+      testing::HasSubstr("'Resolve' lists '_CameraDepthTexture' as absent, which every pass is given"));
+}
+
 // What is drawn at half size is what the whole resolve draws at the pixels it stands for, and upsampling
 // leaves it.
 TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {

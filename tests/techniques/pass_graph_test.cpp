@@ -236,6 +236,8 @@ TEST_F(PassGraphTest, AnAbsentTextureIsWhatTheProgramCallsOneThatThePassDoesNotR
   EXPECT_THAT(list.find("both").graph.passes.back().absent, ElementsAre("_Other"));
   EXPECT_THAT(problem(darker(), reads, with(R"("_Source")")),
               AllOf(HasSubstr("t.technique.json:"), HasSubstr("the pass reads '_Source'")));
+  EXPECT_THAT(problem(darker(), reads, with(R"("_Other", "_Other")")),
+              HasSubstr("'_Other' stands there twice"));
   EXPECT_THAT(problem(darker(), reads, with(R"("2 = x")")), HasSubstr("'2 = x' is no identifier"));
 }
 

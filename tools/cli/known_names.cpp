@@ -19,9 +19,9 @@
 namespace penumbra::cli {
 namespace {
 
-void described(std::vector<KnownName>& names, const std::string& name, std::string description) {
+void described(std::vector<KnownName>& names, const std::string& name, const std::string& description) {
   for (KnownName& known : names)
-    if (known.name == name) known.description = std::move(description);
+    if (known.name == name) known.description = description;
 }
 
 std::vector<KnownName> scenes() {

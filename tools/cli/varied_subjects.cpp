@@ -247,7 +247,7 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
       std::string names;
       for (const study::Subject& subject : subjects)
         names += (names.empty() ? "'" : ", '") + subject.name + "'";
-      throw InputError("", "--title " + text + ": no technique or adapter is named '" + name + "'",
+      throw InputError("", fmt::format("--title {}: no technique or adapter is named '{}'", text, name),
                        "the names are " + names);
     }
     found->title = text.substr(found->name.size() + 1);

@@ -163,6 +163,15 @@ namespace Penumbra.Tests
             }
         }
 
+        // Single-pass XR declares arrays.
+        [Test]
+        public void WhatIsAbsentIsAnArrayWhereBothEyesAreDrawnAtOnce([Values(1, 2)] int views)
+        {
+            Use(PresetFallback.Options(QualityPreset.Medium));
+            urp.Render(new FakeScene { Views = views }, feature);
+            Assert.That(Draw("Resolve").Textures["_PenumbraMaskTexture"], Is.EqualTo(views == 1 ? "black" : "array of 2"));
+        }
+
         [Test]
         public void EachTechniqueHasItsKeywordAlone()
         {

@@ -275,9 +275,6 @@ class GraphRunner::Run {
           &resources_.texture(name),
           level_before ? gpu::ImageRange{.first_mip = mip - 1, .mips = 1} : gpu::ImageRange{}};
     }
-    // The program does not read it, but the device wants one bound.
-    if (depth_)
-      for (const std::string& shader_name : pass.absent) named.images[shader_name] = {&*depth_};
     if (pass.kind == PassKind::compute)
       for (const auto& [shader_name, name] : pass.writes) {
         if (resources_.is_texture(name))
@@ -286,6 +283,30 @@ class GraphRunner::Run {
           named.buffers[shader_name] = &resources_.buffer(name);
       }
     return named;
+  }
+
+  // Black, as the renderer feature binds it. The program does not read it.
+  void add_absent(const GraphPass& pass, const ProgramOnDevice& program, NamedResources& named) {
+    for (const std::string& name : pass.absent) {
+      const std::string lists = "'" + pass.name + "' lists '" + name + "' as absent, ";
+      if (named.images.contains(name))
+        throw InputError(pass.where, lists + "which every pass is given", "leave it out of \"absent\"");
+      const auto is_read = [&name](const shaders::Resource& resource) {
+        return resource.kind == shaders::ResourceKind::sampled_image && resource.name == name;
+      };
+      if (std::none_of(program.resources().begin(), program.resources().end(), is_read))
+        throw InputError(pass.where, lists + "and its program reads no such texture",
+                         "write what '" + pass.file + "' calls the texture, or leave it out");
+      if (!black_) {
+        black_.emplace(*runner_.device_, gpu::ImageShape{.format = gpu::Format::r32f,
+                                                         .width = 1,
+                                                         .height = 1,
+                                                         .layers = second_eye_ == nullptr ? 1 : 2});
+        for (int layer = 0; layer < black_->shape().layers; ++layer)
+          black_->upload(std::vector<float>{0.0F}, {.layer = layer});
+      }
+      named.images[name] = {&*black_};
+    }
   }
 
   // Inline samplers and those of textures of the user's, by the names that the program has.
@@ -338,6 +359,7 @@ class GraphRunner::Run {
     const GraphPass& pass = runner_.graph().passes[index];
     ProgramOnDevice& used = program(index);
     NamedResources named = named_resources(pass, mip);
+    add_absent(pass, used, named);
     add_own_samplers(used, named);
     Counter counter = counter_of(pass, mip);
     if (counter.buffer) named.buffers[shaders::texel_counts_name] = &counter.buffer->buffer();
@@ -443,6 +465,7 @@ class GraphRunner::Run {
   GraphResources resources_;
   PassGeometry geometry_;
   std::optional<gpu::Image> depth_;
+  std::optional<gpu::Image> black_;    // in the place of absent textures
   std::optional<gpu::Image> picture_;  // its content means nothing
   gpu::Sequence sequence_;
   bool counting_;

@@ -15,7 +15,12 @@ constexpr const char* kSamplerNames =
 
 // `declared_at`: the pass in its manifest; empty: the program is an adapter's.
 std::string way_out_of(const shaders::Resource& missing, const std::string& declared_at) {
-  if (!declared_at.empty()) return "give it to the pass at " + declared_at + R"( in "reads" or "writes")";
+  if (!declared_at.empty()) {
+    const bool is_texture = missing.kind == shaders::ResourceKind::sampled_image;
+    return "give it to the pass at " + declared_at +
+           (is_texture ? R"( in "reads", or name it in "absent" if the program can do without)"
+                       : R"( in "reads" or "writes")");
+  }
   if (missing.kind != shaders::ResourceKind::sampled_image) return "";
   const std::string& name = missing.name;
   return "give it one behind the adapter's file: ';" + name + "=picture.png' or ';" + name + "=white'";

@@ -128,7 +128,9 @@ std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) 
       object.fail("absent", "'" + name + "' is no identifier", "write what the program calls the texture");
     for (const auto& [shader_name, texture] : pass.reads)
       if (shader_name == name)
-        object.fail("absent", "the pass reads '" + name + "'", "leave it out of one of both");
+        object.fail("absent", "the pass reads '" + name + "'", R"(leave it out of "reads" or of "absent")");
+    if (std::count(absent.begin(), absent.end(), name) > 1)
+      object.fail("absent", "'" + name + "' stands there twice");
   }
   return absent;
 }

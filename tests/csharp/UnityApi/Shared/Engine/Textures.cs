@@ -25,6 +25,16 @@ namespace UnityEngine
         [OwnBehaviour] public Texture2D() { }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    public sealed partial class Texture2DArray : Texture
+    {
+        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags)
+        {
+            name = "array of " + depth;
+        }
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class RenderTexture : Texture
