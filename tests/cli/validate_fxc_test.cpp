@@ -45,6 +45,22 @@ TEST_F(ValidateFxc, ErrorsAndWarningsAreAtTheirPlacesAndTheTwoCompilersAreToldAp
   EXPECT_THAT(result.output, HasSubstr("d3d11: FXC "));
 }
 
+// A limit of ours says nothing of what Unity would do.
+TEST_F(ValidateFxc, WhatTakesFxcTooLongIsNotCountedAsRefused) {
+  PENUMBRA_NEEDS_FXC();
+  const std::string file =
+      write("Long.compute",
+            "#pragma kernel Main\nRWStructuredBuffer<float> o;\n[numthreads(1, 1, 1)] void Main() {\n"
+            "float s = o[0];\n[unroll(1000)] for (int i = 0; i < 1000; ++i)\n"
+            "[unroll(1000)] for (int j = 0; j < 1000; ++j) s = sin(s + cos(s + i * j));\no[0] = s; }\n")
+          .string();
+  const auto result = run_with_fxc({"validate", file, "--target", "spirv,d3d11", "--no-cache", "--no-lint",
+                                    "--time-limit", "2", "--format", "json"});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("took more than 2 s of CPU time in FXC"));
+  EXPECT_FALSE(nlohmann::json::parse(result.output).contains("front_ends"));
+}
+
 TEST_F(ValidateFxc, TheReportHasCountsAndIsReadAgain) {
   PENUMBRA_NEEDS_FXC();
   const std::string file = four_variants();

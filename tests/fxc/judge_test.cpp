@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <thread>
 
 #include "fxc/at_hand.h"
 #include "fxc/profile.h"
@@ -76,7 +79,8 @@ TEST(FxcJudge, LeavesNoFilesBehind) {
   Installation broken = require_fxc();
   broken.library = own.parent_path() / "fxc-broken.dll";
   std::ofstream(broken.library, std::ios::binary) << "MZ" << std::string(3000000, '\x17');
-  EXPECT_THROW(Judge{broken}, EnvironmentError);
+  for (int i = 0; i < 4; ++i) EXPECT_THROW(Judge{broken}, EnvironmentError);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
   EXPECT_TRUE(std::filesystem::is_empty(own));
   ::unsetenv("TMPDIR");
   EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);
@@ -93,6 +97,20 @@ TEST(FxcJudge, FoldersMayHaveLettersBeyondAscii) {
     *file = copy;
   }
   EXPECT_TRUE(Judge(there).compile({kDoubles, "Main", "cs_5_0"}).compiled);
+  // Wine takes no such folder, so it gets another.
+  ::setenv("TMPDIR", folder.c_str(), 1);
+  Judge fxc(there);
+  ::unsetenv("TMPDIR");
+  EXPECT_TRUE(fxc.compile({kDoubles, "Main", "cs_5_0"}).compiled);
+}
+
+TEST(FxcJudge, HasStackForNestedExpressions) {
+  PENUMBRA_NEEDS_FXC();
+  std::string text = "1.0 * a";
+  for (int i = 0; i < 1000; ++i) text = "sin(" + text + ")";
+  Judge fxc = judge();
+  EXPECT_TRUE(fxc.compile({"float4 Main(float a : A) : SV_Target { return " + text + "; }", "Main", "ps_5_0"})
+                  .compiled);
 }
 
 // FXC unrolls all of it.
@@ -118,7 +136,7 @@ TEST(FxcJudge, AProgramThatTakesTooLongEndsIt) {
 
 TEST(FxcJudge, AProgramThatTakesTooMuchMemoryEndsIt) {
   PENUMBRA_NEEDS_FXC();
-  expect_spent({60, 256}, "took more than 256 MiB in FXC");
+  expect_spent({60, 256}, "ran out of memory in FXC, which may take 256 MiB");
 }
 
 TEST(FxcJudge, ProfilesAreUnitys) {

@@ -5,6 +5,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -77,6 +78,13 @@ TEST_F(ConfinedChildTest, IsGivenUpWhereItStaysSilent) {
   EXPECT_FALSE(child.read(&answer, 1));
   // More than a pipe holds.
   EXPECT_FALSE(child.write(std::string(std::size_t{1} << 20, 'a')));
+}
+
+// Wine's server outlives the program that it serves, and holds its pipes.
+TEST_F(ConfinedChildTest, HasEndedEvenIfWhatItStartedHoldsItsPipes) {
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(output_of("printf said; sleep 60 & exit", {}, {}), "said");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(50));
 }
 
 TEST_F(ConfinedChildTest, ReadsAndWritesWhatItIsGiven) {

@@ -238,6 +238,9 @@ TEST_F(PassGraphTest, AnAbsentTextureIsWhatTheProgramCallsOneThatThePassDoesNotR
               AllOf(HasSubstr("t.technique.json:"), HasSubstr("the pass reads '_Source'")));
   EXPECT_THAT(problem(darker(), reads, with(R"("_Other", "_Other")")),
               HasSubstr("'_Other' stands there twice"));
+  std::string many = "\"_Other0\"";
+  for (int i = 1; i < 65; ++i) many += ", \"_Other" + std::to_string(i) + '"';
+  EXPECT_THAT(problem(darker(), reads, with(many)), HasSubstr("at most 64 absent textures"));
   EXPECT_THAT(problem(darker(), reads, with(R"("2 = x")")), HasSubstr("'2 = x' is no identifier"));
 }
 

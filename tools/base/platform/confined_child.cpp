@@ -10,11 +10,13 @@
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 #include "platform/confinement.h"
 #include "platform/file_access.h"
@@ -58,13 +60,29 @@ void make_pipe(int (&ends)[2]) {
   for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 }
 
-// Whether the pipe's end can be read or written, which it also can when the other end is closed.
-bool is_ready(int end, short event, std::chrono::milliseconds patience) {
-  pollfd waited{end, event, 0};
-  int ready = 0;
-  do ready = ::poll(&waited, 1, static_cast<int>(patience.count()));
-  while (ready < 0 && errno == EINTR);
-  return ready > 0;
+// Becomes readable when the process ends; -1 where there is no such thing.
+int end_of(pid_t process) {
+#ifdef __linux__
+  return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
+#else
+  static_cast<void>(process);
+  return -1;
+#endif
+}
+
+// Whether the pipe's end can be read or written, which it also can when the other end is closed. A process
+// that has ended writes no more, even if what it has started, as Wine's server, holds the other end open.
+bool is_ready(int pipe, short event, std::chrono::milliseconds patience, int ended) {
+  pollfd waited[] = {{pipe, event, 0}, {ended, POLLIN, 0}};
+  const auto wait = [&waited](std::chrono::milliseconds most) {
+    int ready = 0;
+    do ready = ::poll(waited, std::size(waited), static_cast<int>(most.count()));
+    while (ready < 0 && errno == EINTR);
+    return ready > 0;
+  };
+  if (!wait(patience)) return false;
+  if (waited[0].revents == 0) wait(std::chrono::milliseconds(0));
+  return waited[0].revents != 0;
 }
 
 }  // namespace
@@ -90,12 +108,14 @@ ConfinedChild::ConfinedChild(const ConfinedCommand& command) : patience_(command
   ::fcntl(input_, F_SETFL, O_NONBLOCK);  // write() waits by itself
   if (process_ < 0)
     throw EnvironmentError("no process can be started: " + std::string(std::strerror(problem)));
+  ended_ = end_of(process_);
   ::signal(SIGPIPE, SIG_IGN);  // write() tells that the child has ended
 }
 
 ConfinedChild::~ConfinedChild() {
   ::close(input_);
   ::close(output_);
+  if (ended_ >= 0) ::close(ended_);
   ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
 }
@@ -105,7 +125,7 @@ bool ConfinedChild::write(std::string_view bytes) {
     const ssize_t count = ::write(input_, bytes.data(), bytes.size());
     if (count > 0)
       bytes.remove_prefix(static_cast<std::size_t>(count));
-    else if (errno == EAGAIN ? !is_ready(input_, POLLOUT, patience_) : errno != EINTR)
+    else if (errno == EAGAIN ? !is_ready(input_, POLLOUT, patience_, ended_) : errno != EINTR)
       return false;
   }
   return true;
@@ -113,7 +133,7 @@ bool ConfinedChild::write(std::string_view bytes) {
 
 bool ConfinedChild::read(char* bytes, std::size_t count) {
   while (count > 0) {
-    if (!is_ready(output_, POLLIN, patience_)) return false;
+    if (!is_ready(output_, POLLIN, patience_, ended_)) return false;
     const ssize_t read = ::read(output_, bytes, count);
     if (read > 0) {
       bytes += read;

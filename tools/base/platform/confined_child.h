@@ -47,6 +47,7 @@ class ConfinedChild {
   int process_ = 0;
   int input_ = -1;   // our end of its standard input
   int output_ = -1;  // our end of its standard output
+  int ended_ = -1;   // becomes readable when it ends
   std::chrono::milliseconds patience_{};
 };
 

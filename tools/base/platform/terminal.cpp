@@ -67,14 +67,14 @@ std::filesystem::path temporary_directory() {
   return error ? std::filesystem::path("/tmp") : folder;
 }
 
-std::filesystem::path new_private_directory(const std::string& prefix) {
+std::filesystem::path new_private_directory(const std::string& prefix, const std::filesystem::path& parent) {
 #ifdef _WIN32
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-  std::filesystem::path folder = temporary_directory() / (prefix + "-" + std::to_string(now));
+  std::filesystem::path folder = parent / (prefix + "-" + std::to_string(now));
   std::error_code error;
   return std::filesystem::create_directory(folder, error) ? folder : std::filesystem::path();
 #else
-  std::string name = (temporary_directory() / (prefix + "-XXXXXX")).string();
+  std::string name = (parent / (prefix + "-XXXXXX")).string();
   return mkdtemp(name.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(name);
 #endif
 }

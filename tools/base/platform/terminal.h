@@ -13,8 +13,10 @@ bool colour_wanted_on_stdout();               // the same of standard output
 std::filesystem::path program_path();         // the running executable
 std::filesystem::path program_directory();    // its folder
 std::filesystem::path temporary_directory();  // $TMPDIR, or /tmp where that is not a folder
-// A new folder in it that this user alone can read, whose name has that prefix; empty if none can be created.
-std::filesystem::path new_private_directory(const std::string& prefix);
+// A new folder in `parent` that this user alone can read, whose name has that prefix; empty if none can be
+// created.
+std::filesystem::path new_private_directory(const std::string& prefix,
+                                            const std::filesystem::path& parent = temporary_directory());
 std::filesystem::path cache_directory();  // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 
 }  // namespace penumbra::platform

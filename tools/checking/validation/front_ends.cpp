@@ -37,6 +37,8 @@ FrontEnds front_ends(const ValidationReport& report) {
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
     if (record.target == whole_source || record.status == VariantStatus::unchecked) continue;
+    // A compiler that reached a limit or crashed has not said anything of the variant.
+    if (!record.reproduction.empty()) continue;
     Verdicts& of_variant = verdicts[variants.of_record(i)];
     if (record.target == fxc_target)
       of_variant.fxc = !failed(record);

@@ -1,5 +1,6 @@
 #include "fxc/judge.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -38,16 +39,29 @@ constexpr int kPatience = 20;
 
 constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes
 
+// Wine takes plain paths alone, and of its server's socket below them only short ones.
+fs::path folder_for_wine() {
+  constexpr std::size_t kLongest = 64;
+  const fs::path usual = platform::temporary_directory();
+  const std::string& name = usual.native();
+  const auto is_plain = [](unsigned char c) {
+    return c > ' ' && c < 0x7f && c != '\\' && c != '"' && c != ':';
+  };
+  const bool fits =
+      usual.is_absolute() && name.size() <= kLongest && std::all_of(name.begin(), name.end(), is_plain);
+  return fits ? usual : fs::path("/tmp");
+}
+
 // What Wine needs of a prefix: two drives. It is told to load its own libraries from where they are
 // installed, and to start none of the services of a Windows desktop, which takes half a second in place of
 // twenty.
 struct Prefix {
-  fs::path folder = platform::new_private_directory("penumbra-fxc");
+  fs::path folder = platform::new_private_directory("penumbra-fxc", folder_for_wine());
 
   Prefix() {
     if (folder.empty())
-      throw EnvironmentError("no folder for Wine can be made in '" +
-                             platform::temporary_directory().string() + "', where TMPDIR points");
+      throw EnvironmentError("no folder for Wine can be made in '" + folder_for_wine().string() +
+                             "': point TMPDIR to one that can be written to, with a plain, short path");
     std::error_code error;
     fs::create_directories(folder / "drive_c", error);
     fs::create_directories(folder / "dosdevices", error);
@@ -58,6 +72,13 @@ struct Prefix {
     throw EnvironmentError("no temporary folder for Wine can be made: " + error.message());
   }
   ~Prefix() { remove(); }
+  // Wine's server ends a moment after the program that it served, and writes its registry then.
+  void remove_until_quiet() const {
+    for (int tries = 0; tries < 75; ++tries) {
+      remove();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
   Prefix(const Prefix&) = delete;
   Prefix& operator=(const Prefix&) = delete;
 
@@ -132,6 +153,10 @@ Judge::Judge(const Installation& installation, const JudgeLimits& limits) {
     const Prefix prefix;
     process_ = std::make_unique<Process>(installation, limits, prefix.folder);
     started = process_->child.read(&ready, 1);
+    if (!started) {
+      process_.reset();
+      prefix.remove_until_quiet();
+    }
   }
   if (!started)
     throw EnvironmentError("FXC does not start: '" + installation.wine.string() + "' with '" +
@@ -154,8 +179,8 @@ Verdict Judge::compile(const Program& program) {
     throw platform::WorkerSpent("took more than " + std::to_string(process_->limits.processor_seconds) +
                                 " s of CPU time in FXC");
   if (status == kTooLarge)
-    throw platform::WorkerSpent("took more than " + std::to_string(process_->limits.megabytes) +
-                                " MiB in FXC");
+    throw platform::WorkerSpent("ran out of memory in FXC, which may take " +
+                                std::to_string(process_->limits.megabytes) + " MiB");
   Verdict verdict;
   verdict.compiled = status == kCompiled;
   const std::pair<std::size_t, std::string*> parts[] = {{4, &verdict.bytecode}, {8, &verdict.messages}};

@@ -123,6 +123,9 @@ void require_structs(JsonObject& object, const TechniqueList& list, const std::v
 // Names that become C# and uniforms.
 std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) {
   std::vector<std::string> absent = object.texts("absent");
+  constexpr std::size_t kMost = 64;
+  if (absent.size() > kMost)
+    object.fail("absent", "a pass has at most " + std::to_string(kMost) + " absent textures");
   for (const std::string& name : absent) {
     if (!hlsl::is_identifier(name))
       object.fail("absent", "'" + name + "' is no identifier", "write what the program calls the texture");
