@@ -81,7 +81,7 @@ void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView
 {
     const int2 last = int2(view.size.xy) - 1;
     const int side = square.width + 2 * SQUARE_APRON;
-    const int quads = square.width > 0 ? side >> 1 : 0;
+    const int quads = side >> 1;
     PENUMBRA_LOOP
     for (int n = int(thread); n < quads * quads; n += int(threads))
     {
