@@ -43,7 +43,7 @@ float OutsidePenumbrae(float mask, int2 pixel, ScreenView view)
     return ApplyPenumbraStrength(SingleTap(shadow));
 }
 
-// What the mask says, or a negative number.
+// The mask tells the visibility, or a negative number stands for one that it does not know.
 float VisibilityByMask(int2 pixel, ScreenView view)
 {
     float visibility = kNotKnown;

@@ -23,7 +23,7 @@ static const int kMostRingRadii = 3;
 static const float kRingRadiusShrinks = 0.75;
 static const float kSmallestRingRadius = 2.0;
 
-// As in DepthPlaneDecision.hlsl.
+// A disc takes as many blocks each way as in DepthPlaneDecision.hlsl.
 static const int kRingBlocksAcross = 3;
 
 struct RingReach
@@ -40,7 +40,7 @@ struct RingDecision
     float radius;     // texels: no blocker's penumbra is wider
 };
 
-// What the blocks within a radius say together.
+// These bounds hold for all blocks within a radius together.
 struct RingBounds
 {
     bool whole;         // the blocks are all of the disc's
@@ -65,7 +65,7 @@ RingReach RingReachOf(ShadowReceiver receiver, ShadowTile tile, PcssAngularParam
     return reach;
 }
 
-// Of a block of the level; its first level is a texture of its own.
+// The planes are of a block of the level, whose first level is a texture of its own.
 DepthPlanes PlanesOfLevel(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), int2 block, int level)
 {
     float4 planes;

@@ -126,7 +126,7 @@ namespace Penumbra.Tests
             Assert.That(urp.Device.Draws.Select(draw => draw.Vertices), Is.All.EqualTo(3));
         }
 
-        // By the sizes it knows that it has no mask and nothing to upsample, whatever a camera before it had.
+        // The program knows by the sizes that it has no mask and nothing to upsample, whatever a camera before it had.
         [Test]
         public void AnUnmaskedResolveSetsTheSizesOfAbsentTexturesToZero()
         {
@@ -144,7 +144,7 @@ namespace Penumbra.Tests
             Assert.That(Vector(Draw("Resolve"), "_PenumbraSourceSize"), Is.EqualTo(Vector4.zero));
         }
 
-        // Of no frame: what one leaves bound is there in the next.
+        // A frame leaves textures bound, which are there in the next.
         [Test]
         public void NoResolveHasItsOwnTargetBound([Values] bool mask, [Values] bool half, [Values] bool denoise)
         {
