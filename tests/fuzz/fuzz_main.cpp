@@ -10,20 +10,24 @@
 #include <string_view>
 
 #include "fuzz/fuzz_input.h"
+#include "fuzz/json_mutator.h"
 #include "fuzz/targets.h"
 
 namespace penumbra::fuzz {
 namespace {
 
+enum class Inputs { bytes, json };
+
 struct Target {
   std::string_view name;
   void (*run)(std::string_view bytes);
+  Inputs inputs = Inputs::bytes;
 };
 
 constexpr Target all_targets[] = {{"bytecode", targets::bytecode},
                                   {"cache_entries", targets::cache_entries},
                                   {"expanded_text", targets::expanded_text},
-                                  {"figures", targets::figures},
+                                  {"figures", targets::figures, Inputs::json},
                                   {"messages", targets::messages},
                                   {"model", targets::model},
                                   {"option_values", targets::option_values},
@@ -32,12 +36,12 @@ constexpr Target all_targets[] = {{"bytecode", targets::bytecode},
                                   {"preparation", targets::preparation},
                                   {"preprocessing", targets::preprocessing},
                                   {"project_files", targets::project_files},
-                                  {"report", targets::report},
-                                  {"settings", targets::settings},
+                                  {"report", targets::report, Inputs::json},
+                                  {"settings", targets::settings, Inputs::json},
                                   {"shaderlab", targets::shaderlab},
                                   {"source_text", targets::source_text},
                                   {"stripping", targets::stripping},
-                                  {"technique_list", targets::technique_list},
+                                  {"technique_list", targets::technique_list, Inputs::json},
                                   {"worker_messages", targets::worker_messages}};
 
 const Target* chosen = nullptr;
@@ -87,6 +91,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   penumbra::fuzz::require(std::clock() - start <= longest,
                           "an input takes at most 25 seconds of processor time");
   return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
+  using namespace penumbra::fuzz;
+  return chosen->inputs == Inputs::json ? mutate_json(data, size, most, seed)
+                                        : LLVMFuzzerMutate(data, size, most);
 }
 
 // Memory that the model importer forgets is not ours.

@@ -25,10 +25,11 @@ class Landscape : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Landscape, IsTheSameToTheByteEverywhere) {
-  const std::map<std::string, std::string> golden{{"valley-5", "adbc660c13481137c6f56aa63cd67362"},
-                                                  {"valley-20", "23d993bdb097d5d55d11e6727d61ee4d"},
-                                                  {"valley-20-clouds", "6c3047b78d8069e374b0f67df2b1e52c"},
-                                                  {"valley-45", "ec9ec108132ef808a77a654f5bb1d42f"}};
+  const std::map<std::string, std::string> golden{
+      {"valley-5", "053dc365f04e9560171f9bd69a3080087e1cd6ebebc6890a11d48f826843c8b7"},
+      {"valley-20", "4224ffe115cc77231661010f902a63af72a295a73d548ef2a48f7da0332b2b80"},
+      {"valley-20-clouds", "aa84556067243ae42b4ac5410708d42fe45eded3acaf7b92809a89a1a32ad3b9"},
+      {"valley-45", "a2750eea6f93389db9b04c6e5748ee101d107ec8aef5b044cdc1792d5d26bf63"}};
   EXPECT_EQ(content_hash(scene), golden.at(GetParam()));
 }
 

@@ -1,6 +1,8 @@
 // A study that was interrupted between two techniques, and one that was not, give the same results.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "platform/interrupt.h"
@@ -55,12 +57,15 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   const std::vector<Subject> chosen =
       subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
   const StudyOutcome whole = run_study(test_device(), chosen, settings(whole_cache.path()), [](auto&&...) {});
+  EXPECT_EQ(kept_in(whole_cache.path()), 3U) << "until the results are written";
+  whole.kept->drop();
   EXPECT_EQ(kept_in(whole_cache.path()), 0U) << "nothing is kept of a study that is finished";
 
   EXPECT_THROW(run_study(test_device(), chosen, settings(cache.path()), until(chosen[2].name)),
                platform::Interrupted);
   EXPECT_EQ(kept_in(cache.path()), 2U);
   const StudyOutcome continued = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
+  continued.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 0U);
   EXPECT_EQ(continued.records, whole.records);
   ASSERT_EQ(continued.pictures.size(), whole.pictures.size());
@@ -81,12 +86,115 @@ TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
 
   StudySettings other = settings(cache.path());
   other.noise_seeds = 3;
-  EXPECT_EQ(run_study(test_device(), chosen, other, [](auto&&...) {}).records.at(0).metrics.seeds, 3);
+  const StudyOutcome of_three = run_study(test_device(), chosen, other, [](auto&&...) {});
+  EXPECT_EQ(of_three.records.at(0).metrics.seeds, 3);
+  of_three.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 1U) << "of the first study";
 
   chosen[0].title = "another title";
   EXPECT_EQ(run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {}).records.at(0).title,
             "another title");
+}
+
+// A graph of the test whose pass reads one of two textures.
+std::vector<Subject> mixed(const fs::path& folder, const std::string& read, int divisor) {
+  std::ofstream(folder / "Mix.compute") << R"(
+#pragma kernel Fill
+#pragma kernel Mix
+RWTexture2D<float> _Out;
+Texture2D<float> _In;
+RWTexture2D<float> _Visibility;
+[numthreads(8,8,1)] void Fill(uint3 id : SV_DispatchThreadID) { _Out[id.xy] = 0.75; }
+[numthreads(8,8,1)] void Mix(uint3 id : SV_DispatchThreadID)
+{
+    uint width, height;
+    _In.GetDimensions(width, height);
+    _Visibility[id.xy] = _In.Load(int3(0, 0, 0)) * width / 100.0;
+}
+)";
+  std::string text = R"({"graphs": [{"name": "mix", "textures": [{"name": "visibility", "format": "r32f"},
+      {"name": "whole", "format": "r32f"}, {"name": "small", "format": "r32f", "divisor": DIVISOR}],
+    "passes": [
+      {"name": "Whole", "kernel": "Fill", "kind": "compute", "compute": "Mix.compute", "writes": {"_Out": "whole"},
+       "groups": {"texels_of": "whole"}},
+      {"name": "Small", "kernel": "Fill", "kind": "compute", "compute": "Mix.compute", "writes": {"_Out": "small"},
+       "groups": {"texels_of": "small"}},
+      {"name": "Mix", "kind": "compute", "compute": "Mix.compute", "reads": {"_In": "READ", "_Other": "OTHER"},
+       "writes": {"_Visibility": "visibility"}, "groups": {"texels_of": "visibility"}}],
+    "visibility": "visibility"}],
+    "techniques": [{"name": "mix", "title": "Mix", "family": "mix", "source": "s", "graph": "mix"}]})";
+  const auto set = [&](const std::string& word, const std::string& value) {
+    text.replace(text.find(word), word.size(), value);
+  };
+  set("DIVISOR", std::to_string(divisor));
+  set("READ", read);
+  set("OTHER", read == "whole" ? "small" : "whole");
+  std::ofstream(folder / "Mix.technique.json") << text;
+  const techniques::TechniqueList list = techniques::read_technique_list(folder / "Mix.technique.json");
+  return {technique_subject(list, list.find("mix"), true), subjects({"hard"}).front()};
+}
+
+// The programs of both graphs are the same.
+TEST(ContinuedStudy, TakesNothingOfAnotherGraph) {
+  const reference::ScratchFolder cache, files;
+  const auto rmse = [&](const std::string& read, int divisor, const fs::path& kept_in) {
+    return run_study(test_device(), mixed(files.path(), read, divisor), settings(kept_in), [](auto&&...) {})
+        .records.at(0)
+        .metrics.rmse_all;
+  };
+  EXPECT_THROW(
+      run_study(test_device(), mixed(files.path(), "whole", 2), settings(cache.path()), until("hard")),
+      platform::Interrupted);
+  for (const auto& [read, divisor] : {std::pair("small", 2), std::pair("small", 4), std::pair("whole", 2)}) {
+    const reference::ScratchFolder empty;
+    EXPECT_EQ(rmse(read, divisor, cache.path()), rmse(read, divisor, empty.path())) << read << divisor;
+  }
+}
+
+// A user's function that answers with its picture's one texel.
+TEST(ContinuedStudy, TakesNothingOfAnotherPicture) {
+  const reference::ScratchFolder cache, files;
+  std::ofstream(files.path() / "a.hlsl")
+      << "Texture2D<float4> _Tex;\n"
+         "float ShadowVisibility(float3 p, float3 n, float2 x) { return _Tex.Load(int3(0, 0, 0)).x; }\n";
+  const auto of = [&](std::uint8_t value) {
+    resolve::Adapter adapter;
+    adapter.name = "a";
+    adapter.file = files.path() / "a.hlsl";
+    adapter.textures = {{"_Tex", {1, 1, {value, value, value, 255}}}};
+    return std::vector<Subject>{adapter_subject(adapter, true), subjects({"hard"}).front()};
+  };
+  EXPECT_THROW(run_study(test_device(), of(255), settings(cache.path()), until("hard")),
+               platform::Interrupted);
+  const reference::ScratchFolder empty;
+  const auto rmse = [&](const fs::path& folder) {
+    return run_study(test_device(), of(0), settings(folder), [](auto&&...) {}).records.at(0).metrics.rmse_all;
+  };
+  EXPECT_EQ(rmse(cache.path()), rmse(empty.path()));
+}
+
+// The picture with unlimited samples is kept for ever; the programs of both graphs are the same.
+TEST(ContinuedStudy, SplitsTheErrorByItsOwnUnlimitedPicture) {
+  const reference::ScratchFolder cache, files;
+  const fs::path added = fs::path(PENUMBRA_SOURCE_DIR) / "tests/techniques/added";
+  fs::copy(added, files.path(), fs::copy_options::recursive);
+  const auto split = [&](int divisor, const fs::path& folder) {
+    nlohmann::json manifest = nlohmann::json::parse(std::ifstream(added / "Means.technique.json"));
+    for (nlohmann::json& texture : manifest["graphs"][0]["textures"]) texture["divisor"] = divisor;
+    manifest["techniques"][0]["unlimited"] = {{"scale", 1.0}};
+    std::ofstream(files.path() / "Means.technique.json") << manifest;
+    const techniques::TechniqueList list =
+        techniques::read_technique_list(files.path() / "Means.technique.json");
+    StudySettings splitting = settings(folder);
+    splitting.split_error = true;
+    const std::vector<Subject> subjects{technique_subject(list, list.find("means"), true)};
+    return run_study(test_device(), subjects, splitting, [](auto&&...) {}).records.at(0).metrics.split;
+  };
+  const ErrorSplit first = split(1, cache.path());
+  const reference::ScratchFolder empty;
+  const ErrorSplit second = split(4, cache.path());
+  EXPECT_EQ(second, split(4, empty.path()));
+  EXPECT_NE(second, first);
 }
 
 TEST(ContinuedStudy, HasPicturesOnlyWhereTheyAreWanted) {

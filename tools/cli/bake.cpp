@@ -20,7 +20,7 @@
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "platform/cache_store.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 #include "scene/height_image.h"
 #include "scene/scene.h"
 

@@ -23,12 +23,14 @@
 #include "input/text_file.h"
 #include "input/visible_text.h"
 #include "platform/atomic_file.h"
+#include "platform/cache_folder.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
 #include "platform/source_commit.h"
-#include "platform/terminal.h"
 #include "reference/trace_visibility.h"
+#include "study/chart.h"
 #include "study/earlier_rows.h"
+#include "study/kept_records.h"
 #include "study/picture_sheet.h"
 #include "study/preset_figures.h"
 #include "study/report.h"
@@ -135,9 +137,11 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   return settings;
 }
 
+// The results before what is drawn of them: if that fails, they are there.
 void write_report(const std::filesystem::path& folder, const study::Results& results,
                   std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts) {
   make_folder(folder);
+  platform::write_file_atomically(folder / "results.json", study::to_json(results));
   study::ReportContent content;
   content.results = results;
   content.charts = study::report_charts(results);
@@ -156,7 +160,6 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   const study::Picture overview = study::overview(results, content.pictures, 4);
   if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
   platform::write_file_atomically(folder / "report.html", study::render_report(content));
-  platform::write_file_atomically(folder / "results.json", study::to_json(results));
 }
 
 void print_headlines(const std::filesystem::path& folder, const study::Results& results) {
@@ -190,6 +193,7 @@ bool writes_report(const MeasureOptions& options) {
 struct Measured {
   study::Results results;
   std::vector<study::PictureRow> pictures;
+  std::shared_ptr<study::KeptRecords> kept;  // absent: nothing was measured
 };
 
 Measured measure(const CLI::App& command, const MeasureOptions& options, Context& context) {
@@ -222,6 +226,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   measured.results.frames = std::move(outcome.frames);
   measured.results.records = std::move(outcome.records);
   measured.pictures = std::move(outcome.pictures);
+  measured.kept = std::move(outcome.kept);
   return measured;
 }
 
@@ -271,13 +276,46 @@ study::Results earlier_results(const MeasureOptions& options) {
   return earlier;
 }
 
+// Where a file of the report belongs there may be an older one, and nothing else.
+void check_report_files(const std::filesystem::path& folder) {
+  static const std::set<std::string> kEndings{".json", ".html", ".svg", ".png"};
+  std::error_code absent;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, absent)) {
+    std::error_code ignored;
+    const bool is_ours =
+        entry.path().filename() == "pictures" ? entry.is_directory(ignored) : entry.is_regular_file(ignored);
+    if (is_ours || (entry.path().filename() != "pictures" && kEndings.count(entry.path().extension()) == 0))
+      continue;
+    throw InputError(entry.path().string(), "is in the place of a file of the report and is no such file",
+                     "remove it, or choose another folder with --output");
+  }
+}
+
 void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
+  if (writes_report(options)) {
+    check_report_files(options.output);
+    study::require_gnuplot();
+  }
   check_cache_folder(options.cache, platform::cache_directory(), context);
   check_output_file(options.presets);
   check_output_file(options.readme);
   if (!options.readme.empty())  // a page without the markers, before the measuring and not after it
     (void)study::replace_result_block(read_text_file(options.readme), "", options.readme, options.block);
+}
+
+void write_all(const MeasureOptions& options, Measured measured, const study::FactsOfTechniques& facts) {
+  if (writes_report(options)) {
+    write_report(options.output, measured.results, std::move(measured.pictures), facts);
+    print_headlines(options.output, measured.results);
+  } else if (options.readme.empty() && options.presets.empty()) {
+    write_output("", study::to_json(measured.results));
+  }
+  if (!options.readme.empty()) rewrite_readme(options, measured.results, facts);
+  if (!options.presets.empty())
+    write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
+  // Last: what could not be written goes on from these.
+  if (measured.kept) measured.kept->drop();
 }
 
 void run(const CLI::App& command, const MeasureOptions& options, Context& context) {
@@ -294,15 +332,14 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
     measured.results = study::read_results(options.from);
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
-  if (writes_report(options)) {
-    write_report(options.output, measured.results, std::move(measured.pictures), facts);
-    print_headlines(options.output, measured.results);
-  } else if (options.readme.empty() && options.presets.empty()) {
-    write_output("", study::to_json(measured.results));
+  const std::shared_ptr<study::KeptRecords> kept = measured.kept;
+  try {
+    write_all(options, std::move(measured), facts);
+  } catch (...) {
+    if (kept && kept->complete() && !context.quiet)
+      fmt::print(stderr, "note: what was measured is kept; the same command goes on from there\n");
+    throw;
   }
-  if (!options.readme.empty()) rewrite_readme(options, measured.results, facts);
-  if (!options.presets.empty())
-    write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
+#include "platform/cache_folder.h"
 
 namespace penumbra::cli {
 namespace {
@@ -24,6 +25,19 @@ std::filesystem::path nearest_folder(const std::filesystem::path& folder) {
 // Throws InputError that names the folder as it was given.
 void check_folder(const std::filesystem::path& given) {
   platform::check_folder_can_be_written(nearest_folder(given), given);
+}
+
+// Why nothing can or may be kept there; empty where it can.
+std::string cache_problem(const std::filesystem::path& folder) {
+  if (folder.empty()) return "neither HOME nor XDG_CACHE_HOME names a folder for the cache";
+  if (std::string problem = platform::cache_folder_problem(folder); !problem.empty())
+    return "what is in the cache may be somebody else's: " + problem;
+  try {
+    check_folder(folder);
+  } catch (const InputError& error) {
+    return std::string("the cache cannot be written: ") + error.what();
+  }
+  return {};
 }
 
 }  // namespace
@@ -71,15 +85,13 @@ void check_output_folder(const std::string& folder) {
 void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
                         const Context& context) {
   if (!given.empty()) (void)nearest_folder(given);
-  try {
-    check_folder(given.empty() ? standard : std::filesystem::path(given));
-  } catch (const InputError& error) {
-    if (context.quiet) return;
-    std::fprintf(stderr,
-                 "note: nothing is kept for the next run, because the cache cannot be written: %s\n"
-                 "  choose another folder with --cache FOLDER or the environment variable PENUMBRA_CACHE\n",
-                 error.what());
-  }
+  const std::filesystem::path folder = given.empty() ? standard : std::filesystem::path(given);
+  const std::string problem = cache_problem(folder);
+  if (problem.empty() || context.quiet) return;
+  std::fprintf(stderr,
+               "note: nothing is kept for the next run, because %s\n"
+               "  choose another folder with --cache FOLDER or the environment variable PENUMBRA_CACHE\n",
+               problem.c_str());
 }
 
 }  // namespace penumbra::cli

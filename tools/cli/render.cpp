@@ -13,9 +13,10 @@
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
 #include "input/input_error.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 #include "reference/trace_visibility.h"
 #include "study/contact_sheet.h"
+#include "study/kept_records.h"
 #include "study/lit_view.h"
 #include "study/picture_sheet.h"
 #include "study/study.h"
@@ -98,6 +99,7 @@ void render(const CLI::App& command, const RenderOptions& options, Context& cont
     write_picture(options.sheet.file, study::contact_sheet(outcome.records, outcome.pictures, sheet));
     write_output("", options.sheet.file + "\n");
   }
+  outcome.kept->drop();
 }
 
 }  // namespace

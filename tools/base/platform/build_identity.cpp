@@ -84,4 +84,12 @@ const std::string& build_identity() {
   return text;
 }
 
+namespace {
+
+// Before main, while nothing is loaded but what the program links: libraries load others when they need them,
+// and an identity with those would depend on what was computed before it.
+[[maybe_unused]] const std::string& at_start = build_identity();
+
+}  // namespace
+
 }  // namespace penumbra::platform

@@ -5,8 +5,8 @@
 
 namespace penumbra::platform {
 
-// Changes with this program and with every shared library it has loaded by the first call: their build ids
-// (the linker's note, elf(5) NT_GNU_BUILD_ID), or size and date of a file that has none. 32 hex digits.
+// Changes with this program and with every shared library that it links: their build ids (the linker's note,
+// elf(5) NT_GNU_BUILD_ID), or size and date of a file that has none. ContentHash::hex().
 const std::string& build_identity();
 
 }  // namespace penumbra::platform

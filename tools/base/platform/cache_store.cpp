@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "platform/cache_folder.h"
 #include "platform/content_hash.h"
 
 namespace penumbra::platform {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view title = "penumbra cache 1 ";
 constexpr std::string_view part_extension = ".part";
-constexpr std::size_t hash_size = 32;
+constexpr std::size_t hash_size = content_hash_digits;
 // A use is recorded at most this often: the order of removal does not need a finer resolution.
 constexpr std::chrono::minutes use_grain{10};
 
@@ -89,8 +90,7 @@ bool write_file(const fs::path& file, std::string_view content) {
   PartFile part(file.parent_path());
   std::ofstream stream(part.path(), std::ios::binary);
   if (!stream) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
+    if (!make_cache_folder(file.parent_path())) return false;
     stream.open(part.path(), std::ios::binary);
   }
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
@@ -121,8 +121,8 @@ bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
   constexpr const char* digits = "0123456789abcdef";
   if (folder.size() != 2 || folder.find_first_not_of(digits) != std::string::npos) return false;
   if (extension == part_extension) return name.front() == '.';
-  return name.size() == hash_size - 2 && name.find_first_not_of(digits) == std::string::npos &&
-         extension.starts_with('.') &&
+  // Of any length, because keys of earlier versions were shorter.
+  return name.find_first_not_of(digits) == std::string::npos && extension.starts_with('.') &&
          std::find(kinds.begin(), kinds.end(), std::string_view(extension).substr(1)) != kinds.end();
 }
 
@@ -145,6 +145,10 @@ std::vector<KeptFile> entries_in(const fs::path& directory, std::span<const std:
 }
 
 }  // namespace
+
+CacheStore::CacheStore(fs::path directory) {
+  if (cache_folder_problem(directory).empty()) directory_ = std::move(directory);
+}
 
 fs::path CacheStore::file(std::string_view kind, const std::string& key) const {
   return directory_ / key.substr(0, 2) / key.substr(2).append(".").append(kind);

@@ -19,11 +19,12 @@ namespace penumbra::platform {
 
 class CacheStore {
  public:
-  // An empty path disables the cache. The folder is created by the first write.
-  explicit CacheStore(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  // An empty path disables the cache, and so does a folder with a cache_folder_problem(). The folder is
+  // created by the first write, for this user alone.
+  explicit CacheStore(std::filesystem::path directory);
 
   // kind: the type of the content, lower-case letters and digits; the extension of its files. A change of its
-  // format needs a new kind. key: 32 hexadecimal digits (ContentHash).
+  // format needs a new kind. key: ContentHash::hex().
   std::optional<std::string> find(std::string_view kind, const std::string& key) const;
   // False if it cannot be written (full disk, permissions): no partial file is left.
   bool store(std::string_view kind, const std::string& key, std::string_view content) const;

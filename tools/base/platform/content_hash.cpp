@@ -1,23 +1,30 @@
 #include "platform/content_hash.h"
 
-#include <xxhash.h>
+#include <blake2.h>
 
 #include <array>
-#include <new>
 
 namespace penumbra::platform {
+namespace {
 
-void ContentHash::Free::operator()(XXH3_state_s* state) const {
-  XXH3_freeState(state);
-}
+constexpr std::string_view kDigits = "0123456789abcdef";
 
-ContentHash::ContentHash() : state_(XXH3_createState()) {
-  if (!state_) throw std::bad_alloc();
+}  // namespace
+
+struct ContentHash::State {
+  blake2b_state blake;
+
+  void update(const void* bytes, std::size_t size) {
+    blake2b_update(&blake, static_cast<const std::uint8_t*>(bytes), size);
+  }
+};
+
+ContentHash::ContentHash() : state_(std::make_unique<State>()) {
   reset();
 }
 
 void ContentHash::reset() {
-  XXH3_128bits_reset(state_.get());
+  blake2b_init(&state_->blake, content_hash_digits / 2);
 }
 
 ContentHash::~ContentHash() = default;
@@ -26,7 +33,7 @@ ContentHash& ContentHash::operator=(ContentHash&&) noexcept = default;
 
 ContentHash& ContentHash::update(std::span<const std::byte> bytes) {
   update_integer(bytes.size());
-  XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
+  state_->update(bytes.data(), bytes.size());
   return *this;
 }
 
@@ -35,25 +42,29 @@ ContentHash& ContentHash::update(std::string_view text) {
 }
 
 ContentHash& ContentHash::update(double number) {
-  XXH3_128bits_update(state_.get(), &number, sizeof number);
+  state_->update(&number, sizeof number);
   return *this;
 }
 
 ContentHash& ContentHash::update_integer(std::uint64_t number) {
-  XXH3_128bits_update(state_.get(), &number, sizeof number);
+  state_->update(&number, sizeof number);
   return *this;
 }
 
 std::string ContentHash::hex() const {
-  XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_.get()));
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text(2 * sizeof canonical.digest, '0');
-  for (std::size_t i = 0; i < sizeof canonical.digest; ++i) {
-    text[2 * i] = digits[canonical.digest[i] >> 4];
-    text[2 * i + 1] = digits[canonical.digest[i] & 15];
+  State end = *state_;
+  std::array<std::uint8_t, content_hash_digits / 2> digest{};
+  blake2b_final(&end.blake, digest.data(), digest.size());
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += kDigits[byte >> 4U];
+    text += kDigits[byte & 15U];
   }
   return text;
+}
+
+bool is_content_hash(std::string_view text) {
+  return text.size() == content_hash_digits && text.find_first_not_of(kDigits) == std::string_view::npos;
 }
 
 }  // namespace penumbra::platform

@@ -1,6 +1,6 @@
 // A content hash: a key under which a result is cached.
 //
-// XXH3, 128 bits: not collision-resistant against attackers, but accidental collisions are negligible.
+// BLAKE2b, 256 bits (RFC 7693): whoever writes a file that is read cannot make it hash like another.
 // Numbers are hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its
 // length, so {"ab", "c"} and {"a", "bc"} differ. Hashes are equal across machines of the same byte order.
 #pragma once
@@ -13,9 +13,10 @@
 #include <string>
 #include <string_view>
 
-struct XXH3_state_s;
-
 namespace penumbra::platform {
+
+inline constexpr std::size_t content_hash_digits = 64;  // hexadecimal
+
 class ContentHash {
  public:
   ContentHash();
@@ -41,16 +42,17 @@ class ContentHash {
   // Resets to the initial state.
   void reset();
 
-  std::string hex() const;  // 32 lower-case digits; more may be added after
+  std::string hex() const;  // content_hash_digits, lower-case; more may be added after
 
  private:
-  struct Free {
-    void operator()(XXH3_state_s* state) const;
-  };
+  struct State;
 
   ContentHash& update_integer(std::uint64_t number);
 
-  std::unique_ptr<XXH3_state_s, Free> state_;
+  std::unique_ptr<State> state_;
 };
+
+// Whether the text is the hex() of some hash.
+bool is_content_hash(std::string_view text);
 
 }  // namespace penumbra::platform

@@ -79,18 +79,4 @@ std::filesystem::path new_private_directory(const std::string& prefix, const std
 #endif
 }
 
-std::filesystem::path cache_directory() {
-  if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
-  // A relative one is to be ignored (XDG Base Directory Specification).
-  if (const std::filesystem::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute())
-    return xdg / "penumbra";
-#ifdef _WIN32
-  const std::string home = environment("LOCALAPPDATA");
-#else
-  const std::string home = environment("HOME");
-#endif
-  if (home.empty()) return temporary_directory() / "penumbra-cache";
-  return std::filesystem::path(home) / ".cache" / "penumbra";
-}
-
 }  // namespace penumbra::platform

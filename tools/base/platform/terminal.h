@@ -1,4 +1,4 @@
-// Whether output goes to a terminal, and the user's folders.
+// Whether output goes to a terminal, and where the program and its temporary files are.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +17,5 @@ std::filesystem::path temporary_directory();  // $TMPDIR, or /tmp where that is 
 // created.
 std::filesystem::path new_private_directory(const std::string& prefix,
                                             const std::filesystem::path& parent = temporary_directory());
-std::filesystem::path cache_directory();  // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 
 }  // namespace penumbra::platform

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "input/input_error.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 #include "validation/answer_unit.h"
 #include "validation/entry_kind.h"
 #include "validation/spirv_target.h"
@@ -19,16 +19,14 @@ namespace fs = std::filesystem;
 
 // Without a folder there is no cache.
 EngineOptions with_cache_folder(EngineOptions options) {
-  std::error_code error;
-  if (!options.cache.empty()) fs::create_directories(options.cache, error);
-  if (error) options.cache.clear();
+  if (!options.cache.empty() && !platform::make_cache_folder(options.cache)) options.cache.clear();
   return options;
 }
 
 }  // namespace
 
 fs::path default_cache() {
-  return platform::cache_directory() / "validation";
+  return platform::cache_directory("validation");
 }
 
 EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& given) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "platform/byte_stream.h"
+#include "platform/content_hash.h"
 
 namespace penumbra::validation {
 
@@ -32,9 +33,7 @@ EntryToKeep read_entry(ByteReader& in) {
   const std::uint64_t kind = in.number();
   entry.key = in.text();
   entry.content = in.text();
-  const bool is_hash =
-      entry.key.size() == 32 && entry.key.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (kind > static_cast<std::uint64_t>(EntryKind::emitted) || !is_hash)
+  if (kind > static_cast<std::uint64_t>(EntryKind::emitted) || !platform::is_content_hash(entry.key))
     in.spoil();
   else
     entry.kind = static_cast<EntryKind>(kind);

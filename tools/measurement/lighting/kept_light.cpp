@@ -8,7 +8,7 @@
 #include "platform/byte_stream.h"
 #include "platform/cache_store.h"
 #include "platform/content_hash.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 #include "scene/cut_out.h"
 
 namespace penumbra::lighting {
@@ -47,7 +47,7 @@ std::vector<glm::vec3> kept_sky_light(const scene::Scene& scene, const SeenMater
                                       const Surroundings& surroundings, int rays,
                                       const std::filesystem::path& folder, const reference::RunOptions& run) {
   const std::string key = key_of(scene, seen, surroundings, rays);
-  const platform::CacheStore store(folder.empty() ? platform::cache_directory() / "reference" : folder);
+  const platform::CacheStore store(folder.empty() ? platform::cache_directory("reference") : folder);
   if (const std::optional<std::string> entry = store.find(kKind, key)) {
     platform::ByteReader reader(*entry);
     std::vector<glm::vec3> kept = reader.values<glm::vec3>();

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "platform/byte_stream.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 
 namespace penumbra::reference {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::string_view beginning_kind = "rows";
 }  // namespace
 
 ReferenceCache::ReferenceCache(std::filesystem::path directory)
-    : store_(directory.empty() ? platform::cache_directory() / "reference" : std::move(directory)) {}
+    : store_(directory.empty() ? platform::cache_directory("reference") : std::move(directory)) {}
 
 std::filesystem::path ReferenceCache::image_file(const std::string& key) const {
   return store_.file(image_kind, key);

@@ -3,18 +3,16 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "input/input_error.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "reference/disc_coverage.h"
 #include "reference/lit_receiver.h"
 #include "reference/tile_search.h"
-#include "scene/content_hash.h"
 
 namespace penumbra::reference {
 namespace {
@@ -34,27 +32,8 @@ void check(const MapView& view) {
 }
 
 std::string key_of(const MapView& view) {
-  platform::ContentHash hash;
-  hash.update(std::string_view("T2")).update(same_map_version);
-  hash.update(view.atlas.width).update(view.atlas.height).update(static_cast<int>(view.atlas.format));
-  hash.update(std::span<const float>(view.atlas.depth));
-  const auto update = [&](const auto& vector) {
-    for (int index = 0; index < vector.length(); ++index) hash.update(vector[index]);
-  };
-  update(view.cascades.light_direction);
-  hash.update(view.cascades.angular_diameter_degrees).update(view.cascades.reversed_z);
-  hash.update(view.cascades.cascades.size());
-  for (const parameters::Cascade& cascade : view.cascades.cascades) {
-    for (int column = 0; column < 4; ++column) update(cascade.world_to_shadow[column]);
-    update(cascade.offset_scale);
-    update(cascade.split_sphere);
-  }
-  update(view.origin);
-  hash.update(view.receivers.width).update(view.receivers.height);
-  hash.update(std::span<const glm::vec4>(view.receivers.position_relative));
-  hash.update(std::span<const glm::vec4>(view.receivers.position_ws));
-  hash.update(std::span<const glm::vec4>(view.receivers.normal_ws));
-  return hash.hex();
+  return platform::hash_of(std::string_view("T2"), same_map_version, view.atlas, view.cascades, view.receivers,
+                           view.origin);
 }
 
 class SameMap {

@@ -1,7 +1,9 @@
 #include "resolve/debug_view.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "platform/hashed_fields.h"
 #include "resolve/screen_uniforms.h"
 
 namespace penumbra::resolve {
@@ -33,9 +35,13 @@ gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
 
 DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
                      bool reversed_z, const Compiler& compiler)
+    : DebugView(device, compile_pass(shader, view, {}, reversed_z, compiler)) {}
+
+DebugView::DebugView(const gpu::Device& device, CompiledProgram program)
     : device_(device),
-      program_(device, compile_pass(shader, view, {}, reversed_z, compiler),
-               ProgramOnDevice::Module::as_shipped, {.colours = {gpu::Format::rgba32f}}) {}
+      key_(platform::hash_of(program)),
+      program_(device, std::move(program), ProgramOnDevice::Module::as_shipped,
+               {.colours = {gpu::Format::rgba32f}}) {}
 
 std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,
                                        const std::vector<float>& visibility,

@@ -20,6 +20,8 @@ class DebugView {
   DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
             bool reversed_z, const Compiler& compiler = {});
 
+  const std::string& key() const { return key_; }  // a hash of its program
+
   // Colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an empty
   // mask: the frame had none. `parameters`: of the technique that made the visibility. The picture may begin
   // with another row than the camera's textures, as a back buffer does.
@@ -29,7 +31,10 @@ class DebugView {
                               std::optional<RowOrder> picture = std::nullopt);
 
  private:
+  DebugView(const gpu::Device& device, CompiledProgram program);
+
   const gpu::Device& device_;
+  std::string key_;
   ProgramOnDevice program_;
 };
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "platform/hashed_fields.h"
+
 namespace penumbra::resolve {
 namespace {
 
@@ -77,15 +79,8 @@ void UniformValues::merge(const UniformValues& other) {
   for (const auto& [name, value] : other.values_) values_[name] = value;
 }
 
-std::string UniformValues::fingerprint() const {
-  std::string text;
-  for (const auto& [name, value] : values_) {
-    text += name + (value.matrix ? "#" : "=");
-    for (const Words& element : value.elements) {
-      for (const std::uint32_t part : element) text += std::to_string(part) + ",";
-    }
-  }
-  return text;
+void add_fields(platform::ContentHash& hash, const UniformValues& values) {
+  platform::add_all(hash, values.values_);
 }
 
 std::vector<std::byte> UniformValues::pack(const shaders::Resource& block,

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/content_hash.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::resolve {
@@ -31,8 +32,8 @@ class UniformValues {
 
   bool contains(const std::string& name) const { return values_.count(name) != 0; }
 
-  // Every name and word, for a key of what was computed with them.
-  std::string fingerprint() const;
+  // Every name and word (platform/hashed_fields.h).
+  friend void add_fields(platform::ContentHash& hash, const UniformValues& values);
 
   // The bytes of one uniform block. Members without a value are zero, and named in `unset` when the
   // shader reads them.

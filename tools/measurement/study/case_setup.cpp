@@ -3,12 +3,11 @@
 #include <array>
 
 #include "parameters/half_angle.h"
-#include "platform/content_hash.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
+#include "platform/hashed_fields.h"
 #include "reference/cloud_shadow.h"
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
-#include "scene/content_hash.h"
 #include "study/edge_reference.h"
 #include "study/metrics.h"
 
@@ -22,15 +21,6 @@ constexpr int kLargestHeight = 2160;
 constexpr int kPilotSamples = 64;
 constexpr double kPilotMargin =
     1.2;  // the pilot counts are off by a few per cent, and the penumbra's by its edges
-
-std::string case_key(const scene::Scene& scene, const scene::Frame& frame) {
-  platform::ContentHash hash;
-  hash.update(scene::content_hash(scene)).update(frame.settings.angular_diameter_degrees);
-  hash.update(std::span<const std::byte>(frame.atlas.texels));
-  hash.update(std::span<const glm::vec4>(frame.receivers.position_ws));
-  hash.update(std::span<const glm::vec4>(frame.receivers.normal_ws));
-  return hash.hex();
-}
 
 }  // namespace
 
@@ -172,7 +162,7 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
   scene::Frame frame = rasteriser.frame(frame_settings(setup, request));
   FrameOfCase on_device = on_device_frame(setup, frame);
   std::vector<FrameOfCase> pan = pan_frames(setup, frame.settings, rasteriser);
-  std::string key = case_key(setup.scene, frame);
+  std::string key = platform::hash_of(setup.scene, setup.light_degrees, frame, settings_.bake);
   setup.views.push_back(
       {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
 }

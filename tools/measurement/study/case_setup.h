@@ -46,7 +46,7 @@ struct View {
   FrameOfCase on_device_frame;
   std::vector<FrameOfCase> pan;
   std::optional<reference::VisibilityImage> t2;
-  std::string key;  // of scene, light, map and receivers
+  std::string key;  // a hash of the scene, the light, the frame and how its needs are baked
 };
 
 // Everything known about one scene under one light before the first subject runs. All views share the

@@ -99,15 +99,16 @@ Axes axes_of(const Chart& chart) {
   return axes;
 }
 
-// A gnuplot string: in single quotes nothing is special but the quote itself. Control characters would end
-// the command.
+// A gnuplot string. Quotes, and what gnuplot replaces in a string, are written by their octal codes: two
+// single quotes in a row end a string in single quotes. Control characters would end the command.
 std::string gnuplot_string(std::string_view text) {
-  std::string result = "'";
+  std::string result = "\"";
   for (const char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    const auto code = static_cast<unsigned char>(c);
+    const bool special = c == '"' || c == '\'' || c == '\\' || c == '`';
+    result += code < 32 ? " " : special ? fmt::format("\\{:03o}", code) : std::string(1, c);
   }
-  return result + "'";
+  return result + "\"";
 }
 
 bool is_on_front(const ChartPanel& panel, std::size_t point) {
@@ -311,10 +312,7 @@ std::string make_own(std::string svg, const Chart& chart) {
 }
 
 std::string run_gnuplot(const std::string& script, const Chart& chart) {
-  if (!platform::find_program("gnuplot")) {
-    throw EnvironmentError(
-        "gnuplot is needed to draw charts and is not installed\n  apt-get install gnuplot-nox");
-  }
+  require_gnuplot();
   platform::ChildCommand command{"gnuplot", {"-d"}, script};  // -d: no user's settings
   command.timeout = std::chrono::seconds(20);
   const platform::ChildResult result = platform::run_child(command);
@@ -365,6 +363,12 @@ std::string for_page(std::string svg) {
 }
 
 }  // namespace
+
+void require_gnuplot() {
+  if (platform::find_program("gnuplot")) return;
+  throw EnvironmentError(
+      "gnuplot is needed to draw charts and is not installed\n  apt-get install gnuplot-nox");
+}
 
 std::string render_svg(const Chart& chart) {
   check_name(chart);

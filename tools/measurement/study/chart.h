@@ -31,6 +31,9 @@ struct Chart {
   std::vector<ChartPanel> panels;
 };
 
+// Throws EnvironmentError where gnuplot is not installed.
+void require_gnuplot();
+
 // Same chart, same bytes (with one gnuplot). Dark on its own light background: legible on light and dark
 // pages. Points that are not finite are omitted. Throws EnvironmentError when gnuplot is missing, fails or
 // takes over 20 s, and std::invalid_argument when no panel has a point to draw.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "platform/byte_stream.h"
-#include "platform/terminal.h"
+#include "platform/cache_folder.h"
 
 namespace penumbra::study {
 namespace {
@@ -63,7 +63,7 @@ KeptRecord decode(const std::string& bytes) {
 }  // namespace
 
 KeptRecords::KeptRecords(const std::filesystem::path& folder)
-    : store_(folder.empty() ? platform::cache_directory() / "reference" : folder) {}
+    : store_(folder.empty() ? platform::cache_directory("reference") : folder) {}
 
 std::optional<KeptRecord> KeptRecords::find(const std::string& key) {
   const std::optional<std::string> entry = store_.find(kept_record_kind, key);
@@ -78,7 +78,10 @@ std::optional<KeptRecord> KeptRecords::find(const std::string& key) {
 }
 
 void KeptRecords::store(const std::string& key, const KeptRecord& kept) {
-  if (store_.store(kept_record_kind, key, encode(kept))) keys_.insert(key);
+  if (store_.store(kept_record_kind, key, encode(kept)))
+    keys_.insert(key);
+  else
+    complete_ = false;
 }
 
 void KeptRecords::drop() {

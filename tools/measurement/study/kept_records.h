@@ -33,12 +33,16 @@ class KeptRecords {
   std::optional<KeptRecord> find(const std::string& key);
   void store(const std::string& key, const KeptRecord& kept);
 
+  // Whether every record that was given to store() is kept.
+  bool complete() const { return complete_; }
+
   // Those that were found or stored by this object.
   void drop();
 
  private:
   platform::CacheStore store_;
   std::set<std::string> keys_;
+  bool complete_ = true;
 };
 
 }  // namespace penumbra::study

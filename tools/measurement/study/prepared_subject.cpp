@@ -1,56 +1,17 @@
 #include "study/prepared_subject.h"
 
-#include "platform/content_hash.h"
+#include "platform/build_identity.h"
+#include "platform/hashed_fields.h"
 #include "study/shimmer.h"
 
 namespace penumbra::study {
 namespace {
 
-// Version of what is stored under unlimited_key: raise it when the meaning of T3 changes.
-constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: with thousands of taps they have little effect
 
-// Bytecode's modules do not say which uniform is where.
-void add_uniforms(platform::ContentHash& hash, const resolve::CompiledProgram& program) {
-  for (const auto* blocks : {&program.vertex_uniforms, &program.uniforms})
-    for (const shaders::Resource& block : *blocks)
-      for (const shaders::UniformMember& member : block.members)
-        hash.update(block.name).update(member.name).update(member.offset);
-}
-
-void add_to(platform::ContentHash& hash, const resolve::CompiledGraph& graph) {
-  for (const resolve::CompiledProgram& program : graph.programs) {
-    hash.update(std::span<const std::uint32_t>(program.plain));
-    add_uniforms(hash, program);
-  }
-  hash.update(graph.source.parameters.fingerprint());
-}
-
-std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph) {
-  platform::ContentHash hash;
-  hash.update(kUnlimitedVersion).update(view.key);
-  add_to(hash, graph);
-  return hash.hex();
-}
-
-// Of all that a record says of its subject, and what its programs read besides the frame.
-std::string fingerprint_of(const Subject& subject, const resolve::CompiledGraph& graph) {
-  platform::ContentHash hash;
-  hash.update(subject.name).update(subject.title).update(subject.averaged_frames).update(subject.history);
-  hash.update(subject.light_scale).update(subject.cascades.size());
-  for (const techniques::CascadeRule& rule : subject.cascades) {
-    hash.update(rule.from).update(rule.technique);
-    for (const auto& [name, values] : rule.values) {
-      hash.update(name);
-      for (const double value : values) hash.update(value);
-    }
-  }
-  add_to(hash, graph);
-  for (const auto& [pass, program] : graph.alpha_tested)
-    hash.update(pass).update(std::span<const std::uint32_t>(program.plain));
-  for (const techniques::GraphTexture& texture : graph.source.graph.textures)
-    hash.update(texture.name).update(texture.format).update(texture.divisor).update(texture.mips);
-  return hash.hex();
+// What it is computed on and by, for the keys of its results.
+std::string machine_of(const gpu::Device& device) {
+  return platform::hash_of(platform::build_identity(), device.info());
 }
 
 }  // namespace
@@ -71,11 +32,13 @@ PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subje
 
 PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subject,
                                  const StudySettings& settings, resolve::CompiledGraph graph)
-    : subject_(&subject), fingerprint_(fingerprint_of(subject, graph)), runner_(device, std::move(graph)) {
-  if (settings.split_error && subject.unlimited) {
-    unlimited_ = resolve::compile(*subject.unlimited, settings.compiler);
-    unlimited_runner_.emplace(device, *unlimited_);
-  }
+    : subject_(&subject),
+      key_(platform::hash_of(machine_of(device), subject, graph)),
+      runner_(device, std::move(graph)) {
+  if (!settings.split_error || !subject.unlimited) return;
+  resolve::CompiledGraph unlimited = resolve::compile(*subject.unlimited, settings.compiler);
+  unlimited_key_ = platform::hash_of(machine_of(device), unlimited, kUnlimitedSeeds);
+  unlimited_runner_.emplace(device, std::move(unlimited));
 }
 
 Answer PreparedSubject::answer(const FrameOfCase& frame, const resolve::RunOptions& options) {
@@ -84,9 +47,9 @@ Answer PreparedSubject::answer(const FrameOfCase& frame, const resolve::RunOptio
 
 std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
     const CaseSetup& setup, const View& view, const reference::ReferenceCache& cache) {
-  if (!unlimited_) return std::nullopt;
+  if (!unlimited_runner_) return std::nullopt;
   const resolve::FrameOnDevice& frame = view.on_device_frame.on_device;
-  const std::string key = unlimited_key(view, *unlimited_);
+  const std::string key = platform::hash_of(view.key, unlimited_key_);
   if (std::optional<reference::VisibilityImage> kept = cache.find(key)) return kept;
   resolve::RunOptions options;
   options.noise_seeds = kUnlimitedSeeds;

@@ -25,8 +25,8 @@ class PreparedSubject {
 
   const Subject& subject() const { return *subject_; }
 
-  // A hash of the subject, its programs and its parameters.
-  const std::string& fingerprint() const { return fingerprint_; }
+  // A hash of this program, the device, and the subject with its graph as it was compiled.
+  const std::string& key() const { return key_; }
 
   Answer answer(const FrameOfCase& frame, const resolve::RunOptions& options);
 
@@ -41,9 +41,9 @@ class PreparedSubject {
                   resolve::CompiledGraph graph);
 
   const Subject* subject_;
-  std::string fingerprint_;
+  std::string key_;
   resolve::GraphRunner runner_;
-  std::optional<resolve::CompiledGraph> unlimited_;
+  std::string unlimited_key_;  // the same of the graph with unlimited samples
   std::optional<resolve::GraphRunner> unlimited_runner_;
 };
 

@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "input/input_error.h"
-#include "platform/build_identity.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
@@ -62,6 +61,17 @@ void check_map(const std::vector<Subject>& subjects, const StudySettings& settin
 // a warm-up.
 constexpr double kWarmUpSeconds = 0.5;
 
+// Every setting is named, so that a new one does not compile before somebody has decided: those that records
+// depend on beyond what the keys of views, subjects and debug views have.
+void add_settings(platform::ContentHash& hash, const StudySettings& settings) {
+  const auto& [scenes, light_degrees, frame, penumbra_pixels, reference_samples, seed, noise_seeds,
+               timing_repeats, split_error, pictures, pan_frames, edge_samples, window, debug_views, answered,
+               bake, jobs, compiler, cache] = settings;
+  const auto add = [&](const auto&... values) { (platform::add_all(hash, values), ...); };
+  add(reference_samples, seed, noise_seeds, timing_repeats, split_error, pictures, pan_frames, edge_samples,
+      window);
+}
+
 class Study {
  public:
   Study(gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
@@ -70,7 +80,7 @@ class Study {
         settings_(settings),
         progress_(progress),
         cache_(settings.cache),
-        kept_(settings.cache),
+        kept_(std::make_shared<KeptRecords>(settings.cache)),
         cases_(device, subjects, settings, progress, cache_) {
     check_lights(settings.scenes, subjects, settings);
     check_map(subjects, settings);
@@ -96,7 +106,7 @@ class Study {
         }
       }
     }
-    kept_.drop();
+    outcome_.kept = kept_;
     return std::move(outcome_);
   }
 
@@ -127,8 +137,8 @@ class Study {
   // What an interrupted run has measured, else measured now.
   void add(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
     const bool kept = !settings_.answered;  // which needs the answer itself
-    const std::string key = kept ? record_key(setup, view, prepared) : std::string();
-    if (std::optional<KeptRecord> known = kept ? kept_.find(key) : std::nullopt) {
+    const std::string key = kept ? record_key(view, prepared) : std::string();
+    if (std::optional<KeptRecord> known = kept ? kept_->find(key) : std::nullopt) {
       outcome_.records.push_back(std::move(known->record));
       outcome_.pictures.push_back(std::move(known->pictures));
       note_unset(prepared.subject(), known->unset_uniforms);
@@ -138,36 +148,15 @@ class Study {
     if (!view.pan.empty() && prepared.subject().history == 1.0)
       outcome_.records.back().shimmer = prepared.shimmer(setup, view.pan);
     if (kept)
-      kept_.store(key, {outcome_.frames.back(), outcome_.records.back(), outcome_.pictures.back(), unset});
+      kept_->store(key, {outcome_.frames.back(), outcome_.records.back(), outcome_.pictures.back(), unset});
   }
 
-  std::string record_key(const CaseSetup& setup, const View& view, const PreparedSubject& prepared) const {
+  std::string record_key(const View& view, const PreparedSubject& prepared) const {
     platform::ContentHash hash;
-    hash.update(platform::build_identity()).update(device_.info().name).update(device_.info().driver);
-    hash.update(setup.scene.name).update(setup.light_degrees).update(view.key).update(prepared.fingerprint());
-    const FrameRequest& request = view.request;
-    hash.update(request.bias.depth)
-        .update(request.bias.normal)
-        .update(static_cast<int>(request.bias.soft_quality));
-    hash.update(request.raster_bias.constant).update(request.raster_bias.slope).update(request.light_scale);
-    const scene::CascadeChoices& choices = request.cascade_choices;
-    hash.update(static_cast<int>(choices.light_fit)).update(choices.map_age_degrees);
-    hash.update(choices.blend.border).update(choices.blend.mixed);
-    const parameters::ShadowSettings& shadows = view.frame.settings.shadows;
-    hash.update(static_cast<int>(view.frame.atlas.format)).update(shadows.cascades);
-    hash.update(shadows.distance_metres).update(shadows.reversed_z);
-    for (const double split : parameters::effective_splits(shadows)) hash.update(split);
-    hash.update(settings_.reference_samples).update(settings_.seed).update(settings_.noise_seeds);
-    hash.update(settings_.timing_repeats).update(settings_.split_error).update(settings_.pan_frames);
-    hash.update(settings_.edge_samples).update(settings_.pictures).update(settings_.window.has_value());
-    if (const auto& window = settings_.window)
-      hash.update(window->x).update(window->y).update(window->width).update(window->height);
-    for (const std::string& name : settings_.debug_views) hash.update(name);
-    if (!prepared.subject().graph.graph.needs.empty())
-      hash.update(settings_.bake.ground_samples)
-          .update(settings_.bake.horizon_texels)
-          .update(settings_.bake.nearest_metres)
-          .update(settings_.bake.field_voxels);
+    platform::add_all(hash, view.key);
+    platform::add_all(hash, prepared.key());
+    add_settings(hash, settings_);
+    for (const auto& [name, debug_view] : debug_views_) hash.update(name).update(debug_view.key());
     return hash.hex();
   }
 
@@ -225,7 +214,7 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   reference::ReferenceCache cache_;
-  KeptRecords kept_;
+  std::shared_ptr<KeptRecords> kept_;
   CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
   std::map<std::string, resolve::DebugView> debug_views_;  // by pass

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -100,19 +101,25 @@ struct StudySettings {
 using StudyProgress =
     std::function<void(std::string_view stage, double done, double total, std::string_view unit)>;
 
+class KeptRecords;
+
 struct StudyOutcome {
   std::vector<MeasuredFrame> frames;  // of every scene and light
   std::vector<Record> records;
   std::vector<PictureRow> pictures;  // of every record
   std::vector<std::string>
       notes;  // uniforms that are not provided, pictures with too little penumbra, and similar
+  // All records, as the next run of the study finds them: to be dropped when they have been written
+  // elsewhere.
+  std::shared_ptr<KeptRecords> kept;
 };
 
 // The kind of light that lights the scenes. Throws InputError where there are both.
 techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes);
 
 // Throws InputError for shaders that do not compile and for a scene whose light is not of the subjects' kind,
-// platform::Interrupted if the user interrupts; finished results are cached in either case.
+// platform::Interrupted if the user interrupts; finished results are kept in either case, until
+// StudyOutcome::kept is dropped.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 

@@ -15,6 +15,7 @@
 #include "platform/child_process.h"
 #include "platform/content_hash.h"
 #include "platform/data_directory.h"
+#include "platform/cache_folder.h"
 #include "platform/terminal.h"
 
 namespace penumbra::fxc {
@@ -65,8 +66,10 @@ fs::path find_library() {
   const char* system = environment("SystemRoot");
   std::vector<fs::path> folders{fs::path(system != nullptr ? system : "C:\\Windows") / "System32"};
 #else
-  std::vector<fs::path> folders{platform::data_directory() / ".cache" / "fxc",
-                                platform::cache_directory() / "fxc"};
+  std::vector<fs::path> folders{platform::data_directory() / ".cache" / "fxc"};
+  // A library that another user may have put there is not run.
+  if (const fs::path kept = platform::cache_directory("fxc"); platform::cache_folder_problem(kept).empty())
+    folders.push_back(kept);
   for (fs::path& folder : nuget_folders()) folders.push_back(std::move(folder));
 #endif
   for (const fs::path& folder : folders)

@@ -1,0 +1,74 @@
+#include "platform/cache_folder.h"
+
+#include <cstdlib>
+#include <system_error>
+
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace penumbra::platform {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+fs::path user_folder() {
+  if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
+  // A relative one is to be ignored (XDG Base Directory Specification).
+  if (const fs::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "penumbra";
+#ifdef _WIN32
+  const std::string home = environment("LOCALAPPDATA");
+#else
+  const std::string home = environment("HOME");
+#endif
+  return home.empty() ? fs::path() : fs::path(home) / ".cache" / "penumbra";
+}
+
+}  // namespace
+
+fs::path cache_directory(std::string_view part) {
+  const fs::path folder = user_folder();
+  return folder.empty() || part.empty() ? folder : folder / part;
+}
+
+#ifdef _WIN32
+
+std::string cache_folder_problem(const fs::path&) {
+  return {};  // the user's profile is the user's own
+}
+
+bool make_cache_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return !error;
+}
+
+#else
+
+std::string cache_folder_problem(const fs::path& folder) {
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) return {};
+  if (status.st_uid != ::geteuid()) return "'" + folder.string() + "' belongs to another user";
+  if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+    return "others can write to '" + folder.string() + "' (chmod go-w makes it safe)";
+  return {};
+}
+
+bool make_cache_folder(const fs::path& folder) {
+  std::error_code error;
+  if (folder.has_parent_path() && !fs::exists(folder.parent_path(), error) &&
+      !make_cache_folder(folder.parent_path()))
+    return false;
+  if (::mkdir(folder.c_str(), S_IRWXU) == 0) return true;
+  return fs::is_directory(folder, error) && cache_folder_problem(folder).empty();
+}
+
+#endif
+
+}  // namespace penumbra::platform
