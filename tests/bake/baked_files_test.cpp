@@ -11,6 +11,7 @@
 #include "bake/png_16.h"
 #include "bake/texels_16.h"
 #include "input/input_error_matcher.h"
+#include "platform/atomic_file.h"
 #include "reference/scratch_folder.h"
 
 namespace penumbra::bake {
@@ -153,6 +154,36 @@ TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
   for (const char* count : {"-1", "17"})
     refuse("\"samples_without_surface\": 0", std::string("\"samples_without_surface\": ") + count,
            AllOf(HasSubstr("hills.json:"), HasSubstr(std::string(count) + " of 16 samples")));
+}
+
+// As where a machine stops between the two, or a person copies one of them.
+TEST(BakedFiles, APictureOfAnotherBakeIsRefused) {
+  const reference::ScratchFolder folder;
+  const std::filesystem::path json = folder.path() / "hills.json";
+  write_baked_files(baked_files(rough_field(4, 4, kCovered, 1), "hills"), json);
+  EXPECT_NO_THROW(read_height_field(json, {}));
+  const BakedFiles other = baked_files(rough_field(4, 4, kCovered, 2), "hills");
+  platform::write_file_atomically(folder.path() / "hills.png",
+                                  std::span<const std::byte>(other.pictures.at("hills.png")));
+  expect_input_error(
+      [&] { read_height_field(json, {}); },
+      AllOf(HasSubstr("hills.png: does not belong to"), HasSubstr("hills.json"), HasSubstr("bake it again")));
+  std::ofstream(json, std::ios::binary) << other.json;
+  EXPECT_NO_THROW(read_height_field(json, {}));
+  nlohmann::json without = nlohmann::json::parse(other.json);
+  without.erase("picture_hashes");
+  std::ofstream(json, std::ios::binary) << without;
+  expect_input_error([&] { read_height_field(json, {}); },
+                     AllOf(HasSubstr("hills.json"), HasSubstr("no hash of 'hills.png'")));
+}
+
+TEST(BakedFiles, EveryPictureHasItsHash) {
+  HorizonAngles angles{1, 1, kCovered, {}};
+  for (std::vector<float>& radians : angles.radians) radians.push_back(0.5F);
+  const nlohmann::json json = nlohmann::json::parse(baked_files(angles, "hz").json);
+  EXPECT_EQ(json["picture_hashes"].size(), 2U);
+  EXPECT_EQ(json["picture_hashes"]["hz-0.png"], json["picture_hashes"]["hz-1.png"])
+      << "their content is equal";
 }
 
 TEST(BakedFiles, SamplesFitTheirPicture) {

@@ -73,6 +73,65 @@ TEST(GithubAction, EveryScriptHasAShellAndNoExpression) {
   }
 }
 
+// A clone at a tag of its own, as far as the action's scripts read it; its program writes down what it gets.
+class GithubTag : public ProjectFolder {
+ protected:
+  void SetUp() override {
+    ProjectFolder::SetUp();
+    namespace fs = std::filesystem;
+    for (const char* folder : {"tag/cmake", "tag/tools", "tag/scripts", "tag/build/action"})
+      fs::create_directories(path(folder));
+    fs::copy(repository + "/ci", path("tag/ci"));
+    write("tag/CMakeLists.txt", "project(penumbra)\n");
+    write("tag/scripts/debian-packages", "cmake\n");
+    write_program("tag/scripts/setup", "exit 0");
+    write_program("tag/build/action/penumbra", "printf '%s' \"$PENUMBRA_ROOT\" >root");
+  }
+
+  void write_program(const std::string& name, const std::string& script) const {
+    std::filesystem::permissions(write(name, "#!/bin/bash\n" + script + "\n"),
+                                 std::filesystem::perms::owner_all);
+  }
+
+  // The key under which the action caches the program on a runner of these variables.
+  std::string key_of(std::vector<std::string> variables) const {
+    variables.insert(variables.end(), {"GITHUB_ACTION_PATH=" + path("tag").string(),
+                                       "GITHUB_OUTPUT=" + path("built").string()});
+    std::filesystem::remove(path("built"));
+    const auto result = run_in_project(action()["runs"]["steps"][0]["run"].as<std::string>(), variables);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const std::string written = read("built");
+    const std::size_t at = written.find("key=");
+    EXPECT_NE(at, std::string::npos) << written;
+    return at == std::string::npos ? "" : written.substr(at);
+  }
+};
+
+TEST_F(GithubTag, ItsCachedProgramReadsTheShadersOfThisTag) {
+  const YAML::Node steps = action()["runs"]["steps"];
+  const auto result =
+      run_in_project(steps[steps.size() - 1]["run"].as<std::string>(),
+                     {"GITHUB_ACTION_PATH=" + path("tag").string(), "SHARD=1/2", "REPORTS=reports"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(read("root"), path("tag").string());
+}
+
+// A program is linked to the libraries of the image that it was built on.
+TEST_F(GithubTag, ACachedProgramIsOfOneImageAndOneSetOfSources) {
+  const std::string key = key_of({"ImageOS=ubuntu24", "ImageVersion=20261101.1"});
+  EXPECT_EQ(key_of({"ImageOS=ubuntu24", "ImageVersion=20261101.1"}), key);
+  EXPECT_NE(key_of({"ImageOS=ubuntu24", "ImageVersion=20261108.1"}), key);
+  EXPECT_NE(key_of({"ImageOS=ubuntu26", "ImageVersion=20261101.1"}), key);
+  std::filesystem::create_directories(path("bin"));
+  write_program("bin/dpkg-query", "echo a-library 2.0");
+  EXPECT_NE(key_of({"ImageOS=ubuntu24", "ImageVersion=20261101.1",
+                    "PATH=" + path("bin").string() + ":/usr/bin:/bin"}),
+            key)
+      << "a container has no ImageVersion, but its packages";
+  write("tag/tools/main.cpp", "int main() {}\n");
+  EXPECT_NE(key_of({"ImageOS=ubuntu24", "ImageVersion=20261101.1"}), key);
+}
+
 // The last step with its inputs, as the runner sets its environment.
 class GithubRun : public ProjectFolder {
  protected:
@@ -138,6 +197,39 @@ TEST_F(GithubRun, BadInputKeepsItsCodeAndLeavesNoReport) {
   EXPECT_THAT(result.errors, HasSubstr("Missing.hlsl"));
   EXPECT_FALSE(std::filesystem::exists(path("penumbra-reports/penumbra.json")));
   EXPECT_EQ(run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "'Assets/Good.hlsl"}}).exit_code, 2);
+}
+
+// The next step uploads the SARIF that lies there, whatever the run came to.
+TEST_F(GithubRun, WhatACheckoutOrAnEarlierRunLeftIsNoReportOfThisOne) {
+  const std::vector<std::map<std::string, std::string>> runs{
+      {{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Missing.hlsl"}},
+      {{"program", PENUMBRA_PROGRAM}, {"arguments", "'Assets/Good.hlsl"}},
+      {{"program", PENUMBRA_PROGRAM}, {"merge", "missing.json"}},
+      {{"program", "/no/such/penumbra"}}};
+  for (const auto& inputs : runs) {
+    std::filesystem::create_directories(path("penumbra-reports"));
+    for (const char* form : {"json", "sarif", "xml", "txt"})
+      write(std::string("penumbra-reports/penumbra.") + form, "forged");
+    write("penumbra-reports/notes.md", "a person's");
+    EXPECT_GE(run_step(inputs).exit_code, 2);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("penumbra-reports")), {}), 1)
+        << inputs.begin()->second;
+    EXPECT_EQ(read("penumbra-reports/notes.md"), "a person's");
+  }
+}
+
+TEST_F(GithubRun, ALinkedFolderOfReportsIsNotFollowed) {
+  std::filesystem::create_directories(path("elsewhere"));
+  write("elsewhere/penumbra.json", "another's");
+  std::filesystem::create_directory_symlink("elsewhere", path("penumbra-reports"));
+  for (const std::map<std::string, std::string>& inputs :
+       {std::map<std::string, std::string>{{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Good.hlsl"}},
+        {{"program", PENUMBRA_PROGRAM}, {"merge", "elsewhere/penumbra.json"}}}) {
+    const auto result = run_step(inputs);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, HasSubstr("'penumbra-reports' is a link, which is not followed"));
+    EXPECT_EQ(read("elsewhere/penumbra.json"), "another's");
+  }
 }
 
 // It would check the tool's own library, and be green whatever the project holds.

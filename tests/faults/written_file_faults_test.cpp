@@ -18,6 +18,30 @@ TEST(WrittenFileFaults, TheOldFileStaysUntilTheNewOneIsWhole) {
        [&](End end, bool) { EXPECT_EQ(content_of(file), end == End::done ? new_text : "old"); }});
 }
 
+TEST(WrittenFileFaults, FilesThatBelongTogetherAreOldOrNewTogether) {
+  const reference::ScratchFolder scratch;
+  const fs::path first = scratch.path() / "picture.png";
+  const fs::path second = scratch.path() / "names.json";
+  for (const bool exist : {true, false})
+    for (const Kind kind : {Kind::memory, Kind::full, Kind::broken})
+      with_every_fault(kind, Extent::once,
+                       {[&] {
+                          for (const fs::path& file : {first, second}) {
+                            fs::remove(file);
+                            if (exist) std::ofstream(file) << "old";
+                          }
+                        },
+                        [&] {
+                          platform::write_files_atomically({{first, new_text}, {second, new_text}});
+                        },
+                        [&](End end, bool) {
+                          const std::optional<std::string> old =
+                              exist ? std::optional<std::string>("old") : std::nullopt;
+                          for (const fs::path& file : {first, second})
+                            EXPECT_EQ(content_of(file), end == End::done ? new_text : old);
+                        }});
+}
+
 TEST(WrittenFileFaults, NoStepThatFailsGoesUnnoticed) {
   const reference::ScratchFolder scratch;
   const fs::path file = scratch.path() / "report.json";

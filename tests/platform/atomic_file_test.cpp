@@ -14,6 +14,7 @@
 namespace penumbra::platform {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class AtomicFile : public testing::Test {
@@ -86,6 +87,81 @@ TEST_F(AtomicFile, WhatIsNoFileIsWrittenToAndStays) {
   EXPECT_EQ(seen, "through");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
   EXPECT_EQ(entries(), 1u);
+}
+
+// The name of the second one is a folder when it is to be replaced: that renaming fails.
+TEST_F(AtomicFile, OfFilesThatBelongTogetherAllAreReplacedOrNone) {
+  write_files_atomically({{folder_ / "picture", "old"}, {folder_ / "names", "it"}});
+  EXPECT_EQ(read(folder_ / "picture") + read(folder_ / "names"), "oldit");
+  write_files_atomically(
+      {{folder_ / "picture", "new"}, {folder_ / "names", "them"}, {folder_ / "third", "3"}});
+  EXPECT_EQ(read(folder_ / "picture") + read(folder_ / "names") + read(folder_ / "third"), "newthem3");
+  EXPECT_EQ(entries(), 3u);
+
+  expect_input_error(
+      [&] {
+        write_files_atomically({{folder_ / "picture", "newer"}, {folder_ / "no" / "names", "x"}});
+      },
+      AllOf(HasSubstr("no/names: cannot be written"), HasSubstr("nothing was changed")));
+  EXPECT_EQ(read(folder_ / "picture"), "new");
+  EXPECT_EQ(entries(), 3u);
+}
+
+// In a folder that has become the current one, a checkout's links are known by their place.
+class CheckedOut : public AtomicFile {
+ protected:
+  void SetUp() override {
+    AtomicFile::SetUp();
+    std::filesystem::create_directories(folder_ / "checkout" / "plain");
+    std::filesystem::create_directories(folder_ / "elsewhere" / "inner");
+    std::filesystem::create_directory_symlink(folder_ / "elsewhere", folder_ / "checkout" / "link");
+    std::ofstream(folder_ / "elsewhere" / "f") << "another's";
+  }
+  void TearDown() override {
+    std::filesystem::current_path(before_);
+    AtomicFile::TearDown();
+  }
+
+  void expect_refused(const std::filesystem::path& file) const {
+    const auto refusal =
+        AllOf(HasSubstr("link' is a link, which is not followed"), HasSubstr("nothing was changed"));
+    expect_input_error([&] { write_file_atomically(file, std::string_view("x")); }, refusal);
+    expect_input_error([&] { check_file_can_be_written(file); }, refusal);
+    expect_input_error([&] { check_folder_can_be_written(file.parent_path(), "named"); }, refusal);
+    EXPECT_EQ(read(folder_ / "elsewhere" / "f"), "another's");
+  }
+
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+TEST_F(CheckedOut, ItsLinkedFoldersAreNotFollowed) {
+  std::filesystem::current_path(folder_ / "checkout");
+  for (const char* file : {"link/f", "./link/inner/new", "plain/../link/f", "link/../f", "link/inner/../f"})
+    expect_refused(file);
+  expect_refused(folder_ / "checkout" / "link" / "f");
+  write_file_atomically("plain/f", std::string_view("x"));
+  EXPECT_EQ(read(folder_ / "checkout" / "plain" / "f"), "x");
+}
+
+TEST_F(CheckedOut, ARepositoryIsOneFromElsewhereToo) {
+  std::filesystem::create_directories(folder_ / "checkout" / ".git");
+  std::filesystem::create_directories(folder_ / "elsewhere" / ".git");
+  expect_refused(folder_ / "checkout" / "link" / "f");
+  std::filesystem::current_path(folder_ / "checkout" / "plain");
+  expect_refused("../link/f");
+}
+
+TEST_F(CheckedOut, ItsLinkToADeviceIsReplacedAndNotWrittenTo) {
+  std::filesystem::create_symlink("/dev/full", folder_ / "checkout" / "report");
+  std::filesystem::current_path(folder_ / "checkout");
+  write_file_atomically("report", std::string_view("x"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status("report")));
+}
+
+// The folder of temporary files is a link on some systems, and a user's results may lie behind one.
+TEST_F(CheckedOut, LinksThatAreTheUsersAreFollowed) {
+  write_file_atomically(folder_ / "checkout" / "link" / "f", std::string_view("followed"));
+  EXPECT_EQ(read(folder_ / "elsewhere" / "f"), "followed");
 }
 
 // Readers running all the while see one whole content or the other, never a mixture.

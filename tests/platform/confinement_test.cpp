@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -19,6 +20,7 @@
 namespace penumbra::platform {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -71,11 +73,18 @@ TEST_F(Confinement, LeavesNoFileToBeChanged) {
 TEST_F(Confinement, LeavesWhatReadingNeeds) {
   EXPECT_EQ(tried("to read: " + file_.string()), "done");
   EXPECT_EQ(tried("a thread"), "done");
-  EXPECT_EQ(tried("a small file"), "done") << "memory that drivers share between their threads";
+  EXPECT_EQ(tried("private memory"), "done");
 }
 
-TEST_F(Confinement, LimitsTheSizeOfFiles) {
-  EXPECT_EQ(tried("a large file"), "EFBIG");
+// It would be in no number that the parent reads, once it is unmapped.
+TEST_F(Confinement, LeavesNoSharedMemory) {
+  for (const char* what : {"a file in memory", "shared memory", "shared memory, validated", "a segment"})
+    EXPECT_EQ(tried(what), "EPERM") << what;
+}
+
+TEST_F(Confinement, LeavesTheParentUnread) {
+  for (const char* file : {"mem", "environ", "maps", "auxv"})
+    EXPECT_THAT(tried(std::string("to read of its parent: ") + file), AnyOf("EPERM", "EACCES")) << file;
 }
 
 TEST_F(Confinement, IsForGood) {
@@ -89,10 +98,32 @@ TEST_F(Confinement, ClosesWhatTheParentHasOpen) {
   ::close(descriptor);
 }
 
+TEST_F(Confinement, HidesTheParentsEnvironment) {
+  ::setenv("A_SERVICE_TOKEN", "secret", 1);
+  ::setenv("MESA_NO_ERROR", "1", 1);
+  const std::string names = tried("environment");
+  ::unsetenv("A_SERVICE_TOKEN");
+  ::unsetenv("MESA_NO_ERROR");
+  EXPECT_THAT(names, Not(HasSubstr("A_SERVICE_TOKEN")));
+  EXPECT_THAT(names, HasSubstr("MESA_NO_ERROR")) << "its driver reads that";
+}
+
+// Only while it has workers: a core file of the program itself is its user's.
+TEST_F(Confinement, LeavesTheParentAsItWas) {
+  EXPECT_EQ(::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0), 1);
+  tried("private memory");
+  EXPECT_EQ(::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0), 1);
+}
+
 TEST_F(Confinement, CanBeLeftWithoutTheFilter) {
   ::setenv("PENUMBRA_UNFILTERED_WORKERS", "1", 1);
   EXPECT_EQ(tried("a socket"), "done");
   EXPECT_EQ(tried("own status: NoNewPrivs"), "1");
+  EXPECT_EQ(tried("a small file"), "done");
+  EXPECT_EQ(tried("a large file"), "EFBIG");
+  for (const char* what :
+       {"to read its parent", "to read of its parent: mem", "to read of its parent: environ"})
+    EXPECT_THAT(tried(what), AnyOf("EPERM", "EACCES")) << what;
   ::unsetenv("PENUMBRA_UNFILTERED_WORKERS");
 }
 

@@ -4,9 +4,11 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/ptrace.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,6 +72,33 @@ inline long fill_memory_file(std::size_t bytes) {
   return result;
 }
 
+inline long share_memory(int flags) {
+  void* memory = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE, flags, -1, 0);
+  return memory == MAP_FAILED ? -1 : 0;
+}
+
+// A file of the parent's folder in /proc, which says what it holds only to those that may trace the parent.
+inline long read_of_parent(const std::string& file) {
+  const std::string name = "/proc/" + std::to_string(::getppid()) + "/" + file;
+  const int opened = ::open(name.c_str(), O_RDONLY);
+  char first = 0;
+  return opened < 0 ? -1 : ::read(opened, &first, file == "mem" ? 0 : 1);
+}
+
+inline long read_parents_memory() {
+  char byte = 0;
+  iovec here{&byte, 1};
+  iovec there{reinterpret_cast<void*>(&read_parents_memory), 1};
+  return ::process_vm_readv(::getppid(), &here, 1, &there, 1, 0);
+}
+
+inline std::string environment() {
+  std::string names;
+  for (char** at = environ; *at != nullptr; ++at)
+    names += " " + std::string(*at).substr(0, std::string(*at).find('='));
+  return names;
+}
+
 inline long start_a_thread() {
   std::thread([] {}).join();
   return 0;
@@ -111,8 +140,8 @@ inline std::string attempt(const std::string& what) {
       {"to fork", fork_and_wait},
       {"to vfork", vfork_and_wait},
       {"to trace", [] { return ::ptrace(PTRACE_ATTACH, ::getppid(), nullptr, nullptr); }},
-      {"to read its parent",
-       [] { return ::syscall(SYS_process_vm_readv, ::getppid(), nullptr, 0, nullptr, 0, 0); }},
+      {"to read its parent", read_parents_memory},
+      {"to read of its parent", [&] { return read_of_parent(file); }},
       {"to signal its parent", [] { return ::kill(::getppid(), 0); }},
       {"io_uring", [] { return ::syscall(SYS_io_uring_setup, 1, nullptr); }},
       {"to create", [&] { return ::open(file.c_str(), O_WRONLY | O_CREAT, 0600); }},
@@ -134,12 +163,18 @@ inline std::string attempt(const std::string& what) {
        [] { return ::syscall(SYS_prlimit64, ::getppid(), 7, nullptr, nullptr); }},
       {"a large file", [] { return fill_memory_file(std::size_t{65} << 20U); }},
       {"a small file", [] { return fill_memory_file(std::size_t{63} << 20U); }},
+      {"a file in memory", [] { return ::memfd_create("file", 0); }},
+      {"shared memory", [] { return share_memory(MAP_SHARED | MAP_ANONYMOUS); }},
+      {"shared memory, validated", [] { return share_memory(MAP_SHARED_VALIDATE | MAP_ANONYMOUS); }},
+      {"private memory", [] { return share_memory(MAP_PRIVATE | MAP_ANONYMOUS); }},
+      {"a segment", [] { return ::shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600); }},
       {"to read", [&] { return ::open(file.c_str(), O_RDONLY); }},
       {"a thread", start_a_thread},
       {"to allocate 64 GiB", allocate_too_much},
   };
   if (name == "own status") return own_status(file);
   if (name == "descriptors") return descriptors();
+  if (name == "environment") return environment();
   const auto found =
       attempts.find(name.starts_with("to ") || attempts.count(name) != 0 ? name : "to " + name);
   if (found == attempts.end()) return "unknown attempt";

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -43,6 +44,23 @@ void eat_memory() {
   }
 }
 
+// A few more than a worker may have, of small stacks: it is not their memory that ends this.
+[[noreturn]] void start_threads() {
+  pthread_attr_t small;
+  ::pthread_attr_init(&small);
+  ::pthread_attr_setstacksize(&small, std::size_t{64} << 10U);
+  const auto wait = [](void*) -> void* {
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    return nullptr;
+  };
+  for (std::size_t i = 0; i < kMostWorkerThreads + 50; ++i) {
+    pthread_t thread{};
+    if (::pthread_create(&thread, &small, wait, nullptr) != 0) std::abort();
+  }
+  std::this_thread::sleep_for(std::chrono::hours(1));
+  std::abort();
+}
+
 [[noreturn]] void compute_for_ever() {
   for (std::atomic<unsigned> i = 0;;) ++i;
 }
@@ -65,6 +83,7 @@ std::string misbehave(const std::string& message, WorkerLink& link) {
   if (message == "work") compute_for(0.4);
   if (message == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
   if (message == "eat") eat_memory();
+  if (message == "start threads") start_threads();
   if (message == "throw") throw std::runtime_error("not today");
   if (message == "environment") throw EnvironmentError("no driver");
   if (message == "note and crash") {
@@ -187,6 +206,12 @@ TEST(WorkerPool, AnEaterOfMemoryEndsAtItsLimit) {
   pool.limits.memory = std::size_t{512} << 20U;
   const auto outcomes = run({"a", "eat", "b"}, pool);
   EXPECT_EQ(outcomes.at(1).failure, "took more than 512 MiB of memory");
+  EXPECT_THAT(outcomes.at(2).answer, HasSubstr("b done"));
+}
+
+TEST(WorkerPool, AStarterOfThreadsEndsAtItsLimit) {
+  const auto outcomes = run({"a", "start threads", "b"}, small_pool(2));
+  EXPECT_EQ(outcomes.at(1).failure, "started more than 512 threads");
   EXPECT_THAT(outcomes.at(2).answer, HasSubstr("b done"));
 }
 

@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "input/input_error.h"
+#include "processor_time.h"
 #include "study/chart_labels.h"
 #include "study/pareto_chart.h"
 #include "study/synthetic_study.h"
@@ -176,6 +177,29 @@ TEST(PagePanels, LabelTwelvePointsAndOfMoreThoseThatFindRoom) {
   const int of_sixty = labels_of(60);
   EXPECT_GE(of_sixty, 12);
   EXPECT_LT(of_sixty, 60);
+}
+
+// Every place of a label is tried against the other labels, several times: of very many points those of the
+// front have labels, and of these as many as there could be room for.
+TEST(PagePanels, OfVeryManyPointsTheFrontAloneHasLabels) {
+  Chart chart = small_chart();
+  const auto labels_of = [&chart](std::size_t points, std::size_t on_front) {
+    chart.panels = {{"one light", {}, {}}};
+    for (std::size_t i = 0; i < points; ++i) {
+      const double share = static_cast<double>(i % 997) / 997.0;
+      chart.panels[0].points.push_back(
+          {"technique " + std::to_string(i), 10.0 + 100.0 * share, 0.5 - 0.4 * share});
+      if (i < on_front) chart.panels[0].front.push_back(i);
+    }
+    const std::vector<DrawnPanel> drawn = render_panels(chart);
+    EXPECT_EQ(drawn[0].points.size(), points);
+    return count(drawn[0].svg, ">technique ");
+  };
+  const double seconds = processor_seconds([&] {
+    EXPECT_EQ(labels_of(20'000, 5), 5);
+    EXPECT_EQ(labels_of(2'000, 2'000), 96);
+  });
+  EXPECT_LT(seconds, 20.0) << "what grows with the cube takes hours";
 }
 
 TEST(ParetoCharts, APointSaysItsFiguresAndHowManyScenesItIsAMeanOf) {

@@ -7,6 +7,7 @@
 
 #include "gpu/format.h"
 #include "input/input_error.h"
+#include "processor_time.h"
 #include "shaders/shader_files.h"
 #include "techniques/technique_list.h"
 #include "techniques/texel_formats.h"
@@ -321,6 +322,58 @@ TEST_F(PassGraphTest, TexturesThatNoDeviceHasAreFound) {
               HasSubstr("'Rows' writes 'rows', of format depth32"));
   EXPECT_THAT(problem(kTiles, R"("format": "r16ui")", R"("format": "r16ui", "samples": 4)"),
               HasSubstr("cannot write 'marks' of several samples"));
+}
+
+// Each takes less than a texture may.
+TEST_F(PassGraphTest, TexturesAndBuffersOfAGraphTogetherAreLimited) {
+  const auto with_textures = [](int count, const std::string& shape) {
+    std::string textures;
+    for (int i = 0; i < count; ++i)
+      textures += R"({"name": "t)" + std::to_string(i) + R"(", "format": "r32f", )" + shape + "},\n";
+    return textures;
+  };
+  const auto refusal = [&](int count, const std::string& shape) {
+    return problem(kTiles, R"({"name": "visibility", "format": "r32f"})",
+                   with_textures(count, shape) + R"({"name": "visibility", "format": "r32f"})");
+  };
+  const std::string large = R"("extent": "fixed", "size": [5000, 5000, 1])";
+  EXPECT_THAT(refusal(100, large),
+              AllOf(HasSubstr("t.technique.json:24:"), HasSubstr("texture 't21'"), HasSubstr("take 2098 MiB"),
+                    HasSubstr("more than the 2048 MiB that a graph may"),
+                    HasSubstr("use fewer or smaller textures")));
+  EXPECT_THAT(refusal(21, large), HasSubstr("no pass writes 't0'")) << "these fit";
+  EXPECT_THAT(refusal(100, R"("extent": "screen")"), HasSubstr("that a graph may"));
+  EXPECT_THAT(refusal(100, R"("extent": "map")"), HasSubstr("that a graph may"));
+  EXPECT_THAT(refusal(1, R"("extent": "tile", "divisor": 1, "layers": 256)"),
+              HasSubstr("no pass writes 't0'"))
+      << "of a tile there is one layer for each cascade";
+  EXPECT_THAT(refusal(1, R"("extent": "screen", "layers": 256)"), HasSubstr("that a graph may"));
+  EXPECT_THAT(problem(kTiles, R"("words_per_texel": 1, "texture": "marks")",
+                      R"("words_per_texel": 64, "texture": "visibility")"),
+              AllOf(HasSubstr("buffer 'list'"), HasSubstr("that a graph may")));
+}
+
+// Written from the last to the first, so that each pass is found after a look at all others.
+TEST_F(PassGraphTest, ALongChainRunsInItsOrder) {
+  PassGraph graph;
+  constexpr int kLong = 120;
+  for (int i = kLong; i-- > 0;) {
+    GraphPass pass;
+    pass.name = "P" + std::to_string(i);
+    pass.kind = PassKind::raster;
+    pass.writes = {{"", "t" + std::to_string(i)}};
+    if (i > 0) pass.reads = {{"_In", "t" + std::to_string(i - 1)}};
+    for (int k = 0; k < 63; ++k) pass.reads.emplace_back("_" + std::to_string(k), "t0");
+    if (i == 0) pass.reads.clear();
+    graph.passes.push_back(pass);
+  }
+  const double seconds = processor_seconds([&] {
+    const auto ordered = in_running_order(graph);
+    ASSERT_TRUE(ordered.has_value());
+    for (int i = 0; i < kLong; ++i)
+      EXPECT_EQ((*ordered)[static_cast<std::size_t>(i)].name, "P" + std::to_string(i));
+  });
+  EXPECT_LT(seconds, 1.0) << "what grows with the cube takes many";
 }
 
 TEST_F(PassGraphTest, TargetsOfOneDrawHaveOneSize) {

@@ -5,8 +5,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "input/input_error.h"
+#include "processor_time.h"
+#include "sanitized.h"
 #include "shaders/shader_files.h"
 #include "techniques/look_emit.h"
 #include "techniques/option_emit.h"
@@ -266,6 +269,66 @@ TEST_F(TechniqueListTest, NamesMayNotRepeat) {
   const std::string technique = text.substr(start, end - start);
   EXPECT_THAT(refusal_of(text.insert(end, "," + technique)),
               AllOf(HasSubstr("two techniques 'box-3'"), HasSubstr("the other one is at ")));
+}
+
+// A manifest of so many techniques, after one that has a graph of some passes.
+std::string techniques_of_one_graph(int count) {
+  std::string text = R"({"graphs": [{"name": "blurs", "textures": [)";
+  for (int i = 0; i < 7; ++i)
+    text += R"({"name": "t)" + std::to_string(i) + R"(", "extent": "map", "divisor": 4, "format": "r32f"},)";
+  text += R"({"name": "last", "extent": "map", "divisor": 4, "format": "r32f"}], "passes": [)";
+  for (int i = 0; i < 8; ++i)
+    text += R"({"name": "P)" + std::to_string(i) +
+            R"(", "kind": "raster", "shader": "Box.hlsl", "runs": "cascade",)" +
+            (i == 0 ? std::string() : R"("reads": {"_In": "t)" + std::to_string(i - 1) + R"("},)") +
+            R"("writes": [")" + (i == 7 ? std::string("last") : "t" + std::to_string(i)) + R"("]},)";
+  text += R"({"name": "filter", "kind": "filter",
+              "filter": {"file": "Box.hlsl", "function": "F", "arguments": ["last", "linearSampler"]}}]}],
+    "defaults": {"family": "f", "source": "s", "graph": "blurs"}, "techniques": [)";
+  for (int i = 0; i < count; ++i)
+    text += (i == 0 ? "" : ",\n") + std::string(R"({"name": "t)") + std::to_string(i) + R"(", "title": "T"})";
+  return text + "]}";
+}
+
+TEST_F(TechniqueListTest, ManyTechniquesAreReadInSecondsAndVeryManyAreRefused) {
+  const double seconds = processor_seconds([&] {
+    const TechniqueList list = read(techniques_of_one_graph(3000 / sanitizer_reduction));
+    EXPECT_EQ(list.techniques.size(), 3000U / sanitizer_reduction);
+    EXPECT_EQ(list.techniques.back().graph.passes.size(), 9U);
+    EXPECT_THAT(
+        refusal_of(techniques_of_one_graph(100'000)),
+        AllOf(HasSubstr("box.technique.json:"), HasSubstr("there are 100000 techniques, and at most 4096")));
+  });
+  EXPECT_LT(seconds, 20.0) << "what grows with the square takes minutes";
+  EXPECT_THAT(refusal_of(techniques_of_one_graph(4000)),
+              HasSubstr("65552 passes, textures and buffers of all techniques, and at most 65536"));
+}
+
+TEST_F(TechniqueListTest, EveryListOfAManifestIsLimited) {
+  const auto repeated = [](int count, const std::string& item) {
+    std::string text = item;
+    for (int i = 1; i < count; ++i) text += ", " + item;
+    return text;
+  };
+  const auto refuse = [&](const std::string& from, const std::string& to, const std::string& says) {
+    EXPECT_THAT(problem(from, to), AllOf(HasSubstr("box.technique.json:"), HasSubstr(says)));
+  };
+  refuse(R"(["_WIDE"])", "[" + repeated(65, R"("_A")") + "]", "there are 65 keywords");
+  refuse(R"([[], ["UNITY_REVERSED_Z"]])", "[" + repeated(65, "[]") + "]", "there are 65 sets of keywords");
+  refuse(R"([[], ["UNITY_REVERSED_Z"]])", "[[" + repeated(65, R"("A")") + "]]",
+         "there are 65 keywords of one set");
+  for (const auto& [key, most] : std::map<std::string, int>{{"structs", 1024},
+                                                            {"graphs", 4096},
+                                                            {"techniques", 4096},
+                                                            {"looks", 256},
+                                                            {"options", 256},
+                                                            {"presets", 256},
+                                                            {"selections", 256}}) {
+    const std::string list = "\"" + key + "\": [" + repeated(most + 1, "{}") + "]";
+    const std::string refusal =
+        refusal_of(key == "techniques" ? "{" + list + "}" : "{" + list + R"(, "techniques": []})");
+    EXPECT_THAT(refusal, HasSubstr("there are " + std::to_string(most + 1) + " " + key)) << key;
+  }
 }
 
 TEST_F(TechniqueListTest, APackagesManifestsComeInTheirOrderAndShareStructs) {

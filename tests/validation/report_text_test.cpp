@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "processor_time.h"
+#include "sanitized.h"
 #include "validation/report_fixture.h"
 
 namespace penumbra::validation {
@@ -56,6 +58,34 @@ TEST(ReportText, TheKeywordsThatDecideAreFound) {
               EndsWith("in 3 of 8 variants; always with A; for example with A B"));
   EXPECT_THAT(sentence([](const auto& set) { return set.size() == 3; }),
               EndsWith("in 1 of 8 variants: with A B C"));
+}
+
+// A keyword of its own for each variant, and an error that so many neighbours share.
+ValidationReport report_of_errors(int variants, int neighbours) {
+  ValidationReport report;
+  for (int i = 0; i < variants; ++i)
+    report.records.push_back(failed(water({"K" + std::to_string(i), "G" + std::to_string(i / neighbours)}),
+                                    error_at("Water.hlsl", 1, 1, "error " + std::to_string(i / neighbours))));
+  return report;
+}
+
+// What two of many variants have in common is looked for where the many are not too many.
+TEST(ReportText, FewOfVeryManyVariantsAreNotToldApart) {
+  EXPECT_THAT(report_text(report_of_errors(1024, 2)), HasSubstr("in 2 of 1024 variants: all with G0\n"));
+  EXPECT_THAT(report_text(report_of_errors(1026, 2)),
+              HasSubstr("in 2 of 1026 variants; for example with G0 K0\n"));
+}
+
+TEST(ReportText, ManyErrorsCostTimeInProportionToTheirNumber) {
+  const int many = 20'000 / sanitizer_reduction;
+  for (const int neighbours : {1, 2}) {
+    const ValidationReport report = report_of_errors(many, neighbours);
+    const double seconds = processor_seconds([&] {
+      EXPECT_THAT(report_text(report), HasSubstr("in " + std::to_string(neighbours) + " of "));
+      EXPECT_THAT(report_sarif(report), HasSubstr("\"ofVariants\": " + std::to_string(many)));
+    });
+    EXPECT_LT(seconds, 20.0) << "what grows with the square takes minutes";
+  }
 }
 
 TEST(ReportText, AKeywordThatAllVariantsHaveExplainsNothing) {

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
+#include <list>
+#include <optional>
 #include <random>
 #include <string>
 #include <system_error>
@@ -13,6 +16,7 @@
 
 #include "input/input_error.h"
 #include "platform/interrupt.h"
+#include "platform/linked_folder.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -77,13 +81,20 @@ void write_straight(const std::filesystem::path& file, std::string_view content)
   if (!written || !closed) fail(file, reason != 0 ? reason : errno);
 }
 
-// Nobody can put a link or a pipe in its place beforehand: its name is random, and it must not exist.
+// A file beside another one, under a name that nobody can put a link or a pipe at beforehand.
+std::filesystem::path random_name(const std::filesystem::path& file, const char* ending) {
+  std::random_device random;
+  const std::uint64_t word = (static_cast<std::uint64_t>(random()) << 32U) | random();
+  return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(word) + ending);
+}
+
+// Its name is random, and it must not exist.
 class Temporary {
  public:
   // Throws InputError, naming `named`.
   Temporary(const std::filesystem::path& file, const std::filesystem::path& named) {
     for (int attempt = 0; attempt < kMostAttempts && stream_ == nullptr; ++attempt) {
-      path_ = file.parent_path() / ("." + file.filename().string() + "." + random_word() + ".part");
+      path_ = random_name(file, ".part");
       stream_ = std::fopen(path_.string().c_str(), "wbx");
       if (stream_ == nullptr && errno != EEXIST) break;
     }
@@ -112,34 +123,131 @@ class Temporary {
  private:
   static constexpr int kMostAttempts = 16;
 
-  static std::string random_word() {
-    std::random_device random;
-    return std::to_string((static_cast<std::uint64_t>(random()) << 32U) | random());
-  }
-
   std::filesystem::path path_;
   std::FILE* stream_ = nullptr;
   bool renamed_ = false;
 };
 
-// Not where its kind cannot be read: then it may be a file.
+// Not where its kind cannot be read: then it may be a file. A checkout's link to a device is replaced as its
+// links to files are.
 bool is_device(const std::filesystem::path& file) {
   std::error_code unreadable;
+  if (link_of_checkout(file)) return false;
   const std::filesystem::file_type type = std::filesystem::status(file, unreadable).type();
   return type == std::filesystem::file_type::character || type == std::filesystem::file_type::block ||
          type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::socket;
 }
 
+// The folder that holds the file.
+void refuse_linked_folder(const std::filesystem::path& file, const std::filesystem::path& named) {
+  const std::optional<std::filesystem::path> link = link_of_checkout(file.parent_path());
+  if (!link) return;
+  throw InputError(named.string(),
+                   "cannot be written: '" + link->string() + "' is a link, which is not followed",
+                   "name the folder that it leads to, or remove the link; nothing was changed");
+}
+
+void refuse_folders(const std::filesystem::path& file) {
+  refuse_linked_folder(file, file);
+  std::error_code status;
+  if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
+}
+
 void try_to_write(const std::filesystem::path& file, const std::filesystem::path& named) {
+  refuse_linked_folder(file, named);
   const FileWrite writing;
   const Temporary temporary(file, named);
 }
 
+// What a file was before it was replaced, until the files that belong to it are replaced, too.
+class OldFile {
+ public:
+  // A second name of it, or a copy where the file system has no second names.
+  explicit OldFile(const std::filesystem::path& file) : file_(file) {
+    std::error_code error;
+    if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found) return;
+    kept_ = random_name(file, ".old");
+    std::filesystem::create_hard_link(file, kept_, error);
+    if (error) std::filesystem::copy_file(file, kept_, error);
+    if (error) {
+      discard();
+      fail(file, error.value());
+    }
+  }
+  ~OldFile() { discard(); }
+  OldFile(const OldFile&) = delete;
+  OldFile& operator=(const OldFile&) = delete;
+
+  // Throws InputError, and leaves the copy, where that fails.
+  void put_back() {
+    std::error_code error;
+    if (kept_.empty())
+      std::filesystem::remove(file_, error);
+    else
+      std::filesystem::rename(kept_, file_, error);
+    const std::filesystem::path kept = std::exchange(kept_, {});
+    if (error)
+      throw InputError(file_.string(),
+                       "was replaced, and a file that belongs to it could not be: " + error.message(),
+                       kept.empty() ? "remove it" : "what it held before is in '" + kept.string() + "'");
+  }
+
+ private:
+  void discard() {
+    std::error_code ignored;
+    if (!kept_.empty()) std::filesystem::remove(kept_, ignored);
+  }
+
+  std::filesystem::path file_;
+  std::filesystem::path kept_;  // empty: there was none
+};
+
+// Whole and on the disk, but not in its place yet.
+class NewFile {
+ public:
+  NewFile(const std::filesystem::path& file, std::string_view content) : file_(file), temporary_(file, file) {
+    errno = 0;
+    const bool written =
+        std::fwrite(content.data(), 1, content.size(), temporary_.stream()) == content.size() &&
+        flush_to_disk(temporary_.stream());
+    const int reason = errno;
+    const bool closed = temporary_.close();
+    if (!written || !closed) fail(file, reason != 0 ? reason : errno);
+  }
+
+  void keep_old() { old_.emplace(file_); }
+  std::error_code place() { return temporary_.rename(file_); }
+  void put_back() {
+    if (old_) old_->put_back();
+  }
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  Temporary temporary_;
+  std::optional<OldFile> old_;
+};
+
+// All of them, or none.
+void place_all(std::list<NewFile>& files) {
+  for (auto file = files.begin(); file != files.end(); ++file)
+    if (std::next(file) != files.end()) file->keep_old();
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    const std::error_code error = file->place();
+    if (!error) continue;
+    for (auto placed = file; placed != files.begin();) (--placed)->put_back();
+    fail(file->file(), error.value());
+  }
+}
+
 }  // namespace
 
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 void check_file_can_be_written(const std::filesystem::path& file) {
-  std::error_code status;
-  if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
+  refuse_folders(file);
   if (is_device(file)) return;
   try_to_write(file, file);
 }
@@ -148,24 +256,23 @@ void check_folder_can_be_written(const std::filesystem::path& folder, const std:
   try_to_write(folder / "penumbra-output", named);
 }
 
-void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
-  std::error_code status;
-  if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
-  if (is_device(file)) return write_straight(file, content);
+void write_files_atomically(const std::vector<FileContent>& files) {
+  for (const FileContent& file : files) refuse_folders(file.file);
   const FileWrite writing;
-  Temporary temporary(file, file);
-  errno = 0;
-  const bool written = std::fwrite(content.data(), 1, content.size(), temporary.stream()) == content.size() &&
-                       flush_to_disk(temporary.stream());
-  const int reason = errno;
-  const bool closed = temporary.close();
-  if (!written || !closed) fail(file, reason != 0 ? reason : errno);
-  if (const std::error_code error = temporary.rename(file)) fail(file, error.value());
+  std::list<NewFile> written;
+  for (const FileContent& file : files)
+    if (!is_device(file.file)) written.emplace_back(file.file, file.content);
+  place_all(written);
+  for (const FileContent& file : files)
+    if (is_device(file.file)) write_straight(file.file, file.content);
+}
+
+void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
+  write_files_atomically({{file, content}});
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content) {
-  write_file_atomically(file,
-                        std::string_view(reinterpret_cast<const char*>(content.data()), content.size()));
+  write_file_atomically(file, text_of(content));
 }
 
 }  // namespace penumbra::platform

@@ -1,17 +1,31 @@
 // Files that are either whole or not there: written beside their place, flushed, then renamed over it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace penumbra::platform {
 
 // Throws penumbra::InputError naming the file and the system's reason (full disk, no permission, no such
 // folder); the old content, if any, stays, and the temporary file is removed. A target that is not a regular
-// file, such as /dev/null, is written to directly.
+// file, such as /dev/null, is written to directly. Links that a checkout holds (linked_folder.h) are not
+// followed: one in the file's place is replaced, and one on the way to its folder is refused.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content);
+
+struct FileContent {
+  std::filesystem::path file;
+  std::string_view content;
+};
+
+// Files that belong together, such as a bake's pictures and the file that names them: where one cannot be
+// written or put in its place, the old ones stay, all of them. They are replaced in this order.
+void write_files_atomically(const std::vector<FileContent>& files);
+
+std::string_view text_of(std::span<const std::byte> bytes);
 
 // Throws what write_file_atomically would throw, but for a disk that is full then; leaves nothing behind.
 void check_file_can_be_written(const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -19,8 +20,7 @@ namespace {
 // driver does with them. Names that an architecture lacks are skipped.
 constexpr const char* kAllowed[] = {
     // memory
-    "brk", "madvise", "membarrier", "memfd_create", "mincore", "mlock", "mmap", "mmap2", "mprotect", "mremap",
-    "munlock", "munmap",
+    "brk", "madvise", "membarrier", "mincore", "mlock", "mprotect", "mremap", "munlock", "munmap",
     // threads of this process
     "arch_prctl", "exit", "exit_group", "futex", "futex_time64", "futex_waitv", "get_robust_list", "getcpu",
     "getpid", "getppid", "gettid", "restart_syscall", "rseq", "sched_getaffinity", "sched_getparam",
@@ -36,10 +36,10 @@ constexpr const char* kAllowed[] = {
     "fstatat64", "fstatfs", "fstatfs64", "getcwd", "getdents", "getdents64", "lseek", "lstat", "lstat64",
     "newfstatat", "pread64", "preadv", "preadv2", "read", "readlink", "readlinkat", "readv", "stat", "stat64",
     "statfs", "statfs64", "statx",
-    // descriptors: none is open for writing but the way to the parent, pipes and memory
+    // descriptors: none is open for writing but the way to the parent and pipes
     "close", "close_range", "dup", "dup2", "dup3", "epoll_create1", "epoll_ctl", "epoll_pwait", "epoll_wait",
-    "eventfd2", "fallocate", "ftruncate", "ftruncate64", "pipe", "pipe2", "poll", "ppoll", "ppoll_time64",
-    "pselect6", "pselect6_time64", "select", "write", "writev",
+    "eventfd2", "pipe", "pipe2", "poll", "ppoll", "ppoll_time64", "pselect6", "pselect6_time64", "select",
+    "write", "writev",
     // facts
     "getegid", "getegid32", "geteuid", "geteuid32", "getgid", "getgid32", "getrandom", "getrlimit",
     "getrusage", "getuid", "getuid32", "setrlimit", "sysinfo", "ugetrlimit", "uname"};
@@ -121,6 +121,15 @@ void allow_reading(Filter& filter) {
   filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY));
 }
 
+// Memory of this process, and maps of open files. Neither files in memory nor anonymous memory that is
+// shared: once it is unmapped, no limit of a process counts it.
+void allow_memory(Filter& filter) {
+  for (const char* name : {"mmap", "mmap2"}) {
+    filter.allow(name, SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_TYPE, MAP_PRIVATE));
+    filter.allow(name, SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_ANONYMOUS, 0));
+  }
+}
+
 // No new process. A C library that tries clone3, whose arguments a filter cannot see, falls back to clone.
 void allow_threads(Filter& filter) {
   filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
@@ -140,7 +149,7 @@ void allow_for_itself(Filter& filter) {
 }
 
 void allow_on_descriptors(Filter& filter) {
-  for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_ADD_SEALS})
+  for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL})
     for (const char* name : {"fcntl", "fcntl64"})
       filter.allow(name, SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
   filter.allow("ioctl", SCMP_A1(SCMP_CMP_EQ, TCGETS));  // isatty()
@@ -154,6 +163,7 @@ void allow_on_descriptors(Filter& filter) {
 int filter_system_calls() {
   Filter filter;
   for (const char* name : kAllowed) filter.allow(name);
+  allow_memory(filter);
   allow_reading(filter);
   allow_threads(filter);
   allow_for_itself(filter);

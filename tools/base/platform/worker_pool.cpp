@@ -101,7 +101,9 @@ class WorkerSlot {
     if (!ready_ && spent > start_limit) throw EnvironmentError("a worker process did not start in time");
     if (!busy_ || spent < watch_interval) return;
     if (spent > pool_.limits.time) return fail("took longer than " + seconds_text(pool_.limits.time));
-    if (process_->resident_bytes() > pool_.limits.memory) fail(too_much_memory(pool_.limits.memory));
+    if (process_->resident_bytes() > pool_.limits.memory) return fail(too_much_memory(pool_.limits.memory));
+    if (process_->threads() > kMostWorkerThreads)
+      fail("started more than " + std::to_string(kMostWorkerThreads) + " threads");
   }
 
  private:

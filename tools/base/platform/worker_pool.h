@@ -8,7 +8,11 @@
 // the privileges that they do not need (platform/confinement.h): they read files, and change none.
 //
 // The memory limit applies to resident pages, which the parent polls (every 10 ms) on systems with /proc,
-// that is, on Linux; faster growth ends at RLIMIT_DATA, a little above.
+// that is, on Linux; faster growth ends at RLIMIT_DATA, a little above. Threads are polled, too. Memory that
+// would be in neither number, because it is shared, cannot be had (platform/system_call_filter.cpp).
+//
+// A worker has of its parent's environment what its libraries read (worker_environment.cpp), and cannot read
+// its parent's memory.
 #pragma once
 
 #include <chrono>
@@ -29,6 +33,8 @@ struct WorkerLimits {
   std::size_t memory = std::size_t{2} << 30;    // bytes of a worker
   std::size_t answer = std::size_t{256} << 20;  // bytes of one answer, question or note
 };
+
+inline constexpr std::size_t kMostWorkerThreads = 512;  // a driver has one for each processor, and a few
 
 struct WorkerMessage {
   std::size_t number = 0;  // identifies this message in all callbacks

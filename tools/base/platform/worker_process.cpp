@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -17,8 +18,7 @@
 
 #include "input/input_error.h"
 #include "platform/terminal.h"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
+#include "platform/worker_environment.h"
 
 namespace penumbra::platform {
 namespace {
@@ -114,6 +114,15 @@ class WorkerSettings {
   posix_spawnattr_t attributes{};
 };
 
+// Pointers to the texts, with a null pointer at the end, as the system takes them.
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  list.reserve(texts.size() + 1);
+  for (std::string& text : texts) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
 }  // namespace
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments, std::size_t largest_answer)
@@ -122,12 +131,12 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments, std::siz
   const std::unique_ptr<Ends> noise = pipe_ends();
   std::vector<std::string> words{program_path().string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  std::vector<std::string> variables = worker_environment();
+  const std::vector<char*> argv = pointers(words);
+  const std::vector<char*> environment = pointers(variables);
   const WorkerSettings settings(frames->theirs.get(), noise->theirs.get());
-  errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(), environ);
+  errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(),
+                        environment.data());
   if (errno != 0) fail(argv[0]);
   socket_ = frames->ours.release();
   child_output_ = noise->ours.release();
@@ -183,15 +192,32 @@ void WorkerProcess::read_child_output() {
   }
 }
 
-std::size_t WorkerProcess::resident_bytes() const {
+std::string WorkerProcess::fact(const char* file) const {
   char name[64];
-  std::snprintf(name, sizeof name, "/proc/%d/statm", static_cast<int>(process_));
-  const Descriptor file(::open(name, O_RDONLY | O_CLOEXEC));
-  char text[128] = {};
+  std::snprintf(name, sizeof name, "/proc/%d/%s", static_cast<int>(process_), file);
+  const Descriptor opened(::open(name, O_RDONLY | O_CLOEXEC));
+  char text[1024];
+  const ssize_t count = opened.get() < 0 ? 0 : ::read(opened.get(), text, sizeof text);
+  return {text, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+std::size_t WorkerProcess::resident_bytes() const {
   unsigned long pages = 0;
-  if (file.get() < 0 || ::read(file.get(), text, sizeof text - 1) <= 0) return 0;
-  if (std::sscanf(text, "%*u %lu", &pages) != 1) return 0;
+  if (std::sscanf(fact("statm").c_str(), "%*u %lu", &pages) != 1) return 0;
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// Behind the program's name, which may hold anything: the state is the third field, the threads are the
+// twentieth.
+std::size_t WorkerProcess::threads() const {
+  const std::string facts = fact("stat");
+  const std::size_t name_end = facts.rfind(')');
+  unsigned long count = 0;
+  if (name_end == std::string::npos ||
+      std::sscanf(facts.c_str() + name_end + 1,
+                  " %*c %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %lu", &count) != 1)
+    return 0;
+  return count;
 }
 
 int WorkerProcess::end() {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/unreadable_process.h"
 #include "platform/worker_frame.h"
 
 namespace penumbra::platform {
@@ -37,11 +38,16 @@ class WorkerProcess {
   int socket() const { return socket_; }
   int child_output() const { return child_output_; }
   const std::string& output_tail() const { return output_tail_; }
-  std::size_t resident_bytes() const;  // 0 where the system does not say
+  // 0 where the system does not say.
+  std::size_t resident_bytes() const;
+  std::size_t threads() const;
 
   int end();  // kills it if it lives; its wait status
 
  private:
+  std::string fact(const char* file) const;  // the beginning of a file of /proc; empty where there is none
+
+  UnreadableProcess unreadable_;
   pid_t process_ = 0;
   int socket_ = -1;
   int child_output_ = -1;  // the reading end of its standard output and standard error

@@ -6,6 +6,7 @@
 
 #include "input/input_error.h"
 #include "platform/confinement.h"
+#include "platform/unreadable_process.h"
 #include "platform/worker_frame.h"
 #include "platform/worker_pool.h"
 
@@ -166,6 +167,7 @@ void serve(const WorkHandler& handler, const std::function<void(const WorkerLimi
 
 int serve_worker(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare) {
   close_descriptors_from(worker_frames_descriptor + 1);
+  give_up_reading_processes();  // before a driver starts threads, which would keep the right
   bind_to_parent();
   keep_memory();
   ParentLink link;

@@ -55,7 +55,6 @@ class Folder {
 // A variant of the finding's programs, and whether it has the finding.
 struct Candidate {
   const std::vector<std::uint32_t>* keywords = nullptr;  // numbers, rising
-  const Variant* variant = nullptr;
   bool has_it = false;
 
   bool has(std::uint32_t keyword) const {
@@ -63,17 +62,32 @@ struct Candidate {
   }
 };
 
-std::vector<Candidate> candidates(const Finding& finding, const Variants& variants) {
-  std::set<std::size_t> programs;
-  std::vector<bool> having(variants.size());
+// By program, then in the order of their first records.
+std::vector<std::size_t> variants_with(const Finding& finding, const Variants& variants) {
+  std::set<std::pair<std::size_t, std::size_t>> found;
   for (const std::size_t record : finding.records) {
-    having[variants.of_record(record)] = true;
-    programs.insert(variants[variants.of_record(record)].program);
+    const std::size_t variant = variants.of_record(record);
+    found.emplace(variants[variant].program, variant);
   }
+  std::vector<std::size_t> having;
+  for (const auto& [program, variant] : found) having.push_back(variant);
+  return having;
+}
+
+std::vector<std::size_t> programs_of(const std::vector<std::size_t>& having, const Variants& variants) {
+  std::vector<std::size_t> programs;
+  for (const std::size_t variant : having)
+    if (programs.empty() || programs.back() != variants[variant].program)
+      programs.push_back(variants[variant].program);
+  return programs;
+}
+
+std::vector<Candidate> candidates(const std::vector<std::size_t>& having, const Variants& variants) {
+  const std::set<std::size_t> have_it(having.begin(), having.end());
   std::vector<Candidate> all;
-  for (const std::size_t program : programs)
+  for (const std::size_t program : programs_of(having, variants))
     for (const std::size_t variant : variants.of_program(program))
-      all.push_back({&variants.keyword_numbers(variant), &variants[variant], having[variant]});
+      all.push_back({&variants.keyword_numbers(variant), have_it.contains(variant)});
   return all;
 }
 
@@ -133,6 +147,31 @@ class Distinction {
 void drop_needless(Distinction& distinction, std::vector<std::uint32_t>& keywords) {
   for (std::size_t i = keywords.size(); i-- > 0;)
     if (distinction.drop(keywords[i])) keywords.erase(keywords.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+// Which keywords tell the variants apart is asked of few variants that are told from few, or from a moderate
+// multiple: so the work grows with the report, and not with the product of its findings and its variants.
+bool can_be_told_apart(const KeywordFold& fold) {
+  constexpr std::size_t kFew = 1024;
+  constexpr std::size_t kMultiple = 256;
+  return fold.in > 1 && fold.in < fold.of && fold.of <= std::max(kFew, kMultiple * fold.in);
+}
+
+void tell_apart(const std::vector<Candidate>& all, const Variants& variants, KeywordFold& fold) {
+  std::vector<std::uint32_t> with;
+  std::vector<std::uint32_t> without;
+  for (const auto& [keyword, count] : count_keywords(all)) {
+    if (count.first == fold.in && count.second < fold.of - fold.in) with.push_back(keyword);
+    if (count.first == 0) without.push_back(keyword);
+  }
+  Distinction distinction(all, with, without);
+  fold.exact = distinction.complete();
+  if (fold.exact) {
+    drop_needless(distinction, without);
+    drop_needless(distinction, with);
+    for (const std::uint32_t keyword : without) fold.without.push_back(variants.keyword(keyword));
+  }
+  for (const std::uint32_t keyword : with) fold.with.push_back(variants.keyword(keyword));
 }
 
 std::string keyword_list(const std::vector<std::string>& keywords) {
@@ -202,31 +241,16 @@ Variants::Variants(const ValidationReport& report) {
 }
 
 KeywordFold fold_keywords(const Finding& finding, const Variants& variants) {
-  const std::vector<Candidate> all = candidates(finding, variants);
+  const std::vector<std::size_t> having = variants_with(finding, variants);
   KeywordFold fold;
-  fold.of = all.size();
-  const Candidate* smallest = nullptr;
-  for (const Candidate& candidate : all) {
-    if (!candidate.has_it) continue;
-    ++fold.in;
-    if (smallest == nullptr || candidate.keywords->size() < smallest->keywords->size()) smallest = &candidate;
-  }
-  if (smallest != nullptr) fold.example = smallest->variant->keywords;
-  if (fold.in == fold.of) return fold;
-  std::vector<std::uint32_t> with;
-  std::vector<std::uint32_t> without;
-  for (const auto& [keyword, count] : count_keywords(all)) {
-    if (count.first == fold.in && count.second < fold.of - fold.in) with.push_back(keyword);
-    if (count.first == 0) without.push_back(keyword);
-  }
-  Distinction distinction(all, with, without);
-  fold.exact = distinction.complete();
-  if (fold.exact) {
-    drop_needless(distinction, without);
-    drop_needless(distinction, with);
-    for (const std::uint32_t keyword : without) fold.without.push_back(variants.keyword(keyword));
-  }
-  for (const std::uint32_t keyword : with) fold.with.push_back(variants.keyword(keyword));
+  fold.in = having.size();
+  for (const std::size_t program : programs_of(having, variants))
+    fold.of += variants.of_program(program).size();
+  const auto smallest = std::min_element(having.begin(), having.end(), [&](std::size_t a, std::size_t b) {
+    return variants[a].keywords.size() < variants[b].keywords.size();
+  });
+  if (smallest != having.end()) fold.example = variants[*smallest].keywords;
+  if (can_be_told_apart(fold)) tell_apart(candidates(having, variants), variants, fold);
   return fold;
 }
 

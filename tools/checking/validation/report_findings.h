@@ -52,8 +52,9 @@ class Variants {
 
 // The variants of a program that have a finding, described with as few keywords as possible.
 struct KeywordFold {
-  std::size_t in = 0;                // variants that have the finding
-  std::size_t of = 0;                // variants of the same programs
+  std::size_t in = 0;  // variants that have the finding
+  std::size_t of = 0;  // variants of the same programs
+  // Of several that are not far fewer than the others; of one, the example says all.
   std::vector<std::string> with;     // keywords of all that have it, where not all have them
   std::vector<std::string> without;  // only where `exact`: keywords that none of them has
   bool exact = false;  // the variants with `with` and without `without` are exactly those that have it

@@ -10,7 +10,9 @@
 #include "bake/texels_16.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
+#include "input/text_file.h"
 #include "platform/atomic_file.h"
+#include "platform/content_hash.h"
 #include "scene/height_image.h"
 
 namespace penumbra::bake {
@@ -73,6 +75,36 @@ std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices
   return encode_png_16(slices.columns * width, slices.rows * height, 1, samples);
 }
 
+constexpr const char* kHashes = "picture_hashes";
+constexpr std::size_t kLargestPicture = std::size_t{512} << 20U;  // bytes
+
+std::string hash_of(std::string_view bytes) {
+  platform::ContentHash hash;
+  hash.update(bytes);
+  return hash.hex();
+}
+
+BakedFiles finished(Json json, BakedFiles files) {
+  for (const auto& [name, bytes] : files.pictures) json[kHashes][name] = hash_of(platform::text_of(bytes));
+  files.json = json.dump(2) + "\n";
+  return files;
+}
+
+// Throws InputError where the picture beside the JSON file is another one than that it was written with.
+void check_picture(JsonObject& object, const std::filesystem::path& json, const std::string& picture) {
+  JsonObject hashes = object.object(kHashes);
+  const std::string expected = hashes.text(picture, "");
+  if (expected.empty())
+    hashes.fail(picture, fmt::format("there is no hash of '{}' in '{}'", picture, kHashes), "bake it again");
+  hashes.finish();
+  const std::filesystem::path file = json.parent_path() / picture;
+  if (hash_of(read_found_text_file(file, kLargestPicture)) != expected)
+    throw InputError(
+        file.string(),
+        fmt::format("does not belong to '{}', which was written with another picture", json.string()),
+        "bake it again, or copy both files of one bake");
+}
+
 }  // namespace
 
 void check_stem(const std::string& stem) {
@@ -94,8 +126,7 @@ BakedFiles baked_files(const HeightField& field, const std::string& stem) {
   json["heights_metres"] = {range.low, range.high};
   json.update(area_json(field.area));
   json["samples_without_surface"] = field.holes;
-  files.json = json.dump(2) + "\n";
-  return files;
+  return finished(json, std::move(files));
 }
 
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
@@ -112,8 +143,7 @@ BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
     json["directions_degrees"].push_back(45 * number);
   json["angles_degrees"] = {0, 90};
   json.update(area_json(angles.area));
-  files.json = json.dump(2) + "\n";
-  return files;
+  return finished(json, std::move(files));
 }
 
 BakedFiles baked_files(const DistanceField& field, const std::string& stem) {
@@ -135,8 +165,7 @@ BakedFiles baked_files(const DistanceField& field, const std::string& stem) {
   json["distances_metres"] = {-largest, largest};
   json.update(box_json(field.box));
   json["open_edges"] = field.open_edges;
-  files.json = json.dump(2) + "\n";
-  return files;
+  return finished(json, std::move(files));
 }
 
 BakedFiles baked_files(const ObjectFields& fields, const std::string& stem) {
@@ -161,14 +190,15 @@ BakedFiles baked_files(const ObjectFields& fields, const std::string& stem) {
     one["too_thin"] = std::round(1e4 * object.thin_share) / 1e4;
     json["objects"].push_back(std::move(one));
   }
-  files.json = json.dump(2) + "\n";
-  return files;
+  return finished(json, std::move(files));
 }
 
 void write_baked_files(const BakedFiles& files, const std::filesystem::path& json) {
+  std::vector<platform::FileContent> written;
   for (const auto& [name, bytes] : files.pictures)
-    platform::write_file_atomically(json.parent_path() / name, std::span<const std::byte>(bytes));
-  platform::write_file_atomically(json, files.json);
+    written.push_back({json.parent_path() / name, platform::text_of(bytes)});
+  written.push_back({json, files.json});
+  platform::write_files_atomically(written);
 }
 
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process) {
@@ -190,6 +220,7 @@ HeightField read_height_field(const std::filesystem::path& json, const scene::Re
   const std::vector<double> corner = object.numbers("corner_metres", 2),
                             size = object.numbers("size_metres", 2);
   const int holes = object.integer("samples_without_surface", 0);
+  check_picture(object, json, picture);
   object.finish();
   const scene::HeightImage image =
       scene::read_height_image_apart(json.parent_path() / picture, std::nullopt, process);

@@ -36,10 +36,12 @@ BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem);
 BakedFiles baked_files(const DistanceField& field, const std::string& stem);
 BakedFiles baked_files(const ObjectFields& fields, const std::string& stem);
 
-// Pictures first, so that a JSON file never names one that is not there. Throws as write_file_atomically().
+// All of them or none: throws as write_files_atomically(). The JSON file, which holds a hash of each picture,
+// comes last: what is left where the machine stops in between is refused when it is read.
 void write_baked_files(const BakedFiles& files, const std::filesystem::path& json);
 
-// A height field that baked_files() wrote. Throws InputError at the JSON's line, and naming the picture.
+// A height field that baked_files() wrote. Throws InputError at the JSON's line, and naming the picture where
+// that is broken or is not the one that the JSON file was written with.
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process);
 
 }  // namespace penumbra::bake

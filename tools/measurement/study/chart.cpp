@@ -34,6 +34,10 @@ constexpr Layout kFile{};
 constexpr Layout kPage{380.0, 340.0, 0.0, 58.0, 10.0, 10.0, 50.0, true};
 constexpr std::size_t kAlwaysLabelled = 12;  // points of a panel
 
+// A panel of more points names those of the front alone, and of these so many: the places of labels are tried
+// against each other, and there would be no room. The page's table has all names.
+constexpr std::size_t kMostPlaced = 96;
+
 namespace ink {
 constexpr std::string_view kGround = "#fcfcfb";
 constexpr std::string_view kTitle = "#1b1d21";
@@ -111,8 +115,11 @@ std::string gnuplot_string(std::string_view text) {
   return result + "\"";
 }
 
-bool is_on_front(const ChartPanel& panel, std::size_t point) {
-  return std::find(panel.front.begin(), panel.front.end(), point) != panel.front.end();
+// By point.
+std::vector<bool> on_front(const ChartPanel& panel) {
+  std::vector<bool> marked(panel.points.size());
+  for (const std::size_t point : panel.front) marked.at(point) = true;
+  return marked;
 }
 
 class Script {
@@ -188,7 +195,7 @@ class Script {
   }
 
   // Obstacles for labels: the points, and the steps of the front (horizontal first, then vertical).
-  std::vector<Box> obstacles(const ChartPanel& panel, const Box& frame) const {
+  std::vector<Box> obstacles(const ChartPanel& panel, const Box& frame, bool front_alone) const {
     constexpr double kPointRadius = 5.0;
     constexpr double kLineRadius = 2.0;
     std::vector<Box> boxes;
@@ -196,10 +203,13 @@ class Script {
       boxes.push_back({std::min(from.x, to.x) - radius, std::min(from.y, to.y) - radius,
                        std::max(from.x, to.x) + radius, std::max(from.y, to.y) + radius});
     };
-    for (const ChartPoint& point : panel.points) {
-      if (is_drawn(chart_, point)) add(spot(point, frame), spot(point, frame), kPointRadius);
+    const std::vector<bool> front = on_front(panel);
+    for (std::size_t i = 0; i < panel.points.size(); ++i) {
+      const ChartPoint& point = panel.points[i];
+      if (is_drawn(chart_, point) && (!front_alone || front[i]) && boxes.size() < kMostPlaced)
+        add(spot(point, frame), spot(point, frame), kPointRadius);
     }
-    for (std::size_t i = 1; i < panel.front.size(); ++i) {
+    for (std::size_t i = 1; i < std::min(panel.front.size(), kMostPlaced); ++i) {
       const Spot before = spot(panel.points.at(panel.front[i - 1]), frame);
       const Spot after = spot(panel.points.at(panel.front[i]), frame);
       add(before, {after.x, before.y}, kLineRadius);
@@ -216,10 +226,13 @@ class Script {
 
   Labels placed_labels(const ChartPanel& panel, const Box& frame) const {
     Labels labels;
+    const std::vector<bool> is_on_front = on_front(panel);
+    const bool front_alone = panel.points.size() > kMostPlaced;
     for (const bool front : {true, false}) {
       for (std::size_t i = 0; i < panel.points.size(); ++i) {
         const ChartPoint& point = panel.points[i];
-        if (!is_drawn(chart_, point) || is_on_front(panel, i) != front) continue;
+        if (!is_drawn(chart_, point) || is_on_front[i] != front) continue;
+        if (front_alone && (!front || labels.requests.size() == kMostPlaced)) break;
         const Spot at = spot(point, frame);
         labels.requests.push_back({at.x, at.y, point.label});
       }
@@ -227,7 +240,8 @@ class Script {
     }
     const std::size_t always =
         layout_.drops_labels ? std::max(kAlwaysLabelled, labels.of_front) : labels.requests.size();
-    labels.places = place_labels(labels.requests, obstacles(panel, frame), frame, kFont - 1.0, always);
+    labels.places =
+        place_labels(labels.requests, obstacles(panel, frame, front_alone), frame, kFont - 1.0, always);
     return labels;
   }
 
@@ -389,10 +403,11 @@ std::vector<DrawnPanel> render_panels(const Chart& chart) {
     page.width = static_cast<int>(kPage.width);
     page.height = static_cast<int>(kPage.panel_height);
     page.svg = for_page(run_gnuplot(script.draw(), alone));
+    const std::vector<bool> front = on_front(panel);
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
       if (!is_drawn(chart, panel.points[i])) continue;
       const Spot at = script.spot(panel.points[i], script.frame(0));
-      page.points.push_back({i, at.x, at.y, is_on_front(panel, i)});
+      page.points.push_back({i, at.x, at.y, front[i]});
     }
   }
   return drawn;

@@ -45,6 +45,9 @@ double length_within(const LabelRequest& request, const Box& label, const Box& b
   constexpr int kSteps = 24;
   const double end_x = std::clamp(request.x, label.left, label.right);
   const double end_y = std::clamp(request.y, label.top, label.bottom);
+  const bool apart = std::max(request.x, end_x) <= box.left || std::min(request.x, end_x) >= box.right ||
+                     std::max(request.y, end_y) <= box.top || std::min(request.y, end_y) >= box.bottom;
+  if (apart) return 0.0;
   int inside = 0;
   for (int i = 1; i < kSteps; ++i) {
     const double x = std::lerp(request.x, end_x, static_cast<double>(i) / kSteps);

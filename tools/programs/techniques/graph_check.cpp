@@ -4,6 +4,7 @@
 
 #include "input/nearest_name.h"
 #include "techniques/caster_check.h"
+#include "techniques/graph_memory.h"
 #include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
@@ -305,12 +306,16 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
 
 // A pass that runs once cannot read what every frame has anew.
 Found too_rare(const PassGraph& graph) {
-  for (const GraphPass& pass : graph.passes)
-    for (const GraphPass& source : graph.passes)
-      if (pass.frequency < source.frequency && waits_for(graph, pass, source))
+  const std::vector<std::vector<std::size_t>> awaited = awaited_passes(graph);
+  for (std::size_t i = 0; i < graph.passes.size(); ++i)
+    for (const std::size_t earlier : awaited[i]) {
+      const GraphPass& pass = graph.passes[i];
+      const GraphPass& source = graph.passes[earlier];
+      if (pass.frequency < source.frequency)
         return GraphProblem{
             pass.where,
             "'" + pass.name + "' runs more rarely than '" + source.name + "', whose output it reads", ""};
+    }
   return std::nullopt;
 }
 
@@ -400,6 +405,7 @@ std::optional<GraphProblem> graph_problem(const PassGraph& graph) {
   if (Found found = unknown_name(graph)) return found;
   for (const GraphTexture& texture : graph.textures)
     if (Found found = wrong_texture(texture)) return found;
+  if (Found found = too_much_memory(graph)) return found;
   if (Found found = misused_depth(graph)) return found;
   for (const GraphPass& pass : graph.passes)
     if (Found found = wrong_pass(graph, pass)) return found;

@@ -1,7 +1,9 @@
 // What the passes of a graph read, and which waits for which. Internal to this room.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "techniques/pass_graph.h"
 
@@ -12,5 +14,9 @@ bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& nam
 // Whether `later` has to wait for `earlier`: it reads or changes what that writes, or makes the mip levels of
 // it.
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier);
+
+// Of each pass the numbers of those that it waits for, rising. Only passes that write what it needs are
+// looked at.
+std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph);
 
 }  // namespace penumbra::techniques

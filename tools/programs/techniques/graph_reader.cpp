@@ -25,8 +25,11 @@ Value chosen(JsonObject& object, const std::string& key, const std::string& fall
 }
 
 std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {
+  constexpr std::size_t kMost = 64;
+  const std::vector<std::string> keys = object.keys();
+  if (!keys.empty()) require_at_most(object, keys.front(), keys.size(), kMost, "names of one pass");
   std::vector<std::pair<std::string, std::string>> bindings;
-  for (const std::string& key : object.keys()) bindings.emplace_back(key, required_text(object, key));
+  for (const std::string& key : keys) bindings.emplace_back(key, required_text(object, key));
   return bindings;
 }
 
@@ -115,9 +118,13 @@ GroupCount read_groups(JsonObject object) {
 }
 
 void require_structs(JsonObject& object, const TechniqueList& list, const std::vector<std::string>& names) {
-  std::vector<std::string> known;
-  for (const ParameterStruct& parameters : list.structs) known.push_back(parameters.name);
-  for (const std::string& name : names) require_known(object, "parameters", "struct", name, known);
+  require_at_most(object, "parameters", names.size(), 64, "structs of one pass");
+  for (const std::string& name : names) {
+    if (list.find_struct(name) != nullptr) continue;
+    std::vector<std::string> known;
+    for (const ParameterStruct& parameters : list.structs) known.push_back(parameters.name);
+    require_known(object, "parameters", "struct", name, known);
+  }
 }
 
 // Names that become C# and uniforms.
@@ -283,17 +290,22 @@ FilterCall read_filter(JsonObject object, const TechniqueList& list, const Manif
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known) {
   PassGraph graph;
-  for (const std::string& part : object.texts("parts")) {
-    std::vector<std::string> names;
-    for (const auto& [name, other] : known) names.push_back(name);
-    require_known(object, "parts", "graph", part, names);
+  const std::vector<std::string> parts = object.texts("parts");
+  require_at_most(object, "parts", parts.size(), kMostItems, "parts of one graph");
+  for (const std::string& part : parts) {
+    if (!known.contains(part)) {
+      std::vector<std::string> names;
+      for (const auto& [name, other] : known) names.push_back(name);
+      require_known(object, "parts", "graph", part, names);
+    }
     add(graph, known.at(part));
     require_bounded(object, graph);
   }
-  for (const JsonObject& texture : object.objects("textures"))
+  for (const JsonObject& texture : entries(object, "textures", graph.textures.size(), kMostItems))
     graph.textures.push_back(read_texture(texture));
-  for (const JsonObject& buffer : object.objects("buffers")) graph.buffers.push_back(read_buffer(buffer));
-  for (const JsonObject& pass : object.objects("passes"))
+  for (const JsonObject& buffer : entries(object, "buffers", graph.buffers.size(), kMostItems))
+    graph.buffers.push_back(read_buffer(buffer));
+  for (const JsonObject& pass : entries(object, "passes", graph.passes.size(), kMostItems))
     graph.passes.push_back(read_pass(pass, list, files));
   require_bounded(object, graph);
   give_shapes(graph.textures, PassGraph(graph));
@@ -302,6 +314,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
   append(graph.published, object.texts("published"));
+  require_at_most(object, "published", graph.published.size(), kMostItems, "published textures");
   graph.source = object.text("source", graph.source);
   object.finish();
   return graph;

@@ -60,7 +60,7 @@ ParameterField read_field(JsonObject object) {
 ParameterStruct read_struct(JsonObject object) {
   ParameterStruct parameters{required_identifier(object, "name"), required_line(object, "doc"), {}, {}};
   std::set<std::string> seen;
-  for (JsonObject& field : object.objects("fields")) {
+  for (JsonObject& field : entries(object, "fields", 0, most_choices)) {
     parameters.fields.push_back(read_field(field));
     const std::string& name = parameters.fields.back().name;
     if (!seen.insert(name).second) field.fail("name", "there are two fields '" + name + "'");
@@ -90,6 +90,22 @@ Look read_look(JsonObject object) {
 }
 
 }  // namespace
+
+void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
+                     const std::string& what) {
+  if (count > most)
+    object.fail(key,
+                "there are " + std::to_string(count) + " " + what + ", and at most " + std::to_string(most) +
+                    " can be checked",
+                "split the list into packages of their own, or leave some out");
+}
+
+std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::size_t before,
+                                std::size_t most) {
+  std::vector<JsonObject> objects = root.objects(key);
+  require_at_most(root, key, before + objects.size(), most, key);
+  return objects;
+}
 
 std::string required_text(JsonObject& object, const std::string& key) {
   std::string text = object.text(key, "");
@@ -134,6 +150,7 @@ std::string required_line(JsonObject& object, const std::string& key) {
 
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key) {
   std::vector<std::string> keywords = object.texts(key);
+  require_at_most(object, key, keywords.size(), 64, "keywords");
   for (const std::string& keyword : keywords) {
     if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is not a keyword");
     if (keyword == "UNITY_REVERSED_Z") object.fail(key, "'UNITY_REVERSED_Z' is the platform's to define");
@@ -155,7 +172,7 @@ void require_known(JsonObject& object, const std::string& key, const std::string
 
 // Names and values are each a look's own: the inspector tells by the values which look is set.
 void add_looks(JsonObject& root, TechniqueList& list) {
-  for (JsonObject& object : root.objects("looks")) {
+  for (JsonObject& object : entries(root, "looks", list.looks.size(), most_choices)) {
     const Look look = read_look(object);
     for (const Look& other : list.looks) {
       if (other.name == look.name) object.fail("name", "there are two looks '" + look.name + "'");
@@ -176,7 +193,7 @@ Manifest open_manifest(const std::filesystem::path& file) {
 
 void add_structs(const Manifest& manifest, TechniqueList& list) {
   JsonObject root(manifest.document);
-  for (JsonObject& object : root.objects("structs")) {
+  for (JsonObject& object : entries(root, "structs", list.structs.size(), most_structs)) {
     ParameterStruct parameters = read_struct(object);
     if (list.find_struct(parameters.name) != nullptr)
       object.fail("name", "there are two structs '" + parameters.name + "'");

@@ -1,7 +1,9 @@
 // Reads one manifest. Internal to this room.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "input/located_json.h"
@@ -25,7 +27,21 @@ void add_structs(const Manifest& manifest, TechniqueList& list);
 void add_options(const Manifest& manifest, TechniqueList& list);
 void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its looks and selections
 
+// What a list of techniques has at most: beyond that its checks, each of one entry against the others, take
+// minutes.
+inline constexpr std::size_t most_techniques = 4096;
+inline constexpr std::size_t most_graphs = 4096;
+inline constexpr std::size_t most_structs = 1024;
+inline constexpr std::size_t most_choices = 256;  // options, selections, presets and looks, of each
+inline constexpr std::size_t most_graph_items =
+    65536;  // passes, textures and buffers of all techniques together
+
 // What several readers of a manifest's objects need.
+// The objects of one of its lists; `before`: how many there are of manifests before it.
+std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::size_t before,
+                                std::size_t most);
+void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
+                     const std::string& what);
 std::string required_text(JsonObject& object, const std::string& key);
 std::string required_line(JsonObject& object, const std::string& key);  // goes into one line of emitted text
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);

@@ -1,6 +1,8 @@
 #include "techniques/pass_graph.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "techniques/graph_order.h"
@@ -52,6 +54,30 @@ bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& 
     if (!own || (later.each_mip && !earlier.each_mip)) return true;
   }
   return false;
+}
+
+std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph) {
+  std::map<std::string, std::set<std::size_t>> users;  // by what they write, or test against as a stencil
+  for (std::size_t i = 0; i < graph.passes.size(); ++i) {
+    const GraphPass& pass = graph.passes[i];
+    for (const auto& [shader_name, name] : pass.writes) users[name].insert(i);
+    for (const std::string& name : {pass.depth, pass.stencil})
+      if (!name.empty()) users[name].insert(i);
+  }
+  std::vector<std::vector<std::size_t>> awaited;
+  for (const GraphPass& pass : graph.passes) {
+    std::set<std::size_t> candidates;
+    std::vector<std::string> names = inputs(graph, pass);
+    names.insert(names.end(), pass.updates.begin(), pass.updates.end());
+    names.push_back(pass.stencil);
+    for (const std::string& name : names)
+      if (const auto found = users.find(name); found != users.end())
+        candidates.insert(found->second.begin(), found->second.end());
+    std::vector<std::size_t>& those = awaited.emplace_back();
+    for (const std::size_t earlier : candidates)
+      if (waits_for(graph, pass, graph.passes[earlier])) those.push_back(earlier);
+  }
+  return awaited;
 }
 
 bool writes_to(const GraphPass& pass, const std::string& name) {
@@ -191,17 +217,20 @@ PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later) {
 }
 
 std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph) {
-  std::vector<GraphPass> waiting = graph.passes;
-  std::vector<GraphPass> ordered;
-  while (!waiting.empty()) {
-    const auto next = std::find_if(waiting.begin(), waiting.end(), [&](const GraphPass& pass) {
-      return std::none_of(waiting.begin(), waiting.end(), [&](const GraphPass& other) {
-        return other.name != pass.name && waits_for(graph, pass, other);
-      });
+  const std::vector<std::vector<std::size_t>> awaited = awaited_passes(graph);
+  std::vector<bool> ran(graph.passes.size());
+  const auto can_run = [&](std::size_t pass) {
+    return !ran[pass] && std::all_of(awaited[pass].begin(), awaited[pass].end(), [&](std::size_t earlier) {
+      return ran[earlier] || graph.passes[earlier].name == graph.passes[pass].name;
     });
-    if (next == waiting.end()) return std::nullopt;
-    ordered.push_back(std::move(*next));
-    waiting.erase(next);
+  };
+  std::vector<GraphPass> ordered;
+  while (ordered.size() < graph.passes.size()) {
+    std::size_t next = 0;
+    while (next < graph.passes.size() && !can_run(next)) ++next;
+    if (next == graph.passes.size()) return std::nullopt;
+    ran[next] = true;
+    ordered.push_back(graph.passes[next]);
   }
   return ordered;
 }

@@ -221,7 +221,7 @@ bool Selection::reads_raw_depth() const {
 
 void add_options(const Manifest& manifest, TechniqueList& list) {
   JsonObject root(manifest.document);
-  for (JsonObject& object : root.objects("options")) {
+  for (JsonObject& object : entries(root, "options", list.options.size(), most_choices)) {
     FeatureOption option = read_option(object);
     for (const FeatureOption& other : list.options)
       if (other.name == option.name) object.fail("name", "there are two options '" + option.name + "'");
@@ -232,7 +232,7 @@ void add_options(const Manifest& manifest, TechniqueList& list) {
 void add_presets(JsonObject& root, TechniqueList& list) {
   std::vector<std::string> names;
   for (const Technique& technique : list.techniques) names.push_back(technique.name);
-  for (JsonObject& object : root.objects("presets")) {
+  for (JsonObject& object : entries(root, "presets", list.presets.size(), most_choices)) {
     PresetChoice choice{required_text(object, "preset"), required_text(object, "fallback"), {}};
     require_known(object, "preset", "technique", choice.preset, names);
     require_known(object, "fallback", "technique", choice.fallback, names);
@@ -257,7 +257,7 @@ void add_presets(JsonObject& root, TechniqueList& list) {
 }
 
 void add_selections(JsonObject& root, TechniqueList& list) {
-  for (JsonObject& object : root.objects("selections"))
+  for (JsonObject& object : entries(root, "selections", list.selections.size(), most_choices))
     list.selections.push_back(read_selection(object, list));
 }
 

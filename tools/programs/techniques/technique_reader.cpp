@@ -47,6 +47,10 @@ PassGraph checked(const JsonObject& object, const std::string& key, PassGraph gr
   return graph;
 }
 
+std::size_t item_count(const PassGraph& graph) {
+  return graph.passes.size() + graph.textures.size() + graph.buffers.size();
+}
+
 // Entries over the defaults of their manifest: what an entry leaves out is theirs.
 class TechniqueReader {
  public:
@@ -63,6 +67,7 @@ class TechniqueReader {
                             "keywords", "unlimited", "keyword_sets", "targets_absent"})
       defaults_.has(key);
     defaults_.finish();
+    for (const Technique& technique : list.techniques) graph_items_ += item_count(technique.graph);
   }
 
   Technique read(JsonObject object, const LocatedJson::Pointer& at) {
@@ -164,9 +169,11 @@ class TechniqueReader {
       graph = graph_of(read_filter(from.object(key), list_, files_), from.where(key));
     } else {
       name = required_text(from, key);
-      std::vector<std::string> known;
-      for (const auto& [known_name, known_graph] : graphs_) known.push_back(known_name);
-      require_known(from, key, "graph", name, known);
+      if (!graphs_.contains(name)) {
+        std::vector<std::string> known;
+        for (const auto& [known_name, known_graph] : graphs_) known.push_back(known_name);
+        require_known(from, key, "graph", name, known);
+      }
       graph = graphs_.at(name);
     }
     if (graph.source.empty() != (earlier == nullptr))
@@ -177,7 +184,17 @@ class TechniqueReader {
                 earlier == nullptr ? "name the technique that makes it: \"after\": technique"
                                    : "leave out \"after\", or give the graph a \"source\"");
     if (earlier != nullptr) graph = in_sequence(earlier->graph, graph);
-    return checked(from, key, std::move(graph));
+    count(from, key, graph);
+    if (alone || earlier != nullptr) return checked(from, key, std::move(graph));
+    // Of techniques that share a graph, the first one has it checked.
+    if (checked_.insert(name).second) graphs_.at(name) = checked(from, key, std::move(graph));
+    return graphs_.at(name);
+  }
+
+  void count(const JsonObject& from, const char* key, const PassGraph& graph) {
+    graph_items_ += item_count(graph);
+    require_at_most(from, key, graph_items_, most_graph_items,
+                    "passes, textures and buffers of all techniques");
   }
 
   CascadeRule read_rule(JsonObject& object, const Technique& technique) {
@@ -283,9 +300,11 @@ class TechniqueReader {
     const auto refuse = [&] { object.fail("keyword_sets", "must be an array of arrays of strings"); };
     if (!sets.is_array()) refuse();
     if (sets.empty()) object.fail("keyword_sets", "'keyword_sets' is empty", "leave it out, or give [[]]");
+    require_at_most(object, "keyword_sets", sets.size(), 64, "sets of keywords");
     std::vector<std::vector<std::string>> result;
     for (const nlohmann::json& set : sets) {
       if (!set.is_array()) refuse();
+      require_at_most(object, "keyword_sets", set.size(), 64, "keywords of one set");
       result.emplace_back();
       for (const nlohmann::json& keyword : set) {
         if (!keyword.is_string()) refuse();
@@ -309,6 +328,8 @@ class TechniqueReader {
   ManifestFiles files_;
   std::string manifest_;
   std::map<std::string, PassGraph> graphs_;
+  std::set<std::string> checked_;  // of these graphs
+  std::size_t graph_items_ = 0;
   JsonObject defaults_;
   JsonObject shared_values_;
 };
@@ -316,10 +337,13 @@ class TechniqueReader {
 std::map<std::string, PassGraph> read_graphs(JsonObject& root, const TechniqueList& list,
                                              const ManifestFiles& files) {
   std::map<std::string, PassGraph> graphs;
-  for (JsonObject& object : root.objects("graphs")) {
+  std::size_t items = 0;
+  for (JsonObject& object : entries(root, "graphs", list.graphs.size(), most_graphs)) {
     const std::string name = required_text(object, "name");
     if (!graphs.emplace(name, read_graph(object, list, files, graphs)).second)
       object.fail("name", "there are two graphs '" + name + "'");
+    items += item_count(graphs.at(name));
+    require_at_most(object, "name", items, most_graph_items, "passes, textures and buffers of all graphs");
   }
   return graphs;
 }
@@ -347,7 +371,7 @@ void add_techniques(const Manifest& manifest, TechniqueList& list) {
   add_graphs(root, graphs, files.named(manifest.file), list);
   TechniqueReader reader(manifest, list, std::move(graphs));
   std::size_t index = 0;
-  for (JsonObject& object : root.objects("techniques")) {
+  for (JsonObject& object : entries(root, "techniques", list.techniques.size(), most_techniques)) {
     Technique technique = reader.read(object, LocatedJson::Pointer("/techniques") / index++);
     for (const Technique& other : list.techniques)
       if (other.name == technique.name)

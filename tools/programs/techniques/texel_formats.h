@@ -10,6 +10,7 @@ namespace penumbra::techniques {
 struct TexelFormat {
   std::string_view name;
   std::string_view unity;     // of UnityEngine.Experimental.Rendering.GraphicsFormat
+  int bytes = 0;              // of a texel, padded as devices pad it
   bool depth = false;         // a target of casters alone
   bool essl_storage = false;  // one of the image formats of OpenGL ES 3.1, section 8.5
   bool stencil = false;       // beside the depth, 8 bits

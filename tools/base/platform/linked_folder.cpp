@@ -1,0 +1,40 @@
+#include "platform/linked_folder.h"
+
+#include <system_error>
+
+namespace penumbra::platform {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The outermost one: a link may lead into a repository of its own.
+fs::path checkout_of(const fs::path& path) {
+  std::error_code error;
+  const fs::path current = fs::current_path(error);
+  fs::path checkout;
+  for (fs::path folder = path.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (folder == current || fs::exists(folder / ".git", error)) checkout = folder;
+  return checkout;
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+  const fs::path inside = path.lexically_normal().lexically_relative(folder);
+  return !inside.empty() && *inside.begin() != ".." && *inside.begin() != ".";
+}
+
+}  // namespace
+
+std::optional<fs::path> link_of_checkout(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  const fs::path checkout = checkout_of(whole.lexically_normal());
+  if (checkout.empty()) return std::nullopt;
+  fs::path reached;  // with every "..": after a link, it leads elsewhere than the text says
+  for (const fs::path& part : whole) {
+    reached /= part;
+    if (lies_below(reached, checkout) && fs::is_symlink(fs::symlink_status(reached, error))) return reached;
+  }
+  return std::nullopt;
+}
+
+}  // namespace penumbra::platform

@@ -1,0 +1,13 @@
+// Links that a checkout holds, in the path of an output: whoever wrote the checkout chose where they lead.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace penumbra::platform {
+
+// The first part of the path that is a link, below the current folder or below the folder of the git
+// repository that the path lies in. Links above them, or elsewhere, are the system's and the user's.
+std::optional<std::filesystem::path> link_of_checkout(const std::filesystem::path& path);
+
+}  // namespace penumbra::platform
