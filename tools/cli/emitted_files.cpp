@@ -105,8 +105,22 @@ void refuse_foreign_source(const std::string& file, std::string_view emitted) {
   }
 }
 
+// A package may be a stranger's, whose links would lead the output elsewhere. The package's own folder may be
+// a link: the user names it.
+void refuse_link(const fs::path& package, const fs::path& file) {
+  fs::path place = package;
+  for (const fs::path& part : file) {
+    place /= part;
+    std::error_code ignored;
+    if (fs::is_symlink(fs::symlink_status(place, ignored)))
+      throw InputError(place.string(), "is a symbolic link, which output does not follow",
+                       "put the folder or file itself there");
+  }
+}
+
 // All folders are created, and all files looked at, before the first file is written.
 void write_folder(const fs::path& package, const std::vector<techniques::EmittedFile>& files) {
+  for (const techniques::EmittedFile& emitted : files) refuse_link(package, emitted.file);
   for (const techniques::EmittedFile& emitted : files) {
     const fs::path folder = (package / emitted.file).parent_path();
     std::error_code error;

@@ -27,7 +27,7 @@ void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its 
 
 // What several readers of a manifest's objects need.
 std::string required_text(JsonObject& object, const std::string& key);
-std::string required_line(JsonObject& object, const std::string& key);  // goes into one line of emitted text
+std::string required_line(JsonObject& object, const std::string& key);  // may end a line of emitted text
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
 std::string required_identifier(JsonObject& object, const std::string& key);
 std::string required_name(JsonObject& object);  // "name": what commands and files call a technique or a look
