@@ -10,6 +10,7 @@
 #include "bake/texels_16.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
+#include "input/text_line.h"
 #include "platform/atomic_file.h"
 #include "scene/height_image.h"
 
@@ -76,12 +77,9 @@ std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices
 }  // namespace
 
 void check_stem(const std::string& stem) {
-  try {
-    (void)Json(stem).dump();
-  } catch (const Json::type_error&) {
-    throw InputError(stem, "is a name that is not UTF-8, and the JSON file names its pictures",
+  if (!is_one_line(stem))
+    throw InputError(stem, "is a name that is not UTF-8 on one line, and the JSON file names its pictures",
                      "choose a name of letters, digits and '-'");
-  }
 }
 
 BakedFiles baked_files(const HeightField& field, const std::string& stem) {
@@ -183,8 +181,9 @@ HeightField read_height_field(const std::filesystem::path& json, const scene::Re
   if (const int version = object.integer("version", 0); version != kVersion)
     object.fail("version", fmt::format("version {} of the format is unknown", version), "bake it again");
   const std::string picture = object.text("picture", "");
-  const bool plain =
-      !picture.empty() && std::filesystem::path(picture).filename() == picture && picture != "..";
+  const bool plain = is_one_line(picture) && !picture.empty() &&
+                     std::filesystem::path(picture).filename() == picture && picture != ".." &&
+                     picture != ".";
   if (!plain) object.fail("picture", "must be the name of a file in the same folder");
   const std::vector<double> range = object.numbers("heights_metres", 2);
   const std::vector<double> corner = object.numbers("corner_metres", 2),
