@@ -36,6 +36,7 @@ TEST(XmlOutline, SeesWhatDoesNotParse) {
   EXPECT_NE(xml_fault("<a>"), "");
   EXPECT_NE(xml_fault("<a>x < y</a>"), "");
   EXPECT_NE(xml_fault("<a>x & y</a>"), "");
+  EXPECT_NE(xml_fault("<a>x ]]> y</a>"), "");
 }
 
 TEST(Chart, IsAnSvgThatParsesAndHoldsEveryLabel) {
@@ -64,6 +65,18 @@ TEST(Chart, EvilLabelsStayText) {
   EXPECT_THAT(svg, Not(HasSubstr("<script")));
   EXPECT_THAT(svg, HasSubstr("{/Symbol a}_b^c @d"));
   EXPECT_THAT(svg, HasSubstr("; set output "));
+}
+
+// XML has no such text outside of a CDATA section.
+TEST(Chart, LabelsMayEndCdataSections) {
+  Chart chart = small_chart();
+  for (std::string* text : {&chart.title, &chart.x_label, &chart.y_label, &chart.panels[0].title,
+                            &chart.panels[0].points[0].label})
+    *text = "a ]]> b";
+  const std::string svg = render_svg(chart);
+  EXPECT_EQ(xml_fault(svg), "");
+  EXPECT_EQ(count(svg, "a ]]&gt; b"), 6) << "the title is also <title>";
+  for (const DrawnPanel& panel : render_panels(chart)) EXPECT_EQ(xml_fault(panel.svg), "");
 }
 
 TEST(Chart, SeveralOnOnePageShareNoId) {

@@ -301,6 +301,8 @@ std::string make_own(std::string svg, const Chart& chart) {
     title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   }
   replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
+  // gnuplot leaves '>' as it is, and writes no CDATA sections, which alone may end so.
+  replace_all(svg, "]]>", "]]&gt;");
   for (const std::string id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_"}) {
     replace_all(svg, "id='" + id, "id='" + chart.name + "-" + id);
     replace_all(svg, "id=\"" + id, "id=\"" + chart.name + "-" + id);
