@@ -7,7 +7,7 @@ from .problem import Problem
 
 UNITY = "2022.3"
 URP, URP_VERSION = "com.unity.render-pipelines.universal", "14.0.0"
-REQUIRED_FILES = ("package.json", "README.md", "LICENSE.md", "CHANGELOG.md")
+REQUIRED_FILES = ("package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Third Party Notices.md")
 
 # https://semver.org, without build metadata: two versions that differ in it alone are one to a package manager.
 NUMBER, WORD = r"(?:0|[1-9]\d*)", r"(?:0|[1-9]\d*|\d*[A-Za-z-][0-9A-Za-z-]*)"

@@ -147,6 +147,10 @@ TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
   refuse("height-field", "horizon-angles", AllOf(HasSubstr("hills.json:2"), HasSubstr("bake heightfield")));
   refuse("\"version\": 1", "\"version\": 2", HasSubstr("hills.json:3"));
   refuse("hills.png", "../hills.png", AllOf(HasSubstr("hills.json:4"), HasSubstr("same folder")));
+  for (const char* end : {"\\u0000", "\\u0000.txt", "\\n", "\\u202E"})
+    refuse("hills.png", std::string("hills.png") + end,
+           AllOf(HasSubstr("hills.json:4"), HasSubstr("same folder")));
+  refuse("hills.png", ".", AllOf(HasSubstr("hills.json:4"), HasSubstr("same folder")));
   refuse("hills.png", "absent.png", HasSubstr("absent.png"));
   refuse("heights_metres", "heights", HasSubstr("heights_metres"));
   refuse("64.0", "-64.0", AllOf(HasSubstr("hills.json"), HasSubstr("cannot cover")));

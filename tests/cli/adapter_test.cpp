@@ -110,6 +110,76 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
   EXPECT_EQ(measure({"--adapter", "mine=" + file, "--project", path("nowhere").string()}).exit_code, 2);
 }
 
+// Messages quote the files that are included. An adapter and a manifest may come from anywhere, and the
+// folder that the program is started in may be the user's home.
+class DownloadedText : public AdapterCommand {
+ protected:
+  void SetUp() override {
+    AdapterCommand::SetUp();
+    write("home/.netrc", "machine git.example password hunter2\n");
+  }
+
+  // The program's output, started in the folder `place` of this home.
+  platform::ChildResult in_home(const std::string& place, const std::string& arguments) const {
+    return shell("cd " + path("home/" + place).string() + " && HOME=" + path("home").string() + " " +
+                 PENUMBRA_PROGRAM + " " + arguments + " --cache " + path("cache").string() + " 2>&1");
+  }
+
+  static std::string measured(const std::string& what) {
+    return "measure --scene slabs --light 2 --size 32x18 --map-size 256 --seeds 1 --reference-samples 32 "
+           "--no-split "
+           "--timing-repeats 0 " +
+           what;
+  }
+};
+
+constexpr const char* kReadsUp =
+    "#include \"../../.netrc\"\nfloat ShadowVisibility(float3 p, float3 n, float2 x) { return 1; }\n";
+
+TEST_F(DownloadedText, AnAdapterReadsNothingOfTheHomeFolder) {
+  write("home/Downloads/evil/evil.hlsl", kReadsUp);
+  write("home/beside.hlsl",
+        "#include \".netrc\"\nfloat ShadowVisibility(float3 p, float3 n, float2 x) { return 1; }\n");
+  for (const auto& [place, file] : std::vector<std::pair<std::string, std::string>>{
+           {".", "Downloads/evil/evil.hlsl"}, {"Downloads/evil", "evil.hlsl"}, {".", "beside.hlsl"}}) {
+    const auto result = in_home(place, measured("--adapter a=" + file));
+    EXPECT_EQ(result.exit_code, 2) << result.output;
+    EXPECT_THAT(result.output, AllOf(HasSubstr("netrc' leads to"), HasSubstr("outside of the project"),
+                                     testing::Not(HasSubstr("hunter2"))))
+        << place << " " << file;
+  }
+}
+
+TEST_F(DownloadedText, AManifestReadsNothingOfTheHomeFolder) {
+  const std::string manifest =
+      R"({"techniques": [{"name": "evil", "title": "Evil", "family": "f", "source": "s",
+          "filter": {"file": "FILE", "function": "Filter", "arguments": ["shadowMap"]}}]})";
+  const auto with = [&](const std::string& file) {
+    return std::string(manifest).replace(manifest.find("FILE"), 4, file);
+  };
+  write("home/Downloads/evil/evil.technique.json", with("evil.hlsl"));
+  write("home/Downloads/evil/evil.hlsl", kReadsUp);
+  write("home/beside.technique.json", with(".netrc"));
+  for (const auto& [file, words] : std::vector<std::pair<std::string, std::string>>{
+           {"Downloads/evil/evil.technique.json", "outside of the project"},
+           {"beside.technique.json", "lies outside of"}})
+    for (const std::string& command : {measured(""), std::string("validate --target spirv")}) {
+      const auto result = in_home(".", command + " --technique-list " + file);
+      EXPECT_NE(result.exit_code, 0) << result.output;
+      EXPECT_THAT(result.output, AllOf(HasSubstr(words), testing::Not(HasSubstr("hunter2")))) << file;
+    }
+}
+
+// Its file is included by its whole name: that the program's text and the user's are both mine.hlsl is no
+// matter.
+TEST_F(DownloadedText, AnAdapterOfTheFoldersOwnNameIsMeasured) {
+  write("home/work/mine.hlsl",
+        "#include \"lit.hlsl\"\nfloat ShadowVisibility(float3 p, float3 n, float2 x) { return kLit; }\n");
+  write("home/work/lit.hlsl", "static const float kLit = 1.0;\n");
+  const auto result = in_home("work", measured("--adapter mine=mine.hlsl"));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+}
+
 TEST_F(AdapterCommand, TheCameraStandsWhereItIsTold) {
   const auto seen = [this](const std::vector<std::string>& camera) {
     std::vector<std::string> options{"--technique", "hard"};

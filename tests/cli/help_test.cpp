@@ -100,6 +100,15 @@ TEST(Help, NamesAreListed) {
   EXPECT_THAT(lines_of({"measure", "--list-techniques"}),
               testing::Contains(testing::MatchesRegex("tent-5 +Tent 5x5")));
   EXPECT_EQ(lines_of({"cost", "--list-techniques"}), lines_of({"measure", "--list-techniques"}));
+  const std::string manifest = PENUMBRA_SOURCE_DIR "/tests/techniques/added/Means.technique.json";
+  for (const char* command : {"measure", "render", "cost"})
+    EXPECT_THAT(lines_of({command, "--list-techniques", "--technique-list", manifest}),
+                testing::ElementsAre(testing::StartsWith("means ")))
+        << command;
+  const auto absent =
+      ProgramTest::run({"cost", "--technique-list", "absent.technique.json", "--list-techniques"});
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_THAT(absent.errors, HasSubstr("absent.technique.json"));
   EXPECT_THAT(lines_of({"cost", "--list-families"}), testing::Contains(testing::StartsWith("navi21 ")));
   EXPECT_THAT(lines_of({"validate", "--list-targets"}), testing::Contains("essl310"));
   EXPECT_THAT(lines_of({"validate", "--list-rules"}),

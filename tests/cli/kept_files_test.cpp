@@ -71,6 +71,30 @@ TEST_F(KeptFiles, GeneratedSourcesReplaceGeneratedOnesAlone) {
   expect_kept("RingParameters.hlsl", emit, "exists and was not written by penumbra");
 }
 
+// A checkout's links lead nowhere else; the package that the user names may be one.
+TEST_F(KeptFiles, GeneratedSourcesFollowNoLink) {
+  const std::string manifest = write_ring();
+  namespace fs = std::filesystem;
+  const auto emit = [&](const std::string& package) {
+    return run({"validate", "--technique-list", manifest, "--emit-parameters", path(package).string()});
+  };
+  for (const char* linked : {"package/Runtime", "package/Runtime/Parameters", "package/RingParameters.hlsl",
+                             "package/Runtime/Parameters/RingParameters.cs"}) {
+    fs::remove_all(path("package"));
+    fs::create_directories(path(linked).parent_path());
+    fs::create_directories(path("elsewhere"));
+    fs::create_symlink(path("elsewhere"), path(linked));
+    const auto result = emit("package");
+    EXPECT_EQ(result.exit_code, 2) << linked;
+    EXPECT_THAT(result.errors, AllOf(HasSubstr(path(linked).string()), HasSubstr("is a symbolic link")));
+    EXPECT_TRUE(fs::is_empty(path("elsewhere"))) << linked;
+  }
+  fs::remove_all(path("package"));
+  fs::create_directory_symlink(path("elsewhere"), path("package"));
+  EXPECT_EQ(emit("package").exit_code, 0);
+  EXPECT_THAT(read("elsewhere/RingParameters.hlsl"), HasSubstr("int taps;"));
+}
+
 TEST_F(KeptFiles, AReportThatWouldLackAShaderIsNotWritten) {
   const std::string shader = write("F.hlsl", "float4 Main() : SV_Target { return nope; }\n").string();
   write("costs.txt", "before");

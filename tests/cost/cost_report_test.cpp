@@ -111,5 +111,20 @@ TEST(CostReport, CsvQuotesWhatWouldBreakALine) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
 }
 
+TEST(CostReport, CsvHasNoFormulas) {
+  CostReport report = made_up::report();
+  report.rows.resize(1);
+  for (const char* begin : {"=", "+", "-", "@"}) {
+    report.rows[0].file = std::string(begin) + "cmd|' /C calc'!A0";
+    EXPECT_THAT(cost_csv(report), HasSubstr(",'" + report.rows[0].file + ",Fragment,"));
+  }
+  report.rows[0].file = "=1,2";
+  EXPECT_THAT(cost_csv(report), HasSubstr(",\"'=1,2\",Fragment,"));
+  report.rows[0].file = "a;=1";
+  EXPECT_THAT(cost_csv(report), HasSubstr(",\"a;=1\",Fragment,"));
+  report.rows[0].file = "\t=1";
+  EXPECT_THAT(cost_csv(report), HasSubstr(",\\t=1,Fragment,"));
+}
+
 }  // namespace
 }  // namespace penumbra::cost

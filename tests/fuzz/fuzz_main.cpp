@@ -24,7 +24,8 @@ struct Target {
   Inputs inputs = Inputs::bytes;
 };
 
-constexpr Target all_targets[] = {{"bytecode", targets::bytecode},
+constexpr Target all_targets[] = {{"bake", targets::bake, Inputs::json},
+                                  {"bytecode", targets::bytecode},
                                   {"cache_entries", targets::cache_entries},
                                   {"expanded_text", targets::expanded_text},
                                   {"figures", targets::figures, Inputs::json},

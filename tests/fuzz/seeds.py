@@ -98,6 +98,16 @@ def models():
     yield b'\x05' + vertices + bytes([0, 1, 2, 0, 0, 0, 2, 3, 0, 1]) + bytes([0, 1, 2, 3, 64])
 
 
+def bakes():
+    """A height field, with the hash (platform/content_hash.h) of the picture that the target writes."""
+    picture = b'picture'
+    hashed = hashlib.blake2b(len(picture).to_bytes(8, 'little') + picture, digest_size=32).hexdigest()
+    yield json.dumps({
+        'kind': 'height-field', 'version': 1, 'picture': 'field.png', 'heights_metres': [0, 12.5],
+        'corner_metres': [-50, -25], 'size_metres': [100, 50], 'samples_without_surface': 0,
+        'picture_hashes': {'field.png': hashed}}, indent=2).encode()
+
+
 def technique_list():
     """The library's manifests, shortened, and those of the tests; the files that they name are the target's own."""
     texts = [*raw_strings('techniques/caster_graph_test.cpp', 'techniques/pass_graph_test.cpp',
@@ -154,6 +164,7 @@ def target_seeds():
     shaderlab = list(raw_strings('shaderlab/*', 'variants/*', 'validation/*.cpp')) + list(
         files('tests/**/*.shader', 'tests/**/*.compute', 'Shaders/*.shader', 'Samples~/**/*.shader'))
     json_texts = list(raw_strings('parameters/*_input_test.cpp', 'input/*.cpp', 'cli/*_test.cpp'))
+    yield 'bake', bakes()
     yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdefanswer', bytes(64)]
     yield 'expanded_text', [*hlsl_texts, *logged(statements('shaders/error_recovery_test.cpp'))]
     yield 'figures', results()

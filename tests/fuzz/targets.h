@@ -5,6 +5,7 @@
 
 namespace penumbra::fuzz::targets {
 
+void bake(std::string_view bytes);
 void bytecode(std::string_view bytes);
 void cache_entries(std::string_view bytes);
 void expanded_text(std::string_view bytes);

@@ -19,6 +19,9 @@ TEST(Markdown, ACellIsTextAlone) {
                           "b\u00B0"),
             "a \\[2J   b\u00B0");
   EXPECT_EQ(markdown_cell("--> <!-- x:end -->"), "--> &lt;!-- x:end -->");
+  EXPECT_EQ(markdown_cell("a\u2028b\u0085c\u202Ed"), "a b c d");
+  EXPECT_EQ(markdown_cell("_a_ b_c ~~d~~"), "\\_a\\_ b_c \\~\\~d\\~\\~");
+  EXPECT_EQ(markdown_cell("@everyone https://a.example a: b"), "&#64;everyone https&#58;//a.example a: b");
 }
 
 TEST(Markdown, CodeEndsWhereItsTextDoes) {
@@ -26,6 +29,7 @@ TEST(Markdown, CodeEndsWhereItsTextDoes) {
   EXPECT_EQ(markdown_code("a`b``c|d"), "```a`b``c\\|d```");
   EXPECT_EQ(markdown_code("`a"), "`` `a ``");
   EXPECT_EQ(markdown_code("--> <!-- x:end -->\n"), "`--> <! -- x:end --> `");
+  EXPECT_EQ(markdown_code("a\u2028b\u202Ec"), "`a b c`");
   EXPECT_EQ(markdown_code_block("sh", "ls | wc"), "```sh\nls | wc\n```\n");
   EXPECT_EQ(markdown_code_block("sh", "a\n```\n<!-- x:end -->"), "````sh\na ``` <! -- x:end -->\n````\n");
 }

@@ -71,7 +71,7 @@ class Manifest(UnpackedTarball):
             self.change_manifest(**{key: None})
 
     def test_what_every_package_has(self):
-        for name in ("README.md", "LICENSE.md", "CHANGELOG.md"):
+        for name in ("README.md", "LICENSE.md", "CHANGELOG.md", "Third Party Notices.md"):
             (self.folder / name).rename(self.folder / "hidden~")
             self.assertIn(f"{name}: {NOT_THERE}", self.problems())
             (self.folder / "hidden~").rename(self.folder / name)

@@ -28,15 +28,38 @@ TEST(OwnTree, IsTheRepositoryElseTheProjectElseThePackageElseTheFolder) {
   EXPECT_EQ(own_tree(shader), files.path("a"));
 }
 
-TEST(OwnTree, IsNeverTheHomeFolder) {
-  const ProjectFolder files;
+class HomeFolder : public testing::Test {
+ protected:
+  void TearDown() override { be_home(before_); }
+  static void be_home(const std::string& folder) { ::setenv("HOME", folder.c_str(), 1); }
+
+  ProjectFolder files;
+
+ private:
+  std::string before_ = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+};
+
+TEST_F(HomeFolder, IsNoTreeHoweverItIsSpelt) {
   const fs::path shader = files.write("home/work/Main.shader", "");
+  const fs::path beside = files.write("home/Main.shader", "");
   fs::create_directories(files.path("home/.git"));
+  fs::create_directory_symlink(files.path("home"), files.path("link"));
   EXPECT_EQ(own_tree(shader), files.path("home"));
-  const std::string before = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
-  ::setenv("HOME", files.text("home").c_str(), 1);
-  EXPECT_EQ(own_tree(shader), files.path("home/work"));
-  ::setenv("HOME", before.c_str(), 1);
+  for (const std::string& home :
+       {files.text("home"), files.text("home") + "/", files.text("home/work/.."), files.text("link")}) {
+    be_home(home);
+    EXPECT_EQ(own_tree(shader), files.path("home/work")) << home;
+    EXPECT_EQ(own_tree(beside), beside) << home << ": the file alone";
+    EXPECT_TRUE(no_file_owns(files.path("home"))) << home;
+    EXPECT_FALSE(no_file_owns(files.path("home/work"))) << home;
+  }
+}
+
+TEST_F(HomeFolder, NorIsTheDisksRoot) {
+  EXPECT_EQ(own_tree("/Main.shader"), "/Main.shader");
+  EXPECT_TRUE(no_file_owns("/"));
+  be_home("");
+  EXPECT_FALSE(no_file_owns(fs::current_path())) << "no home is not the current folder";
 }
 
 class IncludeBoundsTest : public testing::Test {

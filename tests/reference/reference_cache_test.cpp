@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "input/input_error.h"
@@ -65,6 +66,22 @@ TEST(ReferenceCache, EveryDamagedByteIsNoticed) {
     damaged[place] = static_cast<char>(damaged[place] ^ 4);
     write(cache.image_file(key), damaged);
     EXPECT_FALSE(cache.find(key).has_value()) << "byte " << place;
+  }
+}
+
+// With a right hash, as whoever can write the folder can make one.
+TEST(ReferenceCache, WhatIsNoVisibilityReadsAsAbsent) {
+  const ScratchFolder folder;
+  const ReferenceCache cache(folder.path());
+  for (const float share : {-0.1F, 1.1F, std::numeric_limits<float>::quiet_NaN()}) {
+    cache.store(key, some_image(share));
+    EXPECT_FALSE(cache.find(key).has_value()) << share;
+  }
+  for (const double noise : {-1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+    VisibilityImage image = some_image();
+    image.noise_floor = noise;
+    cache.store(key, image);
+    EXPECT_FALSE(cache.find(key).has_value()) << noise;
   }
 }
 

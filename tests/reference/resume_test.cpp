@@ -100,6 +100,35 @@ TEST(Resume, ABeginningLongerThanTheImageIsIgnored) {
   EXPECT_EQ(image.visibility[1], 2.0F / 1024.0F);
 }
 
+TEST(Resume, ABeginningOfMorePointsThanAreAskedIsIgnored) {
+  const ScratchFolder folder;
+  const ReferenceCache cache(folder.path());
+  cache.store_beginning("counted", std::vector<HalfCounts>(three_blocks, HalfCounts{1000, 25}));
+  CountedJob job;
+  run_rows(job.job, {}, &cache);
+  EXPECT_EQ(job.asked, pixels);
+}
+
+TEST(KeptImage, AnswersItsJobOrIsNone) {
+  const ScratchFolder folder;
+  const ReferenceCache cache(folder.path());
+  CountedJob job;
+  const VisibilityImage whole = run_rows(job.job, {}, &cache);
+  EXPECT_EQ(kept_image(job.job, &cache), whole);
+  EXPECT_FALSE(kept_image(job.job, nullptr).has_value());
+  const auto expect_none = [&](const VisibilityImage& forged, const char* what) {
+    cache.store(job.job.key, forged);
+    EXPECT_FALSE(kept_image(job.job, &cache).has_value()) << what;
+  };
+  expect_none({0, 0, {}, {}, 0.0, 1024}, "of no size");
+  expect_none({1 << 30, 0, {}, {}, 0.0, 1024}, "of an absurd size without pixels");
+  expect_none({height, width, whole.visibility, whole.valid, 0.0, 1024}, "turned");
+  expect_none({width, height, whole.visibility, whole.valid, 0.0, 512}, "of other samples");
+  VisibilityImage other = whole;
+  other.valid[7] = 0;
+  expect_none(other, "of other receivers");
+}
+
 TEST(Resume, AnInterruptedTraceEndsAsAnUninterruptedOne) {
   const ScratchFolder folder;
   const ReferenceCache cache(folder.path());

@@ -54,6 +54,69 @@ TEST_F(ImportTest, RefusesATruncatedGlbAtEveryLength) {
   }
 }
 
+// Offsets wrap around in the importer library: it would read what lies before the buffer, or behind it.
+TEST_F(ImportTest, RefusesAModelThatReadsOutsideOfItsBuffers) {
+  const std::string whole = gltf(kTriangle);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  const std::string view = "\"buffer\":0,", accessor = "\"bufferView\":0,",
+                    buffer = "\"buffers\":[{\"byteLength\":36";
+  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
+           {with(view, view + "\"byteOffset\":18446744073709551600,"), "'byteOffset' is not a whole number"},
+           {with(view, view + "\"byteOffset\":-16,"), "'byteOffset' is not a whole number"},
+           {with(view, view + "\"byteOffset\":1.5,"), "'byteOffset' is not a whole number"},
+           {with(view, view + "\"byteOffset\":4,"), "the view ends at byte 40 of a buffer of 36 bytes"},
+           {with(accessor, accessor + "\"byteOffset\":4,"),
+            "the accessor ends at byte 40 of a view of 36 bytes"},
+           {with(accessor, accessor + "\"byteOffset\":18446744073709551600,"),
+            "'byteOffset' is not a whole number"},
+           {with("\"count\":3", "\"count\":4"), "the accessor ends at byte 48"},
+           {with("\"count\":3", "\"count\":1099511627776"), "more elements than any buffer"},
+           {with(view, view + "\"byteStride\":16,"), "the accessor ends at byte 44"},
+           {with(buffer, "\"buffers\":[{\"byteLength\":37"), "has 37 bytes, and has 36"},
+           {with(accessor, accessor +
+                               "\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":0,\"byteOffset\":32,"
+                               "\"componentType\":5125}},"),
+            "the accessor ends at byte 40"},
+           {with(view, view + "\"buffer\":0,"), "appears twice"}})
+    for (const char* name : {"outside.gltf", "outside.dae", "outside.fbx"}) {
+      const auto file = write(name, text);
+      EXPECT_THAT(refusal(file), AllOf(StartsWith(file.string() + ":1:"), HasSubstr(words)));
+    }
+  EXPECT_EQ(import(write("whole.gltf", whole), {.ground = false}).mesh.triangle_count(), 1U);
+}
+
+// Of the same library, but with entries by names.
+TEST_F(ImportTest, RefusesAModelOfGltf1ThatReadsOutsideOfItsBuffers) {
+  const auto file = write("old.gltf", R"({"asset":{"version":"1.0"},"buffers":{"b":{"byteLength":8,
+    "uri":"data:application/octet-stream;base64,AAAAAAAAAAA="}},
+    "bufferViews":{"v":{"buffer":"b","byteOffset":4,"byteLength":8}}})");
+  EXPECT_THAT(refusal(file),
+              AllOf(StartsWith(file.string() + ":3:"), HasSubstr("ends at byte 12 of a buffer of 8")));
+}
+
+// A container's head stands before its JSON; that of glTF 1 names its body by a placeholder.
+TEST_F(ImportTest, RefusesAContainerThatReadsOutsideOfItsBuffers) {
+  const auto container = [](const std::string& json) {
+    std::string glb = "glTF";
+    for (const std::size_t word : {std::size_t{1}, json.size() + 20, json.size(), std::size_t{0}})
+      for (int shift = 0; shift < 32; shift += 8) glb += static_cast<char>(word >> shift & 255);
+    return glb + json;
+  };
+  const std::string begin = R"({"asset":{"version":"1.0"},"buffers":{")";
+  const std::string end =
+      R"(":{"byteLength":8,"uri":"data:,"}},"bufferViews":{"v":{"buffer":"binary_glTF","byteLength":9}}})";
+  EXPECT_THAT(refusal(write("body.glb", container(begin + "binary_glTF" + end))),
+              HasSubstr("ends at byte 9 of a buffer of 8"));
+  EXPECT_THAT(refusal(write("other.glb", container(begin + "other" + end))),
+              HasSubstr("has 8 bytes, and has 0"));
+  EXPECT_THAT(refusal(write("body.gltf", begin + "binary_glTF" + end)), HasSubstr("has 8 bytes, and has 0"));
+}
+
 TEST_F(ImportTest, RefusesFilesWithoutTriangles) {
   EXPECT_THAT(refusal(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n")), HasSubstr("triangles"));
   EXPECT_THAT(refusal(write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n")),

@@ -87,6 +87,56 @@ TEST(Include, NoLineOfAFileOutsideIsShown) {
   EXPECT_THAT(result.dependencies, testing::ElementsAre(files.path("main.hlsl")));
 }
 
+// Text of the program's own has a name, not a place.
+class WrittenText : public testing::Test {
+ protected:
+  WrittenText() {
+    std::filesystem::create_directories(files.path("here"));
+    std::filesystem::current_path(files.path("here"));
+  }
+  ~WrittenText() override { std::filesystem::current_path(before_); }
+
+  CompileResult compiled(const std::string& include) const {
+    CompileRequest request = files.request("unused");
+    request.file = "mine.hlsl";
+    request.text = compute_shader("1", "#include \"" + include + "\"\n");
+    request.written_for = files.path("theirs/shaders/theirs.hlsl");
+    request.include_directories = {files.path("library")};
+    return compile(request);
+  }
+
+  ShaderFiles files;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+TEST_F(WrittenText, TheCurrentFolderIsNotRead) {
+  files.write("here/secret.hlsl", "password=hunter2\n");
+  files.write("theirs/shaders/theirs.hlsl", "#include \"../../here/secret.hlsl\"\n");
+  for (const std::string& include : {std::string("secret.hlsl"), files.path("here/secret.hlsl").string(),
+                                     files.path("theirs/shaders/theirs.hlsl").string()})
+    EXPECT_THAT(only_message(compiled(include)),
+                testing::AllOf(testing::AnyOf(HasSubstr("outside of the project"), HasSubstr("cannot find")),
+                               testing::Not(HasSubstr("hunter2"))))
+        << include;
+}
+
+TEST_F(WrittenText, NothingIsBesideIt) {
+  files.write("here/a.hlsl", "#error the wrong one\n");
+  files.write("library/a.hlsl", "");
+  EXPECT_FALSE(hlsl::has_errors(compiled("a.hlsl").diagnostics));
+}
+
+TEST_F(WrittenText, TheTreeOfTheFileThatItIsForIsRead) {
+  files.write("theirs/package.json", "{}");
+  files.write("theirs/common.hlsl", "");
+  files.write("theirs/shaders/theirs.hlsl", "#include \"../common.hlsl\"\n");
+  const CompileResult result = compiled(files.path("theirs/shaders/theirs.hlsl").string());
+  EXPECT_FALSE(hlsl::has_errors(result.diagnostics));
+  EXPECT_THAT(result.dependencies, Contains(files.path("theirs/common.hlsl")));
+}
+
 TEST(Include, DependenciesAreTheFilesRead) {
   const ShaderFiles files;
   files.write("a.hlsl", "#define A 1\n");

@@ -355,6 +355,20 @@ TEST(PublishedPresets, AreTheCommittedResults) {
             preset_figures_csharp(results, "preset-"));
 }
 
+// Results may be a stranger's, and the titles stand in comments of C#.
+TEST(PublishedPresets, ATitleDoesNotEndItsComment) {
+  Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
+                                 "Documentation~/results/presets/results.json");
+  const std::string before = preset_figures_csharp(results, "preset-");
+  for (const char* end : {"\n", "\r", "\u0085", "\u2028", "\u2029", "\u202E"}) {
+    Results evil = results;
+    for (Record& record : evil.records) record.title = std::string("a") + end + "class Evil {} //";
+    const std::string text = preset_figures_csharp(evil, "preset-");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
+    EXPECT_THAT(text, HasSubstr("// a class Evil {} //\n"));
+  }
+}
+
 TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
   Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
                                  "Documentation~/results/presets/results.json");

@@ -7,10 +7,11 @@
 
 namespace penumbra::study {
 
-// "" when every tag closes in order, every '&' starts an entity and no stray '<' stands in text; else what is
-// wrong.
+// "" when every tag closes in order, every '&' starts an entity and no stray '<' nor the end of a CDATA
+// section stands in text; else what is wrong. It knows no CDATA sections.
 inline std::string xml_fault(std::string_view text) {
   std::vector<std::string> open;
+  if (text.find("]]>") != std::string_view::npos) return "the end of a CDATA section";
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '&') {
       const std::size_t end = text.find(';', at);

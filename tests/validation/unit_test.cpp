@@ -23,6 +23,7 @@ UnitJob full_job() {
   unit.keywords = {"A", "", "B"};
   unit.compile.file = "f.hlsl";
   unit.compile.text = std::string(1000, 'x');
+  unit.compile.written_for = "theirs.hlsl";
   unit.compile.entry = "e";
   unit.compile.stage = hlsl::Stage::hull;
   unit.compile.defines = {{"D", "1"}, {"E", ""}};
@@ -140,6 +141,7 @@ TEST(Keys, OfATextDoNotHoldWhereItCameFrom) {
   unit.compile.defines.clear();
   unit.compile.package_roots.clear();
   unit.compile.include_directories = {"elsewhere"};
+  unit.compile.written_for.reset();
   EXPECT_EQ(text_key(context, unit, source), before);
   unit.compile.entry = "other";
   EXPECT_NE(text_key(context, unit, source), before);

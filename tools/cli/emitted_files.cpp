@@ -3,12 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
+#include "platform/linked_folder.h"
 #include "shaders/package_shader.h"
 #include "techniques/graph_emit.h"
 #include "techniques/look_emit.h"
@@ -105,8 +107,17 @@ void refuse_foreign_source(const std::string& file, std::string_view emitted) {
   }
 }
 
+// A package may be a stranger's, whose links would lead the output elsewhere. The package's own folder may be
+// a link: the user names it.
+void refuse_link(const fs::path& package, const fs::path& file) {
+  if (const std::optional<fs::path> link = platform::link_below(package, package / file))
+    throw InputError(link->string(), "is a symbolic link, which output does not follow",
+                     "put the folder or file itself there");
+}
+
 // All folders are created, and all files looked at, before the first file is written.
 void write_folder(const fs::path& package, const std::vector<techniques::EmittedFile>& files) {
+  for (const techniques::EmittedFile& emitted : files) refuse_link(package, emitted.file);
   for (const techniques::EmittedFile& emitted : files) {
     const fs::path folder = (package / emitted.file).parent_path();
     std::error_code error;

@@ -38,12 +38,15 @@ std::vector<KnownName> scenes() {
   return names;
 }
 
-std::vector<KnownName> techniques() {
+std::vector<KnownName> names_in(const techniques::TechniqueList& list) {
   std::vector<KnownName> names;
-  const techniques::TechniqueList list = techniques::read_own_techniques();
   for (const techniques::Technique& technique : list.techniques)
     names.push_back({technique.name, technique.title});
   return names;
+}
+
+std::vector<KnownName> techniques() {
+  return names_in(techniques::read_own_techniques());
 }
 
 std::vector<KnownName> families() {
@@ -76,8 +79,17 @@ const NameKind& kind_of(const std::string& placeholder) {
   throw std::out_of_range("unknown kind of name " + placeholder);
 }
 
-void print(const NameKind& kind) {
-  const std::vector<KnownName> names = kind.names();
+// Those that the command takes with the options given.
+std::vector<KnownName> names_of(const NameKind& kind, const CLI::App& command) {
+  // The list of families depends on whether FXC is found.
+  const CLI::Option* location = command.get_option_no_throw("--fxc");
+  if (location != nullptr && !location->empty()) fxc::choose_fxc(location->results().front());
+  const CLI::Option* list = command.get_option_no_throw("--technique-list");
+  const bool takes_place = kind.names == techniques && list != nullptr && !list->empty();
+  return takes_place ? names_in(techniques::read_technique_list(list->results().front())) : kind.names();
+}
+
+void print(const std::vector<KnownName>& names) {
   std::size_t width = 0;
   for (const KnownName& known : names) width = std::max(width, known.name.size());
   std::string text;
@@ -105,10 +117,7 @@ void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
   option->type_name(placeholder);
   if (command.get_option_no_throw(kind.flag) != nullptr) return;
   const auto print_and_end = [&kind, &command] {
-    // The list of families depends on whether FXC is found.
-    const CLI::Option* location = command.get_option_no_throw("--fxc");
-    if (location != nullptr && !location->empty()) fxc::choose_fxc(location->results().front());
-    print(kind);
+    print(names_of(kind, command));
     throw CLI::Success();
   };
   command.add_flag_callback(kind.flag, print_and_end, fmt::format("Print every {} and exit", placeholder))

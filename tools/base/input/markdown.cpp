@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "input/input_error.h"
+#include "input/text_line.h"
 
 namespace penumbra {
 namespace {
@@ -20,18 +21,25 @@ std::size_t only_position(const std::string& text, const std::string& marker, st
   return first;
 }
 
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-}
-
-// Nothing can be escaped in code: control characters become spaces, and the beginning of a comment is split.
+// Nothing can be escaped in code: the beginning of a comment is split.
 std::string harmless_code(std::string_view text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : in_one_line(text)) {
     if (c == '-' && safe.ends_with("<!")) safe += ' ';
-    safe += is_control(c) ? ' ' : c;
+    safe += c;
   }
   return safe;
+}
+
+bool is_letter_or_digit(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// Whether a '_' stands there that is not within a word, where it is read as it is.
+bool is_emphasis(const std::string& line, std::size_t at) {
+  const bool within =
+      at > 0 && at + 1 < line.size() && is_letter_or_digit(line[at - 1]) && is_letter_or_digit(line[at + 1]);
+  return line[at] == '_' && !within;
 }
 
 std::string more_backticks_than_in(std::string_view text, std::size_t least) {
@@ -47,27 +55,22 @@ std::string more_backticks_than_in(std::string_view text, std::size_t least) {
 }  // namespace
 
 std::string markdown_cell(std::string_view text) {
+  constexpr std::string_view kEscaped = "|[]*`\\~";
+  const std::string line = in_one_line(text);
   std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '|':
-      case '[':
-      case ']':
-      case '*':
-      case '`':
-      case '\\':
-        safe += '\\';
-        safe += c;
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      default:
-        safe += is_control(c) ? ' ' : c;
-    }
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '@')
+      safe += "&#64;";  // GitHub would notify whom it names
+    else if (c == ':' && line.compare(at, 3, "://") == 0)
+      safe += "&#58;";  // an address is a link
+    else
+      safe += (kEscaped.find(c) != std::string_view::npos || is_emphasis(line, at) ? "\\" : "") +
+              std::string(1, c);
   }
   return safe;
 }

@@ -6,8 +6,8 @@
 
 namespace penumbra {
 
-// Text for a table's cell: a bar would end the cell, a line break the table, and HTML, links, emphasis and
-// code would be interpreted. A control character becomes a space.
+// Text for a table's cell: a bar would end the cell, a line break the table, and HTML, links, emphasis,
+// names of people and code would be interpreted. What does not stay in a line (text_line.h) becomes a space.
 std::string markdown_cell(std::string_view text);
 
 // The same as code within a line, which may be that of a table; and as a block of code in its fence. Neither

@@ -7,9 +7,8 @@
 
 namespace penumbra {
 
-// Control characters (U+0000 to U+001F, U+007F to U+009F), bytes that are not UTF-8, and characters that end
-// a line or turn the direction of text (U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069), are
-// written as escapes: "\n" as \n, others as \x1B or \u202E. So are the first ':' of a text that begins with
+// What does not stay in a line (text_line.h) is written as escapes: "\n" as \n, others as \x1B or \u202E. So
+// are the first ':' of a text that begins with
 // "::", and the '[' of "##[", which GitHub Actions take for commands. The rest is unchanged. The middle of a
 // text of more than 4,000 bytes is removed: a key or a name may have megabytes.
 std::string visible(std::string_view text);

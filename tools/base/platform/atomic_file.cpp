@@ -260,11 +260,14 @@ void write_files_atomically(const std::vector<FileContent>& files) {
   for (const FileContent& file : files) refuse_folders(file.file);
   const FileWrite writing;
   std::list<NewFile> written;
+  std::vector<const FileContent*> devices;
   for (const FileContent& file : files)
-    if (!is_device(file.file)) written.emplace_back(file.file, file.content);
+    if (is_device(file.file))
+      devices.push_back(&file);
+    else
+      written.emplace_back(file.file, file.content);
   place_all(written);
-  for (const FileContent& file : files)
-    if (is_device(file.file)) write_straight(file.file, file.content);
+  for (const FileContent* device : devices) write_straight(device->file, device->content);
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {

@@ -24,17 +24,21 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-std::optional<fs::path> link_of_checkout(const fs::path& path) {
+std::optional<fs::path> link_below(const fs::path& folder, const fs::path& path) {
   std::error_code error;
-  const fs::path whole = fs::absolute(path, error);
-  const fs::path checkout = checkout_of(whole.lexically_normal());
-  if (checkout.empty()) return std::nullopt;
+  const fs::path top = fs::absolute(folder, error).lexically_normal();
   fs::path reached;  // with every "..": after a link, it leads elsewhere than the text says
-  for (const fs::path& part : whole) {
+  for (const fs::path& part : fs::absolute(path, error)) {
     reached /= part;
-    if (lies_below(reached, checkout) && fs::is_symlink(fs::symlink_status(reached, error))) return reached;
+    if (lies_below(reached, top) && fs::is_symlink(fs::symlink_status(reached, error))) return reached;
   }
   return std::nullopt;
+}
+
+std::optional<fs::path> link_of_checkout(const fs::path& path) {
+  std::error_code error;
+  const fs::path checkout = checkout_of(fs::absolute(path, error).lexically_normal());
+  return checkout.empty() ? std::nullopt : link_below(checkout, path);
 }
 
 }  // namespace penumbra::platform

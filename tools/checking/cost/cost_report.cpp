@@ -11,9 +11,12 @@
 namespace penumbra::cost {
 namespace {
 
+// Spreadsheets run what begins as a formula does, quoted or not: such a text begins with an apostrophe. They
+// also split at a semicolon, where the comma separates decimals.
 std::string csv_cell(const std::string& any_text) {
-  const std::string text = visible(any_text);
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string text = visible(any_text);
+  if (text.find_first_of("=+-@") == 0) text.insert(0, 1, '\'');
+  if (text.find_first_of(",;\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -52,7 +52,9 @@ const std::string& driver_of(const CostReport& report, const std::string& family
 std::string row_name(const CostRow& row);
 
 std::string cost_json(const CostReport& report);
-std::string cost_csv(const CostReport& report);    // one line a row, figures only
+// One line a row, figures only. A text that a spreadsheet would take for a formula (=, +, - or @ first)
+// begins with an apostrophe.
+std::string cost_csv(const CostReport& report);
 std::string cost_table(const CostReport& report);  // for a terminal: a table a family, then the failures
 
 // Of a file that cost_json() wrote; throws InputError with file:line:column.

@@ -38,6 +38,7 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source) {
   shaders::CompileRequest rest = unit.compile;
   rest.text.reset();
+  rest.written_for.reset();
   rest.defines.clear();
   rest.package_roots.clear();
   rest.include_directories.clear();

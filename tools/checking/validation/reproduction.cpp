@@ -1,9 +1,11 @@
 #include "validation/reproduction.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
+#include "input/text_line.h"
 #include "platform/atomic_file.h"
 #include "platform/content_hash.h"
 #include "validation/kept_answers.h"
@@ -15,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name must not end or extend the comment: line breaks and backslashes are replaced.
-std::string one_line(std::string text) {
-  for (char& character : text)
-    if (character == '\n' || character == '\r' || character == '\\') character = ' ';
-  return text;
+// A name must neither end the comment nor extend it, as a backslash at the end of a line does.
+std::string in_comment(const std::string& text) {
+  std::string line = in_one_line(text);
+  std::replace(line.begin(), line.end(), '\\', ' ');
+  return line;
 }
 
 std::string source_text(const CompileUnit& unit) {
@@ -46,13 +48,13 @@ std::string head(const CompileUnit& unit, const Crash& crash, const std::string&
   const std::string stage = hlsl::stage_name(unit.compile.stage);
   const bool by_lint = crash.target == note_lint;
   std::string text = (by_lint ? "// lint " : "// " + target_of(unit, crash) + ": the compiler ") +
-                     crash.failure + ".\n// Of " + one_line(unit.file);
-  if (!unit.shader.empty()) text += ", shader " + one_line(unit.shader) + ", pass " + one_line(unit.pass);
-  text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
+                     crash.failure + ".\n// Of " + in_comment(unit.file);
+  if (!unit.shader.empty()) text += ", shader " + in_comment(unit.shader) + ", pass " + in_comment(unit.pass);
+  text += "; entry " + in_comment(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
   for (const auto& [name, value] : unit.compile.defines)
-    text.append(one_line(std::string(" ").append(name).append("=").append(value)));
+    text.append(in_comment(std::string(" ").append(name).append("=").append(value)));
   if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not finish.";
-  return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
+  return text + "\n// See it: penumbra validate " + file_name + " --entry " + in_comment(unit.compile.entry) +
          " --stage " + stage + " --target " + (by_lint ? std::string(note_compile) : target_of(unit, crash)) +
          "\n";
 }

@@ -71,7 +71,7 @@ SourceVariant technique_variant(const ValidationRequest& request, const techniqu
   compile = base_request(request, keywords);
   for (const std::filesystem::path& folder : list.include_directories())
     compile.include_directories.push_back(folder);
-  // Without a folder, which would be searched for includes.
+  compile.written_for = variant.unit.file;
   const std::string manifest = std::filesystem::path(technique.where).filename().string();
   compile.file =
       "technique " + technique.name + " of " + manifest + " (" + hlsl::stage_name(stage) + " entry)";

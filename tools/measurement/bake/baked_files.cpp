@@ -6,13 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bake/height_file.h"
 #include "bake/png_16.h"
 #include "bake/texels_16.h"
 #include "input/input_error.h"
-#include "input/located_json.h"
-#include "input/text_file.h"
+#include "input/text_line.h"
 #include "platform/atomic_file.h"
-#include "platform/content_hash.h"
 #include "scene/height_image.h"
 
 namespace penumbra::bake {
@@ -20,12 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHeights = "height-field";
 constexpr const char* kAngles = "horizon-angles";
 constexpr const char* kDistances = "distance-field";
 constexpr const char* kObjects = "distance-field-objects";
 constexpr int kLargestPictureSide = 16384;
-constexpr int kVersion = 1;
 
 Json area_json(const Area& area) {
   return {{"corner_metres", {area.corner.x, area.corner.y}}, {"size_metres", {area.size.x, area.size.y}}};
@@ -75,45 +72,19 @@ std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices
   return encode_png_16(slices.columns * width, slices.rows * height, 1, samples);
 }
 
-constexpr const char* kHashes = "picture_hashes";
-constexpr std::size_t kLargestPicture = std::size_t{512} << 20U;  // bytes
-
-std::string hash_of(std::string_view bytes) {
-  platform::ContentHash hash;
-  hash.update(bytes);
-  return hash.hex();
-}
-
 BakedFiles finished(Json json, BakedFiles files) {
-  for (const auto& [name, bytes] : files.pictures) json[kHashes][name] = hash_of(platform::text_of(bytes));
+  for (const auto& [name, bytes] : files.pictures)
+    json[hashes_key][name] = picture_hash(platform::text_of(bytes));
   files.json = json.dump(2) + "\n";
   return files;
-}
-
-// Throws InputError where the picture beside the JSON file is another one than that it was written with.
-void check_picture(JsonObject& object, const std::filesystem::path& json, const std::string& picture) {
-  JsonObject hashes = object.object(kHashes);
-  const std::string expected = hashes.text(picture, "");
-  if (expected.empty())
-    hashes.fail(picture, fmt::format("there is no hash of '{}' in '{}'", picture, kHashes), "bake it again");
-  hashes.finish();
-  const std::filesystem::path file = json.parent_path() / picture;
-  if (hash_of(read_found_text_file(file, kLargestPicture)) != expected)
-    throw InputError(
-        file.string(),
-        fmt::format("does not belong to '{}', which was written with another picture", json.string()),
-        "bake it again, or copy both files of one bake");
 }
 
 }  // namespace
 
 void check_stem(const std::string& stem) {
-  try {
-    (void)Json(stem).dump();
-  } catch (const Json::type_error&) {
-    throw InputError(stem, "is a name that is not UTF-8, and the JSON file names its pictures",
+  if (!is_one_line(stem))
+    throw InputError(stem, "is a name that is not UTF-8 on one line, and the JSON file names its pictures",
                      "choose a name of letters, digits and '-'");
-  }
 }
 
 BakedFiles baked_files(const HeightField& field, const std::string& stem) {
@@ -122,7 +93,7 @@ BakedFiles baked_files(const HeightField& field, const std::string& stem) {
   BakedFiles files;
   const std::string picture = stem + ".png";
   files.pictures[picture] = encode_png_16(field.width, field.depth, 1, height_texels(field, range));
-  Json json = {{"kind", kHeights}, {"version", kVersion}, {"picture", picture}};
+  Json json = {{"kind", height_field_kind}, {"version", baked_version}, {"picture", picture}};
   json["heights_metres"] = {range.low, range.high};
   json.update(area_json(field.area));
   json["samples_without_surface"] = field.holes;
@@ -131,7 +102,7 @@ BakedFiles baked_files(const HeightField& field, const std::string& stem) {
 
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
   BakedFiles files;
-  Json json = {{"kind", kAngles}, {"version", kVersion}, {"pictures", Json::array()}};
+  Json json = {{"kind", kAngles}, {"version", baked_version}, {"pictures", Json::array()}};
   for (int first = 0; first < horizon_directions; first += horizon_channels) {
     const std::string picture = fmt::format("{}-{}.png", stem, first / horizon_channels);
     files.pictures[picture] =
@@ -158,7 +129,7 @@ BakedFiles baked_files(const DistanceField& field, const std::string& stem) {
   BakedFiles files;
   const std::string picture = stem + ".png";
   files.pictures[picture] = picture_of(field.voxels, slices, texels);
-  Json json = {{"kind", kDistances}, {"version", kVersion}, {"picture", picture}};
+  Json json = {{"kind", kDistances}, {"version", baked_version}, {"picture", picture}};
   json["voxels"] = field.voxels;
   json["columns"] = slices.columns;
   json["rows"] = slices.rows;
@@ -173,7 +144,7 @@ BakedFiles baked_files(const ObjectFields& fields, const std::string& stem) {
   BakedFiles files;
   const std::string picture = stem + ".png";
   files.pictures[picture] = picture_of(fields.voxels, slices, fields.texels());
-  Json json = {{"kind", kObjects}, {"version", kVersion}, {"picture", picture}};
+  Json json = {{"kind", kObjects}, {"version", baked_version}, {"picture", picture}};
   json["voxels"] = fields.voxels;
   json["columns"] = slices.columns;
   json["rows"] = slices.rows;
@@ -202,37 +173,16 @@ void write_baked_files(const BakedFiles& files, const std::filesystem::path& jso
 }
 
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process) {
-  const LocatedJson document = LocatedJson::read_found(json);
-  JsonObject object(document);
-  if (const std::string kind = object.text("kind", ""); kind != kHeights) {
-    object.fail("kind",
-                kind.empty() ? fmt::format("'kind' is missing, which is \"{}\" in a height field", kHeights)
-                             : fmt::format("'{}' is not a height field", kind),
-                "penumbra bake heightfield writes one");
-  }
-  if (const int version = object.integer("version", 0); version != kVersion)
-    object.fail("version", fmt::format("version {} of the format is unknown", version), "bake it again");
-  const std::string picture = object.text("picture", "");
-  const bool plain =
-      !picture.empty() && std::filesystem::path(picture).filename() == picture && picture != "..";
-  if (!plain) object.fail("picture", "must be the name of a file in the same folder");
-  const std::vector<double> range = object.numbers("heights_metres", 2);
-  const std::vector<double> corner = object.numbers("corner_metres", 2),
-                            size = object.numbers("size_metres", 2);
-  const int holes = object.integer("samples_without_surface", 0);
-  check_picture(object, json, picture);
-  object.finish();
-  const scene::HeightImage image =
-      scene::read_height_image_apart(json.parent_path() / picture, std::nullopt, process);
-  if (holes < 0 || static_cast<std::size_t>(holes) > image.samples.size()) {
-    object.fail("samples_without_surface",
-                fmt::format("{} of {} samples cannot be without a surface", holes, image.samples.size()),
-                "bake it again");
-  }
+  const HeightFile file = read_height_file(json);
+  const scene::HeightImage image = scene::read_height_image_apart(file.picture, std::nullopt, process);
+  if (static_cast<std::size_t>(file.holes) > image.samples.size())
+    throw InputError(
+        json.string(),
+        fmt::format("{} of {} samples cannot be without a surface", file.holes, image.samples.size()),
+        "bake it again");
   try {
-    HeightField field =
-        heights_of_image(image, {{corner[0], corner[1]}, {size[0], size[1]}}, {range[0], range[1]});
-    field.holes = static_cast<std::size_t>(holes);
+    HeightField field = heights_of_image(image, file.area, file.range);
+    field.holes = static_cast<std::size_t>(file.holes);
     return field;
   } catch (const InputError& error) {
     throw InputError(json.string(), error.what());

@@ -1,5 +1,6 @@
 #include "reference/reference_cache.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,9 @@ std::optional<VisibilityImage> ReferenceCache::find(const std::string& key) cons
   if (!reader.exhausted() || image.width < 0 || image.height < 0) return std::nullopt;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.visibility.size() != pixels || image.valid.size() != pixels) return std::nullopt;
+  const bool plausible = std::all_of(image.visibility.begin(), image.visibility.end(),
+                                     [](float share) { return share >= 0.0F && share <= 1.0F; });
+  if (!plausible || !(image.noise_floor >= 0.0 && image.noise_floor <= 1.0)) return std::nullopt;
   return image;
 }
 

@@ -60,7 +60,10 @@ class RowRun {
   void resume() {
     if (cache_ == nullptr) return;
     const std::vector<HalfCounts> beginning = cache_->find_beginning(job_.key);
-    if (beginning.size() > counts_.size()) return;
+    const bool answers = std::all_of(beginning.begin(), beginning.end(), [this](const HalfCounts& counts) {
+      return counts.first + counts.second <= job_.samples;
+    });
+    if (beginning.size() > counts_.size() || !answers) return;
     std::copy(beginning.begin(), beginning.end(), counts_.begin());
     done_ = beginning.size();
   }
@@ -105,6 +108,13 @@ class RowRun {
 };
 
 }  // namespace
+
+std::optional<VisibilityImage> kept_image(const RowJob& job, const ReferenceCache* cache) {
+  std::optional<VisibilityImage> kept = cache == nullptr ? std::nullopt : cache->find(job.key);
+  const bool answers = kept && kept->width == job.size.width && kept->height == job.size.height &&
+                       kept->samples == job.samples && kept->valid == job.valid;
+  return answers ? std::move(kept) : std::nullopt;
+}
 
 VisibilityImage run_rows(const RowJob& job, const RunOptions& options, const ReferenceCache* cache) {
   const std::vector<HalfCounts> counts = RowRun(job, options, cache).finish();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +36,13 @@ struct RowJob {
 
 constexpr int rows_per_block = 8;
 
-// The job's image, computed from where an earlier run stopped, then stored; looking for a finished one is the
-// caller's, before it prepares the job. cache may be null. Whatever count throws is thrown here.
+// The job's image if it is kept; the job needs no `count` yet, which takes time to prepare. What does not
+// answer the job, of another size or other receivers, is nothing: whoever can write the cache's folder can
+// put it there.
+std::optional<VisibilityImage> kept_image(const RowJob& job, const ReferenceCache* cache);
+
+// The job's image, computed from where an earlier run stopped, then stored. cache may be null. Whatever count
+// throws is thrown here.
 VisibilityImage run_rows(const RowJob& job, const RunOptions& options, const ReferenceCache* cache);
 
 }  // namespace penumbra::reference

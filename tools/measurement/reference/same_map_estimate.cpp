@@ -86,9 +86,7 @@ VisibilityImage same_map_estimate(const MapView& view, const RunOptions& run, co
   job.samples = DiscPoints::count;
   job.rays_per_pixel = light.tan_half > 0.0 ? DiscPoints::count : 1;
   job.key = key_of(view);
-  if (cache != nullptr) {
-    if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
-  }
+  if (std::optional<VisibilityImage> kept = kept_image(job, cache)) return *std::move(kept);
   const SameMap map(view, light);
   job.count = [&](std::size_t pixel) { return map.lit_points(pixel); };
   return run_rows(job, run, cache);

@@ -67,12 +67,10 @@ VisibilityImage trace(const Traced& traced, const TraceOptions& options, const R
   job.size = {traced.receivers.width, traced.receivers.height};
   job.valid = valid_receivers(traced.receivers, traced.light);
   job.key = traced.key;
-  if (cache != nullptr) {
-    if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
-  }
+  job.samples = options.samples;
+  if (std::optional<VisibilityImage> kept = kept_image(job, cache)) return *std::move(kept);
   const EmbreeScene embree(traced.scene);
   const DiscTracer tracer(embree, traced.light, options.samples, options.seed);
-  job.samples = options.samples;
   job.rays_per_pixel = tracer.rays_per_pixel();
   job.count = [&](std::size_t pixel) {
     return tracer.lit_points(lit_receiver(traced.receivers, pixel, traced.light).value(), pixel);

@@ -4,6 +4,7 @@
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
+#include "project/include_bounds.h"
 #include "techniques/technique_call.h"
 
 namespace penumbra::resolve {
@@ -34,6 +35,7 @@ shaders::CompileRequest request(const ShadowShader& shader) {
   shaders::CompileRequest request;
   request.file = shader.name + ".hlsl";
   request.text = whole_source(shader);
+  request.written_for = shader.written_for;
   request.defines = shader.defines;
   request.package_roots = with_own_package(shader.package_roots);
   request.include_directories = shader.include_directories;
@@ -65,6 +67,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
   const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   ShadowShader shader;
   shader.name = technique.name;
+  shader.written_for = list.package / technique.file();
   shader.include_directories = list.include_directories();
   shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
                 "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
@@ -93,7 +96,9 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   shader.package_roots = adapter.package_roots;
   shader.project = adapter.project;
   shader.cginc_root = adapter.cginc_root;
-  shader.include_directories.push_back(std::filesystem::absolute(adapter.file).parent_path());
+  shader.written_for = std::filesystem::absolute(adapter.file);
+  const std::filesystem::path folder = shader.written_for.parent_path();
+  if (!project::no_file_owns(folder)) shader.include_directories.push_back(folder);
   shader.fragment = true;
   shader.prepare = true;
   shader.uses_noise = true;

@@ -25,8 +25,9 @@ namespace penumbra::resolve {
 
 struct ShadowShader {
   std::string name;
-  std::filesystem::path file{};  // of a user; empty: a technique
-  std::string body;              // what stands before Resolve.hlsl, its platform macros included
+  std::filesystem::path file{};         // of a user; empty: a technique
+  std::filesystem::path written_for{};  // the file whose function is called, a user's or a technique's
+  std::string body;                     // what stands before Resolve.hlsl, its platform macros included
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;

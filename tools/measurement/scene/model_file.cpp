@@ -23,6 +23,7 @@
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "scene/cut_out.h"
+#include "scene/gltf_ranges.h"
 #include "scene/model_folder.h"
 
 namespace penumbra::scene {
@@ -241,6 +242,7 @@ void append_triangles(ModelFile& model, const PlacedMesh& placed, const Triangle
 
 ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangle_limit) {
   check_readable(file);
+  check_gltf_ranges(file);
   Assimp::Importer importer;
   auto* folder = new ModelFolder(file);
   importer.SetIOHandler(folder);  // which owns it

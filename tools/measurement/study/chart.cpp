@@ -37,6 +37,7 @@ constexpr std::size_t kAlwaysLabelled = 12;  // points of a panel
 // A panel of more points names those of the front alone, and of these so many: the places of labels are tried
 // against each other, and there would be no room. The page's table has all names.
 constexpr std::size_t kMostPlaced = 96;
+constexpr std::size_t kMostOfFront = 24;
 
 namespace ink {
 constexpr std::string_view kGround = "#fcfcfb";
@@ -204,12 +205,13 @@ class Script {
                        std::max(from.x, to.x) + radius, std::max(from.y, to.y) + radius});
     };
     const std::vector<bool> front = on_front(panel);
+    const std::size_t most = front_alone ? kMostOfFront : kMostPlaced;
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
       const ChartPoint& point = panel.points[i];
-      if (is_drawn(chart_, point) && (!front_alone || front[i]) && boxes.size() < kMostPlaced)
+      if (is_drawn(chart_, point) && (!front_alone || front[i]) && boxes.size() < most)
         add(spot(point, frame), spot(point, frame), kPointRadius);
     }
-    for (std::size_t i = 1; i < std::min(panel.front.size(), kMostPlaced); ++i) {
+    for (std::size_t i = 1; i < std::min(panel.front.size(), most); ++i) {
       const Spot before = spot(panel.points.at(panel.front[i - 1]), frame);
       const Spot after = spot(panel.points.at(panel.front[i]), frame);
       add(before, {after.x, before.y}, kLineRadius);
@@ -232,7 +234,7 @@ class Script {
       for (std::size_t i = 0; i < panel.points.size(); ++i) {
         const ChartPoint& point = panel.points[i];
         if (!is_drawn(chart_, point) || is_on_front[i] != front) continue;
-        if (front_alone && (!front || labels.requests.size() == kMostPlaced)) break;
+        if (front_alone && (!front || labels.requests.size() == kMostOfFront)) break;
         const Spot at = spot(point, frame);
         labels.requests.push_back({at.x, at.y, point.label});
       }
@@ -316,6 +318,8 @@ std::string make_own(std::string svg, const Chart& chart) {
     title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   }
   replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
+  // gnuplot leaves '>' as it is, and writes no CDATA sections, which alone may end so.
+  replace_all(svg, "]]>", "]]&gt;");
   for (const std::string id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_"}) {
     replace_all(svg, "id='" + id, "id='" + chart.name + "-" + id);
     replace_all(svg, "id=\"" + id, "id=\"" + chart.name + "-" + id);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "input/input_error.h"
+#include "input/text_line.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
@@ -44,7 +45,7 @@ std::string preset_figures_csharp(const Results& results, const std::string& pre
     if (line.choice.technique != open) {
       if (!open.empty()) text += "            },\n";
       open = line.choice.technique;
-      text += fmt::format("            new[]  // {}\n            {{\n", line.choice.title);
+      text += fmt::format("            new[]  // {}\n            {{\n", in_one_line(line.choice.title));
     }
     text += figure(line);
   }

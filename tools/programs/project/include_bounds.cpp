@@ -34,19 +34,22 @@ bool is_unity_project(const fs::path& folder) {
          fs::is_directory(folder / "ProjectSettings", ignored);
 }
 
-// The nearest folder above the file for which `is_one` holds; empty without one. The root folder is excluded,
-// and so is the user's home folder, which some people keep in git.
+// The nearest folder above the file for which `is_one` holds; empty without one. Some people keep their home
+// folder in git.
 template <typename IsOne>
 fs::path nearest_above(const fs::path& file, IsOne is_one) {
-  const char* home = std::getenv("HOME");
-  for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path()) {
-    if (home != nullptr && folder == fs::path(home).lexically_normal()) continue;
-    if (is_one(folder)) return folder;
-  }
+  for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path())
+    if (is_one(folder) && !no_file_owns(folder)) return folder;
   return {};
 }
 
 }  // namespace
+
+bool no_file_owns(const fs::path& folder) {
+  const char* home = std::getenv("HOME");
+  const fs::path real = without_links(folder);
+  return real == real.root_path() || (home != nullptr && *home != '\0' && real == without_links(home));
+}
 
 fs::path own_tree(const fs::path& file) {
   std::error_code error;
@@ -55,7 +58,8 @@ fs::path own_tree(const fs::path& file) {
   fs::path tree = nearest_above(absolute, has_git);
   if (tree.empty()) tree = nearest_above(absolute, is_unity_project);
   if (tree.empty()) tree = nearest_above(absolute, has_package_manifest);
-  return tree.empty() ? absolute.parent_path() : tree;
+  if (tree.empty()) tree = absolute.parent_path();
+  return no_file_owns(tree) ? absolute : tree;
 }
 
 void IncludeBounds::add(const fs::path& root) {

@@ -9,8 +9,13 @@ namespace penumbra::project {
 
 // The folder that a file belongs to with all that is below it: its git working tree, else its Unity project
 // (a folder that holds Assets/ and ProjectSettings/), else its package (a folder with a package.json), else
-// the folder it is in.
+// the folder it is in. Never a folder that no_file_owns(): of a file in one, the file alone.
 std::filesystem::path own_tree(const std::filesystem::path& file);
+
+// Whether it is the disk's root or the user's home folder. What is below those belongs to no single file of
+// theirs, and holds credentials: only a user who names such a folder makes it one that includes are read
+// from.
+bool no_file_owns(const std::filesystem::path& folder);
 
 class IncludeBounds {
  public:

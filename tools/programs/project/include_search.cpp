@@ -76,8 +76,10 @@ Places places_of(const IncludeRoots& roots, const std::string& header, const fs:
   Places places;
   if (starts_with_ignoring_case(header, packages)) add_package_places(roots, header, places);
   if (starts_with_ignoring_case(header, assets)) add_asset_places(roots, header, places);
-  std::vector<fs::path> beside{includer.parent_path()};
-  if (!roots.main_folder.empty() && roots.main_folder != beside[0]) beside.push_back(roots.main_folder);
+  std::vector<fs::path> beside;
+  if (!includer.empty()) beside.push_back(includer.parent_path());
+  if (!roots.main_folder.empty() && (beside.empty() || roots.main_folder != beside[0]))
+    beside.push_back(roots.main_folder);
   // "/Include/A.hlsl" is beside the includer, unless the disk's root has it.
   const std::size_t after_slashes = header.find_first_not_of('/');
   for (const fs::path& folder : beside) {

@@ -36,7 +36,8 @@ struct IncludeSearch {
   std::string missing_editor_include;         // its name, if only the editor has it
 };
 
-// `includer`: the file that has the #include. A result has either a file or a problem.
+// `includer`: the file that has the #include; empty for a text that is in no file, beside which there is
+// nothing. A result has either a file or a problem.
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked,
                            const std::filesystem::path& includer);
 

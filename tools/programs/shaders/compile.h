@@ -24,6 +24,10 @@ using project::PackageRoot;
 struct CompileRequest {
   std::filesystem::path file;  // names the source in messages; read from disk unless text is given
   std::optional<std::string> text;
+  // Of a text that this program writes itself: the user's file that it is written for, into whose tree
+  // includes may lead (project/include_bounds.h); empty: none. `file` is then a mere name, and no place on
+  // the disk.
+  std::optional<std::filesystem::path> written_for{};
   std::string entry = "Main";
   hlsl::Stage stage = hlsl::Stage::compute;
   std::vector<std::pair<std::string, std::string>> defines;

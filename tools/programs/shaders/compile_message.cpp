@@ -50,12 +50,14 @@ int read_place(ByteReader& in) {
 // A structured binding of all members: adding a member to the struct breaks the build until it is serialised,
 // too.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
-  const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, prepare, optimise,
-               debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc, rasterized] =
-      request;
+  const auto& [file, text, written_for, entry, stage, defines, roots, directories, project, cginc_root,
+               prepare, optimise, debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc,
+               rasterized] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
+  out.number(written_for ? 1 : 0);
+  out.text(written_for ? written_for->string() : "");
   out.text(entry);
   out.number(static_cast<std::uint64_t>(stage));
   write(out, defines);
@@ -105,6 +107,9 @@ CompileRequest read_compile_request(ByteReader& in) {
   const bool has_text = in.flag();
   std::string text = in.text();
   if (has_text) request.text = std::move(text);
+  const bool is_written = in.flag();
+  std::string written_for = in.text();
+  if (is_written) request.written_for = std::move(written_for);
   request.entry = in.text();
   request.stage = in.enumerator(hlsl::Stage::compute);
   request.defines = read_pairs(in);

@@ -40,8 +40,12 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 }
 
 project::IncludeRoots roots_of(const CompileRequest& request) {
-  return {request.package_roots, request.include_directories,       request.project,
-          request.cginc_root,    {project::own_tree(request.file)}, request.file.parent_path()};
+  project::IncludeRoots roots{
+      request.package_roots, request.include_directories, request.project, request.cginc_root, {}, {}};
+  const fs::path& owner = request.written_for.value_or(request.file);
+  if (!owner.empty()) roots.own.push_back(project::own_tree(owner));
+  if (!request.written_for) roots.main_folder = request.file.parent_path();
+  return roots;
 }
 
 }  // namespace
@@ -62,7 +66,9 @@ IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFile
 std::optional<std::string> IncludeResolver::open(const std::string& asked, const std::string& includer) {
   // A file that includes itself twice would be read as often as there are paths to the greatest depth.
   if (failure_) return std::nullopt;
-  const project::IncludeSearch& search = memory_.find(roots_, roots_key_, asked, includer);
+  const bool is_nowhere = request_.written_for && includer == request_.file.string();
+  const project::IncludeSearch& search =
+      memory_.find(roots_, roots_key_, asked, is_nowhere ? std::string() : includer);
   if (!search.file) {
     missing_editor_include_ = search.missing_editor_include;
     fail(search.problem);

@@ -60,13 +60,13 @@ const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text) 
   return cut_text_;
 }
 
-// Only the includer's folder matters.
+// Only the includer's folder matters, and whether there is an includer.
 const project::IncludeSearch& SourceMemory::find(const project::IncludeRoots& roots,
                                                  const std::string& roots_key, std::string_view asked,
                                                  const std::string& includer) {
   std::string key = roots_key;
   key.append(asked).push_back(separator);
-  key.append(includer, 0, includer.find_last_of("/\\") + 1);
+  if (!includer.empty()) key.append(1, '.').append(includer, 0, includer.find_last_of("/\\") + 1);
   const auto [place, first] = searches_.try_emplace(std::move(key));
   if (first) place->second = project::find_include(roots, asked, includer);
   return place->second;

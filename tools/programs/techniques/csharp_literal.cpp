@@ -1,8 +1,12 @@
 #include "techniques/csharp_literal.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <charconv>
+
+#include "input/text_line.h"
 
 namespace penumbra::techniques {
 
@@ -16,9 +20,13 @@ std::string csharp_float(double value) {
 
 std::string csharp_text(const std::string& text) {
   std::string quoted = "\"";
-  for (const char character : text) {
-    if (character == '"' || character == '\\') quoted += '\\';
-    quoted += character;
+  for (std::size_t at = 0; at < text.size();) {
+    const TextCharacter character = character_at(text, at);
+    if (character.code == '"' || character.code == '\\') quoted += '\\';
+    quoted += stays_in_line(character)
+                  ? text.substr(at, character.bytes)
+                  : fmt::format("\\u{:04X}", character.is_valid ? character.code : 0xFFFD);
+    at += character.bytes;
   }
   return quoted + "\"";
 }

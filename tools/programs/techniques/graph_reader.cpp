@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "hlsl/identifier.h"
+#include "input/input_error.h"
+#include "input/text_line.h"
 
 namespace penumbra::techniques {
 namespace {
@@ -25,7 +27,7 @@ Value chosen(JsonObject& object, const std::string& key, const std::string& fall
 }
 
 std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMost = 128;
   const std::vector<std::string> keys = object.keys();
   if (!keys.empty()) require_at_most(object, keys.front(), keys.size(), kMost, "names of one pass");
   std::vector<std::pair<std::string, std::string>> bindings;
@@ -243,6 +245,15 @@ void add(PassGraph& graph, const PassGraph& part) {
   if (!part.source.empty()) graph.source = part.source;
 }
 
+// Emitted code has names of files: in comments, and in quotes behind #include.
+bool can_be_emitted(const std::string& name) {
+  return is_one_line(name) && name.find_first_of("\"\\") == std::string::npos;
+}
+
+constexpr const char* kUnfitName =
+    "a file's name is one line, with no quotes, no backslashes and no control characters";
+constexpr const char* kFitName = "rename the file or its folder; folders are separated by /";
+
 }  // namespace
 
 ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package)
@@ -250,13 +261,12 @@ ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::f
       package_(std::filesystem::absolute(package).lexically_normal()),
       tree_(project::own_tree(manifest)) {
   bounds_.add(tree_);
-  bounds_.add(package_);
+  if (!project::no_file_owns(package_)) bounds_.add(package_);
 }
 
 std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
   const std::string name = required_line(object, key);
-  if (name.find_first_of("\"\\") != std::string::npos)
-    object.fail(key, "a file's name has no quotes and no backslashes", "folders are separated by /");
+  if (!can_be_emitted(name)) object.fail(key, kUnfitName, kFitName);
   const std::filesystem::path file = (folder_ / name).lexically_normal();
   if (!bounds_.contain(file))
     object.fail(key, "'" + name + "' lies outside of '" + tree_.string() + "', to which the manifest belongs",
@@ -272,7 +282,9 @@ std::string ManifestFiles::named(const std::filesystem::path& file) const {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
   const std::filesystem::path inside = whole.lexically_relative(package_);
   const bool outside = inside.empty() || *inside.begin() == "..";
-  return (outside ? whole : inside).generic_string();
+  std::string name = (outside ? whole : inside).generic_string();
+  if (!can_be_emitted(name)) throw InputError(name, kUnfitName, kFitName);
+  return name;
 }
 
 FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {

@@ -7,6 +7,7 @@
 #include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
+#include "input/text_line.h"
 #include "techniques/graph_reader.h"
 #include "techniques/technique_values.h"
 
@@ -89,6 +90,26 @@ Look read_look(JsonObject object) {
   return look;
 }
 
+// Every text and every key: they become code, comments and documents of several languages. `name`: what
+// messages call a text that is no key's value.
+void require_lines(const LocatedJson& document, const LocatedJson::Pointer& at, const std::string& name) {
+  const auto require = [&](const LocatedJson::Pointer& place, const std::string& text) {
+    if (!is_one_line(text))
+      throw InputError(document.where(place),
+                       "'" + name + "' is one line, without control characters and marks of direction",
+                       "write spaces in their place");
+  };
+  const nlohmann::json& value = document.at(at);
+  if (value.is_string()) require(at, value.get_ref<const std::string&>());
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i) require_lines(document, at / i, name);
+  if (!value.is_object()) return;
+  for (const auto& member : value.items()) {
+    require(at / member.key(), member.key());
+    require_lines(document, at / member.key(), member.key());
+  }
+}
+
 }  // namespace
 
 void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
@@ -97,7 +118,7 @@ void require_at_most(const JsonObject& object, const std::string& key, std::size
     object.fail(key,
                 "there are " + std::to_string(count) + " " + what + ", and at most " + std::to_string(most) +
                     " can be checked",
-                "split the list into packages of their own, or leave some out");
+                "leave some out, or split them");
 }
 
 std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::size_t before,
@@ -140,11 +161,10 @@ std::vector<double> components(JsonObject& object, const std::string& key, const
 
 std::string required_line(JsonObject& object, const std::string& key) {
   std::string text = required_text(object, key);
-  const bool printable =
-      std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  if (!printable || text.back() == '\\')
-    object.fail(key,
-                "'" + key + "' is one line, without control characters, and does not end in a backslash");
+  const std::size_t last = text.find_last_not_of(' ');
+  if (last == std::string::npos) object.fail(key, "'" + key + "' is blank");
+  if (text[last] == '\\')
+    object.fail(key, "'" + key + "' is one line, and does not end in a backslash, which would continue it");
   return text;
 }
 
@@ -186,6 +206,7 @@ void add_looks(JsonObject& root, TechniqueList& list) {
 
 Manifest open_manifest(const std::filesystem::path& file) {
   Manifest manifest{file, LocatedJson::read(file), 0};
+  require_lines(manifest.document, LocatedJson::Pointer(), "manifest");
   JsonObject root(manifest.document);
   manifest.order = root.integer("order", 0);
   return manifest;

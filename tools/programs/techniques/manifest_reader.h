@@ -43,7 +43,7 @@ std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::s
 void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
                      const std::string& what);
 std::string required_text(JsonObject& object, const std::string& key);
-std::string required_line(JsonObject& object, const std::string& key);  // goes into one line of emitted text
+std::string required_line(JsonObject& object, const std::string& key);  // may end a line of emitted text
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
 std::string required_identifier(JsonObject& object, const std::string& key);
 std::string required_name(JsonObject& object);  // "name": what commands and files call a technique or a look

@@ -6,6 +6,7 @@
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
+#include "project/include_bounds.h"
 #include "techniques/manifest_reader.h"
 
 namespace penumbra::techniques {
@@ -90,7 +91,9 @@ const ParameterStruct* TechniqueList::find_struct(const std::string& name) const
 std::vector<fs::path> TechniqueList::include_directories() const {
   std::error_code error;
   const bool has_library = fs::is_directory(package / "ShaderLibrary", error);
-  return {package, (has_library ? package : platform::data_directory()) / "ShaderLibrary"};
+  const fs::path library = (has_library ? package : platform::data_directory()) / "ShaderLibrary";
+  if (project::no_file_owns(package)) return {library};
+  return {package, library};
 }
 
 std::vector<const ParameterStruct*> TechniqueList::structs_of(const Technique& technique) const {

@@ -1,0 +1,19 @@
+// The JSON file of a height field, beside a picture of which it has the hash.
+#include "bake/height_file.h"
+#include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
+
+namespace penumbra::fuzz {
+
+void targets::bake(std::string_view bytes) {
+  static const ScratchFolder folder;
+  static const std::filesystem::path picture = folder.write("field.png", "picture");  // as seeds.py has it
+  const std::filesystem::path file = folder.write("field.json", bytes);
+  read([&] {
+    const bake::HeightFile read = bake::read_height_file(file);
+    require(read.picture == picture, "only a picture that the file has the hash of is taken");
+    require(read.holes >= 0, "a number of samples");
+  });
+}
+
+}  // namespace penumbra::fuzz

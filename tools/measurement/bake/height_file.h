@@ -1,0 +1,30 @@
+// The JSON file of a height field, which names its picture. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "bake/height_field.h"
+
+namespace penumbra::bake {
+
+inline constexpr const char* height_field_kind = "height-field";
+inline constexpr int baked_version = 1;                      // of the format of all bakes
+inline constexpr const char* hashes_key = "picture_hashes";  // of the pictures, by their names
+
+struct HeightFile {
+  std::filesystem::path picture;  // in the folder of the JSON file
+  HeightRange range;              // metres of the picture's 0 and 65535
+  Area area;
+  int holes = 0;  // samples without a surface
+};
+
+// Throws InputError at the JSON's line, and for a picture whose hash is not the one that the JSON was written
+// with.
+HeightFile read_height_file(const std::filesystem::path& json);
+
+std::string picture_hash(std::string_view bytes);
+
+}  // namespace penumbra::bake
