@@ -56,6 +56,7 @@ TEST_F(FinishedStudy, IsNotBegunWhereItsFilesCannotBe) {
 // A folder in the place of a picture appears while the study runs. The results are there, and the next run
 // has nothing to measure.
 TEST_F(FinishedStudy, IsKeptUntilItsReportIsWritten) {
+  write("out/pareto-fetches.svg", "of an earlier run");
   const auto failed =
       shell(command() + " & program=$!; while kill -0 $program && [ -z \"$(find " + path("cache").string() +
             " -name '*.record' 2>/dev/null)\" ]; do sleep 0.01; done; mkdir -p " +
@@ -65,6 +66,7 @@ TEST_F(FinishedStudy, IsKeptUntilItsReportIsWritten) {
               AllOf(HasSubstr("report.html"),
                     HasSubstr("what was measured is kept; the same command goes on from there")));
   EXPECT_THAT(read("out/results.json"), HasSubstr("\"technique\": \"hard\""));
+  EXPECT_FALSE(std::filesystem::exists(path("out/pareto-fetches.svg"))) << "of other results";
   EXPECT_EQ(kept(), 2U);
   std::filesystem::remove(path("out/report.html"));
   const std::string results = read("out/results.json");

@@ -122,6 +122,8 @@ TEST(CostReport, CsvHasNoFormulas) {
   EXPECT_THAT(cost_csv(report), HasSubstr(",\"'=1,2\",Fragment,"));
   report.rows[0].file = "a;=1";
   EXPECT_THAT(cost_csv(report), HasSubstr(",\"a;=1\",Fragment,"));
+  report.rows[0].file = "+DARK +FOG_2";
+  EXPECT_THAT(cost_csv(report), HasSubstr(",+DARK +FOG_2,Fragment,"));
   report.rows[0].file = "\t=1";
   EXPECT_THAT(cost_csv(report), HasSubstr(",\\t=1,Fragment,"));
 }

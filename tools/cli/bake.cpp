@@ -19,8 +19,8 @@
 #include "cli/study_messages.h"
 #include "cli/subcommand.h"
 #include "input/input_error.h"
-#include "platform/cache_store.h"
 #include "platform/cache_folder.h"
+#include "platform/cache_store.h"
 #include "scene/height_image.h"
 #include "scene/scene.h"
 

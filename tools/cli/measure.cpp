@@ -137,19 +137,29 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   return settings;
 }
 
-// The results before what is drawn of them: if that fails, they are there.
+// What an earlier run drew in this folder is of other results.
+void remove_earlier_report(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> drawn{folder / "report.html", folder / "overview.png"};
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with("pareto-") && entry.path().extension() == ".svg")
+      drawn.push_back(entry.path());
+  for (const std::filesystem::path& file : drawn)
+    if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);
+}
+
+// The results before what is drawn of them: if that fails, they are there, and no other report is beside
+// them.
 void write_report(const std::filesystem::path& folder, const study::Results& results,
                   std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts) {
   make_folder(folder);
   platform::write_file_atomically(folder / "results.json", study::to_json(results));
+  remove_earlier_report(folder);
   study::ReportContent content;
   content.results = results;
   content.charts = study::report_charts(results);
   content.pictures = std::move(pictures);
   content.facts = std::move(facts);
-  for (const study::ReportChart& chart : content.charts) {
-    platform::write_file_atomically(folder / (chart.chart.name + ".svg"), chart.svg);
-  }
   if (!content.pictures.empty()) make_folder(folder / "pictures");
   for (std::size_t i = 0; i < content.pictures.size(); ++i) {
     const study::PictureRow& row = content.pictures[i];
@@ -159,7 +169,12 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   }
   const study::Picture overview = study::overview(results, content.pictures, 4);
   if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
-  platform::write_file_atomically(folder / "report.html", study::render_report(content));
+  const std::string page = study::render_report(content);
+  std::vector<platform::FileContent> drawn;
+  for (const study::ReportChart& chart : content.charts)
+    drawn.push_back({folder / (chart.chart.name + ".svg"), chart.svg});
+  drawn.push_back({folder / "report.html", page});
+  platform::write_files_atomically(drawn);
 }
 
 void print_headlines(const std::filesystem::path& folder, const study::Results& results) {

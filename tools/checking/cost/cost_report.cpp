@@ -11,11 +11,19 @@
 namespace penumbra::cost {
 namespace {
 
+// "+DARK +FOG", a set of keywords: names alone, which compute nothing.
+bool is_keyword_set(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+           c == '+' || c == ' ';
+  });
+}
+
 // Spreadsheets run what begins as a formula does, quoted or not: such a text begins with an apostrophe. They
 // also split at a semicolon, where the comma separates decimals.
 std::string csv_cell(const std::string& any_text) {
   std::string text = visible(any_text);
-  if (text.find_first_of("=+-@") == 0) text.insert(0, 1, '\'');
+  if (text.find_first_of("=+-@") == 0 && !is_keyword_set(text)) text.insert(0, 1, '\'');
   if (text.find_first_of(",;\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -53,7 +53,7 @@ std::string row_name(const CostRow& row);
 
 std::string cost_json(const CostReport& report);
 // One line a row, figures only. A text that a spreadsheet would take for a formula (=, +, - or @ first)
-// begins with an apostrophe.
+// begins with an apostrophe; sets of keywords ("+A +B") stay as they are.
 std::string cost_csv(const CostReport& report);
 std::string cost_table(const CostReport& report);  // for a terminal: a table a family, then the failures
 

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "platform/byte_stream.h"
+#include "platform/cache_folder.h"
 #include "platform/cache_store.h"
 #include "platform/content_hash.h"
-#include "platform/cache_folder.h"
 #include "scene/cut_out.h"
 
 namespace penumbra::lighting {

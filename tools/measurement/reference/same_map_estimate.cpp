@@ -32,8 +32,8 @@ void check(const MapView& view) {
 }
 
 std::string key_of(const MapView& view) {
-  return platform::hash_of(std::string_view("T2"), same_map_version, view.atlas, view.cascades, view.receivers,
-                           view.origin);
+  return platform::hash_of(std::string_view("T2"), same_map_version, view.atlas, view.cascades,
+                           view.receivers, view.origin);
 }
 
 class SameMap {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "input/input_error.h"
+#include "platform/cache_folder.h"
 #include "platform/child_process.h"
 #include "platform/content_hash.h"
 #include "platform/data_directory.h"
-#include "platform/cache_folder.h"
 #include "platform/terminal.h"
 
 namespace penumbra::fxc {
