@@ -61,11 +61,12 @@ std::string cache_folder_problem(const fs::path& folder) {
 }
 
 bool make_cache_folder(const fs::path& folder) {
+  fs::path reached;
+  for (const fs::path& part : folder) {
+    reached /= part;
+    ::mkdir(reached.c_str(), S_IRWXU);  // fails for those that exist
+  }
   std::error_code error;
-  if (folder.has_parent_path() && !fs::exists(folder.parent_path(), error) &&
-      !make_cache_folder(folder.parent_path()))
-    return false;
-  if (::mkdir(folder.c_str(), S_IRWXU) == 0) return true;
   return fs::is_directory(folder, error) && cache_folder_problem(folder).empty();
 }
 
