@@ -16,7 +16,8 @@ class BlockRun : public testing::Test {
   ~BlockRun() override { std::filesystem::remove_all(folder_); }
 
   BakeJob job() {
-    return {"0123456789abcdef0123456789abcdef", 10, [this](std::size_t block) {
+    return {"0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef", 10,
+            [this](std::size_t block) {
               ++computed_;
               const auto number = static_cast<float>(block);
               return std::vector<float>{number, number + 0.5F};

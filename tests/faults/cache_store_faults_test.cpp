@@ -14,7 +14,7 @@ using platform::CacheStore;
 using reference::ScratchFolder;
 
 constexpr std::array<std::string_view, 1> kinds{"compile"};
-const std::string key = "0123456789abcdef0123456789abcdef";
+const std::string key = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 const std::string old_answer(3000, 'o');
 const std::string new_answer(20'000, 'n');  // more than a stream's buffer
 

@@ -8,7 +8,7 @@ namespace penumbra::fuzz {
 
 void targets::cache_entries(std::string_view bytes) {
   static const ScratchFolder folder;
-  static const std::string key = "0123456789abcdef0123456789abcdef";
+  static const std::string key = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
   const platform::CacheStore answers(folder.path() / "answers");
   folder.write("answers/01/23456789abcdef0123456789abcdef.compile", bytes);

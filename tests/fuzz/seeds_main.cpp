@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using scene::encode;
 using validation::encode;
 
-const std::string hash = "0123456789abcdef0123456789abcdef";
+const std::string hash = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
 class Seeds {
  public:

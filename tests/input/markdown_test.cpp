@@ -20,7 +20,7 @@ TEST(Markdown, ACellIsTextAlone) {
             "a \\[2J   b\u00B0");
   EXPECT_EQ(markdown_cell("--> <!-- x:end -->"), "--> &lt;!-- x:end -->");
   EXPECT_EQ(markdown_cell("a\u2028b\u0085c\u202Ed"), "a b c d");
-  EXPECT_EQ(markdown_cell("_a_ b_c ~~d~~"), "\\_a\\_ b_c \\~\\~d\\~\\~");
+  EXPECT_EQ(markdown_cell("_a_ b_c +_D ~~d~~"), "_a\\_ b_c +_D \\~\\~d\\~\\~");
   EXPECT_EQ(markdown_cell("@everyone https://a.example a: b"), "&#64;everyone https&#58;//a.example a: b");
 }
 

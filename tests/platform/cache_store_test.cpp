@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 using reference::ScratchFolder;
 
 constexpr std::array<std::string_view, 2> kinds{"compile", "emitted"};
-const std::string key = "0123456789abcdef0123456789abcdef";
-const std::string other_key = "ffff456789abcdef0123456789abcdef";
+const std::string key = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
+const std::string other_key = "ffff456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
 std::string read(const fs::path& file) {
   std::ostringstream text;
@@ -37,7 +37,7 @@ void set_age(const fs::path& file, std::chrono::hours age) {
 
 std::string key_number(int number) {
   const std::string digits = std::to_string(number);
-  return std::string(32 - digits.size(), '0') + digits;
+  return std::string(64 - digits.size(), '0') + digits;
 }
 
 TEST(CacheStore, GivesBackWhatItWasGivenByKindAndKey) {

@@ -17,7 +17,7 @@
 namespace penumbra::reference {
 namespace {
 
-const std::string key = "0123456789abcdef0123456789abcdef";
+const std::string key = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
 VisibilityImage some_image(float value = 0.25F) {
   return {3, 2, {0.0F, value, 0.5F, 0.75F, 1.0F, 0.125F}, {1, 1, 0, 1, 1, 1}, 0.003, 1024};

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kKey = "0123456789abcdef0123456789abcdef";
+constexpr const char* kKey = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
 class KeptRecordsTest : public testing::Test {
  protected:

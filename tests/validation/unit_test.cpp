@@ -59,7 +59,7 @@ UnitReply full_reply() {
   reply.compile_cached = true;
   reply.text = "text";
   reply.damaged = 3;
-  reply.to_keep = {{EntryKind::emitted, std::string(32, 'a'), "content"}};
+  reply.to_keep = {{EntryKind::emitted, std::string(platform::content_hash_digits, 'a'), "content"}};
   return reply;
 }
 
@@ -112,7 +112,7 @@ TEST(UnitEncoding, KeepsEveryMember) {
   EXPECT_EQ(reply.compile->of_targets.at(0).diagnostics.at(0).rule, "rule");
   ASSERT_EQ(reply.to_keep.size(), 1U);
   EXPECT_EQ(reply.to_keep[0].kind, EntryKind::emitted);
-  EXPECT_EQ(reply.to_keep[0].key, std::string(32, 'a'));
+  EXPECT_EQ(reply.to_keep[0].key, std::string(platform::content_hash_digits, 'a'));
   EXPECT_EQ(reply.to_keep[0].content, "content");
 }
 

@@ -35,11 +35,10 @@ bool is_letter_or_digit(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// Whether a '_' stands there that is not within a word, where it is read as it is.
-bool is_emphasis(const std::string& line, std::size_t at) {
-  const bool within =
-      at > 0 && at + 1 < line.size() && is_letter_or_digit(line[at - 1]) && is_letter_or_digit(line[at + 1]);
-  return line[at] == '_' && !within;
+// Whether a '_' stands there that could end an emphasis: behind it no word goes on. Those that begin one, as
+// in names of keywords, are read as they are where none can end it.
+bool ends_emphasis(const std::string& line, std::size_t at) {
+  return line[at] == '_' && (at + 1 == line.size() || !is_letter_or_digit(line[at + 1]));
 }
 
 std::string more_backticks_than_in(std::string_view text, std::size_t least) {
@@ -69,7 +68,7 @@ std::string markdown_cell(std::string_view text) {
     else if (c == ':' && line.compare(at, 3, "://") == 0)
       safe += "&#58;";  // an address is a link
     else
-      safe += (kEscaped.find(c) != std::string_view::npos || is_emphasis(line, at) ? "\\" : "") +
+      safe += (kEscaped.find(c) != std::string_view::npos || ends_emphasis(line, at) ? "\\" : "") +
               std::string(1, c);
   }
   return safe;
