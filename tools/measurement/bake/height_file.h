@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "bake/height_field.h"
+#include "bake/height_source.h"
 
 namespace penumbra::bake {
 

@@ -6,7 +6,7 @@ namespace penumbra::techniques {
 
 namespace {
 
-constexpr const char* enum_begin =
+constexpr const char* looks_begin =
     R"(using UnityEngine;
 
 namespace Penumbra
@@ -52,7 +52,7 @@ std::string row(const Look& look) {
 }  // namespace
 
 std::string emit_looks_csharp(const TechniqueList& list) {
-  std::string text = enum_begin;
+  std::string text = looks_begin;
   for (const Look& look : list.looks) text += enum_value(look);
   text.append(custom).append(look_table_begin);
   for (const Look& look : list.looks) text += row(look);
