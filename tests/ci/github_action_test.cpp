@@ -227,9 +227,26 @@ TEST_F(GithubRun, ALinkedFolderOfReportsIsNotFollowed) {
         {{"program", PENUMBRA_PROGRAM}, {"merge", "elsewhere/penumbra.json"}}}) {
     const auto result = run_step(inputs);
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.errors, HasSubstr("'penumbra-reports' is a link, which is not followed"));
+    EXPECT_THAT(result.errors, HasSubstr("behind the link 'penumbra-reports', which is not followed"));
     EXPECT_EQ(read("elsewhere/penumbra.json"), "another's");
   }
+}
+
+TEST_F(GithubRun, NothingIsRemovedBehindALinkedFolder) {
+  write("elsewhere/r/penumbra.txt", "another's");
+  write("elsewhere/penumbra.txt", "another's");
+  std::filesystem::create_directory_symlink("elsewhere", path("out"));
+  for (const char* script : {"validate", "merge x.json"})
+    for (const char* reports : {"out/r", "out/.", "out/new/r"}) {
+      const auto result = run_in_project(
+          std::string(PENUMBRA_SOURCE_DIR) + "/ci/" + script,
+          {std::string("REPORTS=") + reports, "PENUMBRA=" PENUMBRA_PROGRAM, "ARGUMENTS=Assets/Good.hlsl"});
+      EXPECT_EQ(result.exit_code, 2) << reports;
+      EXPECT_THAT(result.errors, HasSubstr("behind the link 'out', which is not followed"));
+    }
+  EXPECT_EQ(read("elsewhere/r/penumbra.txt"), "another's");
+  EXPECT_EQ(read("elsewhere/penumbra.txt"), "another's");
+  EXPECT_FALSE(std::filesystem::exists(path("elsewhere/new")));
 }
 
 // It would check the tool's own library, and be green whatever the project holds.

@@ -47,7 +47,7 @@ TEST_F(FinishedStudy, IsNotBegunWhereItsFilesCannotBe) {
         0);
     const auto result = shell(command());
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_THAT(result.errors, AllOf(HasSubstr(name), HasSubstr("is in the place of a file of the report")));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr(name), HasSubstr("in the place of a file of the report")));
     EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
     std::filesystem::remove_all(path("out"));
   }

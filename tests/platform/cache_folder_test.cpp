@@ -46,6 +46,10 @@ TEST(CacheFolder, ThatOthersCanWriteToKeepsNothing) {
     EXPECT_THAT(cache_folder_problem(files.path()), HasSubstr("others can write to"));
   }
   fs::permissions(files.path(), fs::perms::owner_all | fs::perms::group_read | fs::perms::others_read);
+  const fs::path entries = CacheStore(files.path()).file("compile", folder_key).parent_path();
+  fs::permissions(entries, fs::perms::all);
+  EXPECT_EQ(CacheStore(files.path()).find("compile", folder_key), std::nullopt) << "where the entry lies";
+  fs::permissions(entries, fs::perms::owner_all);
   EXPECT_EQ(CacheStore(files.path()).find("compile", folder_key), "one");
 }
 

@@ -301,7 +301,8 @@ void check_report_files(const std::filesystem::path& folder) {
         entry.path().filename() == "pictures" ? entry.is_directory(ignored) : entry.is_regular_file(ignored);
     if (is_ours || (entry.path().filename() != "pictures" && kEndings.count(entry.path().extension()) == 0))
       continue;
-    throw InputError(entry.path().string(), "is in the place of a file of the report and is no such file",
+    throw InputError(entry.path().string(),
+                     "is a folder, a pipe or a device in the place of a file of the report",
                      "remove it, or choose another folder with --output");
   }
 }

@@ -33,7 +33,8 @@ std::string cache_problem(const std::filesystem::path& folder) {
   if (std::string problem = platform::cache_folder_problem(folder); !problem.empty())
     return "what is in the cache may be somebody else's: " + problem;
   try {
-    check_folder(folder);
+    // Where the cache is kept may be behind a link of the user's; its entries are not.
+    platform::check_folder_can_be_written(std::filesystem::weakly_canonical(nearest_folder(folder)), folder);
   } catch (const InputError& error) {
     return std::string("the cache cannot be written: ") + error.what();
   }

@@ -28,7 +28,7 @@ JsonObject::JsonObject(const LocatedJson& document, LocatedJson::Pointer at)
 }
 
 const nlohmann::json* JsonObject::find(const std::string& key) {
-  asked_.push_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
   if (!present_) return nullptr;
   const nlohmann::json& object = document_->at(at_);
   const auto found = object.find(key);

@@ -257,17 +257,19 @@ void check_folder_can_be_written(const std::filesystem::path& folder, const std:
 }
 
 void write_files_atomically(const std::vector<FileContent>& files) {
-  for (const FileContent& file : files) refuse_folders(file.file);
+  for (const FileContent& file : files) {
+    refuse_folders(file.file);
+    if (files.size() > 1 && is_device(file.file))
+      throw InputError(file.file.string(),
+                       "is a device or a pipe, and one of several files that belong together",
+                       "remove it, or choose another name; nothing was changed");
+  }
   const FileWrite writing;
+  if (files.size() == 1 && is_device(files.front().file))
+    return write_straight(files.front().file, files.front().content);
   std::list<NewFile> written;
-  std::vector<const FileContent*> devices;
-  for (const FileContent& file : files)
-    if (is_device(file.file))
-      devices.push_back(&file);
-    else
-      written.emplace_back(file.file, file.content);
+  for (const FileContent& file : files) written.emplace_back(file.file, file.content);
   place_all(written);
-  for (const FileContent* device : devices) write_straight(device->file, device->content);
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {

@@ -56,7 +56,8 @@ std::string cache_folder_problem(const fs::path& folder) {
   if (::stat(folder.c_str(), &status) != 0) return {};
   if (status.st_uid != ::geteuid()) return "'" + folder.string() + "' belongs to another user";
   if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-    return "others can write to '" + folder.string() + "' (chmod go-w makes it safe)";
+    return "others can write to '" + folder.string() +
+           "' (remove it, or trust what is in it and take that right away: chmod go-w)";
   return {};
 }
 

@@ -157,6 +157,7 @@ fs::path CacheStore::file(std::string_view kind, const std::string& key) const {
 std::optional<std::string> CacheStore::find(std::string_view kind, const std::string& key) const {
   if (directory_.empty()) return std::nullopt;
   const fs::path place = file(kind, key);
+  if (!cache_folder_problem(place.parent_path()).empty()) return std::nullopt;
   const std::optional<std::string> content = read_file(place);
   if (!content) return std::nullopt;
   const std::string head = head_of(kind, key);
@@ -174,6 +175,7 @@ std::optional<std::string> CacheStore::find(std::string_view kind, const std::st
 
 bool CacheStore::store(std::string_view kind, const std::string& key, std::string_view content) const {
   if (directory_.empty()) return false;
+  if (!cache_folder_problem(file(kind, key).parent_path()).empty()) return false;
   std::string entry = head_of(kind, key).append(content);
   entry += hash_of(entry);
   if (!write_file(file(kind, key), entry)) return false;
