@@ -9,27 +9,27 @@ namespace Penumbra.Editor
         {
             new[]  // Penumbra Low
             {
-                new PresetFigure(0.53f, 0.158f, 10.5f),
-                new PresetFigure(2f, 0.094f, 16.8f),
-                new PresetFigure(5f, 0.069f, 23.9f),
+                new PresetFigure(0.53f, 0.158f, 10.6f),
+                new PresetFigure(2f, 0.094f, 16.9f),
+                new PresetFigure(5f, 0.069f, 24.0f),
             },
             new[]  // Penumbra Medium
             {
-                new PresetFigure(0.53f, 0.134f, 8.0f),
-                new PresetFigure(2f, 0.072f, 16.4f),
-                new PresetFigure(5f, 0.055f, 27.0f),
+                new PresetFigure(0.53f, 0.134f, 8.5f),
+                new PresetFigure(2f, 0.072f, 17.2f),
+                new PresetFigure(5f, 0.055f, 28.1f),
             },
             new[]  // Penumbra High
             {
-                new PresetFigure(0.53f, 0.133f, 8.0f),
-                new PresetFigure(2f, 0.071f, 16.7f),
-                new PresetFigure(5f, 0.053f, 27.5f),
+                new PresetFigure(0.53f, 0.133f, 8.6f),
+                new PresetFigure(2f, 0.071f, 17.5f),
+                new PresetFigure(5f, 0.053f, 28.6f),
             },
             new[]  // Penumbra Ultra
             {
-                new PresetFigure(0.53f, 0.133f, 8.1f),
-                new PresetFigure(2f, 0.070f, 17.0f),
-                new PresetFigure(5f, 0.052f, 28.1f),
+                new PresetFigure(0.53f, 0.133f, 8.7f),
+                new PresetFigure(2f, 0.070f, 17.8f),
+                new PresetFigure(5f, 0.052f, 29.1f),
             },
             new[]  // Penumbra Reference
             {
