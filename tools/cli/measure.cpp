@@ -352,8 +352,11 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
   try {
     write_all(options, std::move(measured), facts);
   } catch (...) {
-    if (kept && kept->complete() && !context.quiet)
-      fmt::print(stderr, "note: what was measured is kept; the same command goes on from there\n");
+    if (kept && !context.quiet)
+      fmt::print(stderr, "note: {}\n",
+                 kept->complete() ? "what was measured is kept; the same command goes on from there"
+                                  : "the cache could not keep all that was measured; choose another one with "
+                                    "--cache FOLDER");
     throw;
   }
 }
