@@ -173,10 +173,10 @@ TEST_F(DownloadedText, AManifestReadsNothingOfTheHomeFolder) {
 // Its file is included by its whole name: that the program's text and the user's are both mine.hlsl is no
 // matter.
 TEST_F(DownloadedText, AnAdapterOfTheFoldersOwnNameIsMeasured) {
-  write("home/work/mine.hlsl",
+  write("home/own/mine.hlsl",
         "#include \"lit.hlsl\"\nfloat ShadowVisibility(float3 p, float3 n, float2 x) { return kLit; }\n");
-  write("home/work/lit.hlsl", "static const float kLit = 1.0;\n");
-  const auto result = in_home("work", measured("--adapter mine=mine.hlsl"));
+  write("home/own/lit.hlsl", "static const float kLit = 1.0;\n");
+  const auto result = in_home("own", measured("--adapter mine=mine.hlsl"));
   EXPECT_EQ(result.exit_code, 0) << result.output;
 }
 

@@ -12,7 +12,7 @@ void targets::bake(std::string_view bytes) {
   read([&] {
     const bake::HeightFile read = bake::read_height_file(file);
     require(read.picture == picture, "only a picture that the file has the hash of is taken");
-    require(read.holes >= 0, "a number of samples");
+    require(!read.holes_at.empty(), "a place for a message about them");
   });
 }
 

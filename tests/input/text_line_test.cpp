@@ -1,4 +1,4 @@
-// What stays in a line, over all of Unicode: an independent list of what does not.
+// Every character of Unicode is compared with an independent list of those that do not stay in a line.
 #include "input/text_line.h"
 
 #include <gtest/gtest.h>

@@ -40,18 +40,18 @@ class HomeFolder : public testing::Test {
 };
 
 TEST_F(HomeFolder, IsNoTreeHoweverItIsSpelt) {
-  const fs::path shader = files.write("home/work/Main.shader", "");
+  const fs::path shader = files.write("home/own/Main.shader", "");
   const fs::path beside = files.write("home/Main.shader", "");
   fs::create_directories(files.path("home/.git"));
   fs::create_directory_symlink(files.path("home"), files.path("link"));
   EXPECT_EQ(own_tree(shader), files.path("home"));
   for (const std::string& home :
-       {files.text("home"), files.text("home") + "/", files.text("home/work/.."), files.text("link")}) {
+       {files.text("home"), files.text("home") + "/", files.text("home/own/.."), files.text("link")}) {
     be_home(home);
-    EXPECT_EQ(own_tree(shader), files.path("home/work")) << home;
+    EXPECT_EQ(own_tree(shader), files.path("home/own")) << home;
     EXPECT_EQ(own_tree(beside), beside) << home << ": the file alone";
     EXPECT_TRUE(no_file_owns(files.path("home"))) << home;
-    EXPECT_FALSE(no_file_owns(files.path("home/work"))) << home;
+    EXPECT_FALSE(no_file_owns(files.path("home/own"))) << home;
   }
 }
 

@@ -90,7 +90,7 @@ TEST_F(ImportTest, RefusesAModelThatReadsOutsideOfItsBuffers) {
   EXPECT_EQ(import(write("whole.gltf", whole), {.ground = false}).mesh.triangle_count(), 1U);
 }
 
-// Of the same library, but with entries by names.
+// This is glTF 1, whose entries have names in place of numbers.
 TEST_F(ImportTest, RefusesAModelOfGltf1ThatReadsOutsideOfItsBuffers) {
   const auto file = write("old.gltf", R"({"asset":{"version":"1.0"},"buffers":{"b":{"byteLength":8,
     "uri":"data:application/octet-stream;base64,AAAAAAAAAAA="}},
@@ -99,7 +99,7 @@ TEST_F(ImportTest, RefusesAModelOfGltf1ThatReadsOutsideOfItsBuffers) {
               AllOf(StartsWith(file.string() + ":3:"), HasSubstr("ends at byte 12 of a buffer of 8")));
 }
 
-// A container's head stands before its JSON; that of glTF 1 names its body by a placeholder.
+// A container has a head before its JSON. In glTF 1 the reserved buffer "binary_glTF" is its body.
 TEST_F(ImportTest, RefusesAContainerThatReadsOutsideOfItsBuffers) {
   const auto container = [](const std::string& json) {
     std::string glb = "glTF";

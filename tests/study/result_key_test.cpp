@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// What people read beside a picture, or what says which values and programs are valid: the values and the
-// programs themselves are in the keys.
+// These fields are read by people, or say which values and programs are valid. Keys do not have them: the
+// values and the programs themselves are there.
 const std::set<std::string> kOfNoPicture{"family", "source", "use_when", "not_when",
                                          "doc",    "unit",   "range",    "type"};
 

@@ -28,7 +28,7 @@ JsonObject::JsonObject(const LocatedJson& document, LocatedJson::Pointer at)
 }
 
 const nlohmann::json* JsonObject::find(const std::string& key) {
-  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  asked_.push_back(key);
   if (!present_) return nullptr;
   const nlohmann::json& object = document_->at(at_);
   const auto found = object.find(key);
@@ -128,9 +128,11 @@ std::vector<std::string> JsonObject::keys() const {
 
 void JsonObject::finish() const {
   for (const std::string& key : keys()) {
-    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
-      fail(key, "unknown key '" + key + "'", unknown_name_way_out(key, asked_));
-    }
+    if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
+    std::vector<std::string> known;  // a key may have been asked for several times
+    for (const std::string& name : asked_)
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    fail(key, "unknown key '" + key + "'", unknown_name_way_out(key, known));
   }
 }
 

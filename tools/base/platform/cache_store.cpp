@@ -175,10 +175,11 @@ std::optional<std::string> CacheStore::find(std::string_view kind, const std::st
 
 bool CacheStore::store(std::string_view kind, const std::string& key, std::string_view content) const {
   if (directory_.empty()) return false;
-  if (!cache_folder_problem(file(kind, key).parent_path()).empty()) return false;
+  const fs::path place = file(kind, key);
+  if (!cache_folder_problem(place.parent_path()).empty()) return false;
   std::string entry = head_of(kind, key).append(content);
   entry += hash_of(entry);
-  if (!write_file(file(kind, key), entry)) return false;
+  if (!write_file(place, entry)) return false;
   written_ += entry.size();
   return true;
 }

@@ -61,6 +61,11 @@ template <typename Element>
 concept Plain = (std::integral<Element> && !std::same_as<Element, bool>) || std::floating_point<Element> ||
                 std::same_as<Element, std::byte>;
 
+// A vector of GLM without padding.
+template <typename Element>
+concept PlainVector = Indexed<Element> && Plain<typename Element::value_type> &&
+                      sizeof(Element) == Element::length() * sizeof(typename Element::value_type);
+
 // Calls `use` with the fields of a struct: as many as it can be made of.
 template <typename Struct, typename Use>
 void with_fields(const Struct& value, const Use& use) {
@@ -138,7 +143,7 @@ void with_fields(const Struct& value, const Use& use) {
 template <typename Range>
 void add_range(ContentHash& hash, const Range& range) {
   using Element = std::ranges::range_value_t<Range>;
-  if constexpr (std::ranges::contiguous_range<Range> && Plain<Element>) {
+  if constexpr (std::ranges::contiguous_range<Range> && (Plain<Element> || PlainVector<Element>)) {
     hash.update(std::as_bytes(std::span<const Element>(std::ranges::data(range), std::ranges::size(range))));
   } else {
     hash.update(static_cast<std::size_t>(std::ranges::distance(range)));

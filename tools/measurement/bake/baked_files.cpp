@@ -12,6 +12,7 @@
 #include "input/input_error.h"
 #include "input/text_line.h"
 #include "platform/atomic_file.h"
+#include "platform/hashed_fields.h"
 #include "scene/height_image.h"
 
 namespace penumbra::bake {
@@ -74,7 +75,7 @@ std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices
 
 BakedFiles finished(Json json, BakedFiles files) {
   for (const auto& [name, bytes] : files.pictures)
-    json[hashes_key][name] = picture_hash(platform::text_of(bytes));
+    json[hashes_key][name] = platform::hash_of(platform::text_of(bytes));
   files.json = json.dump(2) + "\n";
   return files;
 }
@@ -175,9 +176,9 @@ void write_baked_files(const BakedFiles& files, const std::filesystem::path& jso
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process) {
   const HeightFile file = read_height_file(json);
   const scene::HeightImage image = scene::read_height_image_apart(file.picture, std::nullopt, process);
-  if (static_cast<std::size_t>(file.holes) > image.samples.size())
+  if (file.holes < 0 || static_cast<std::size_t>(file.holes) > image.samples.size())
     throw InputError(
-        json.string(),
+        file.holes_at,
         fmt::format("{} of {} samples cannot be without a surface", file.holes, image.samples.size()),
         "bake it again");
   try {

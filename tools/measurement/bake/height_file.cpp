@@ -8,7 +8,7 @@
 #include "input/located_json.h"
 #include "input/text_file.h"
 #include "input/text_line.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 
 namespace penumbra::bake {
 namespace {
@@ -24,7 +24,7 @@ void check_picture(JsonObject& object, const std::filesystem::path& json, const 
                 "bake it again");
   hashes.finish();
   const std::filesystem::path file = json.parent_path() / picture;
-  if (picture_hash(read_found_text_file(file, kLargestPicture)) != expected)
+  if (platform::hash_of(read_found_text_file(file, kLargestPicture)) != expected)
     throw InputError(
         file.string(),
         fmt::format("does not belong to '{}', which was written with another picture", json.string()),
@@ -32,10 +32,6 @@ void check_picture(JsonObject& object, const std::filesystem::path& json, const 
 }
 
 }  // namespace
-
-std::string picture_hash(std::string_view bytes) {
-  return platform::ContentHash().update(bytes).hex();
-}
 
 HeightFile read_height_file(const std::filesystem::path& json) {
   const LocatedJson document = LocatedJson::read_found(json);
@@ -58,15 +54,13 @@ HeightFile read_height_file(const std::filesystem::path& json) {
   const std::vector<double> corner = object.numbers("corner_metres", 2),
                             size = object.numbers("size_metres", 2);
   const int holes = object.integer("samples_without_surface", 0);
-  if (holes < 0)
-    object.fail("samples_without_surface", fmt::format("{} samples cannot be without a surface", holes),
-                "bake it again");
   check_picture(object, json, picture);
   object.finish();
   return {json.parent_path() / picture,
           {range[0], range[1]},
           {{corner[0], corner[1]}, {size[0], size[1]}},
-          holes};
+          holes,
+          object.where("samples_without_surface")};
 }
 
 }  // namespace penumbra::bake

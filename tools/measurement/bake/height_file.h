@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "bake/height_field.h"
 #include "bake/height_source.h"
@@ -19,13 +18,12 @@ struct HeightFile {
   std::filesystem::path picture;  // in the folder of the JSON file
   HeightRange range;              // metres of the picture's 0 and 65535
   Area area;
-  int holes = 0;  // samples without a surface
+  int holes = 0;         // samples without a surface, as the file says; the picture says of how many
+  std::string holes_at;  // file:line:column
 };
 
 // Throws InputError at the JSON's line, and for a picture whose hash is not the one that the JSON was written
 // with.
 HeightFile read_height_file(const std::filesystem::path& json);
-
-std::string picture_hash(std::string_view bytes);
 
 }  // namespace penumbra::bake

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 using Pointer = LocatedJson::Pointer;
 
 constexpr std::string_view kContainer = "glTF";
-constexpr std::string_view kBodyOfGltf1 = "binary_glTF";  // its uri is a placeholder
+constexpr std::string_view kBodyOfGltf1 = "binary_glTF";  // the reserved buffer, whose uri is not read
 constexpr std::streamoff kContainerHead = 20;  // magic, version and length; length and type of the JSON
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40U;
 constexpr const char* kWayOut = "the file is damaged or made to mislead: export it again";
