@@ -183,10 +183,10 @@ TEST_F(AtomicFile, AReaderNeverSeesHalfAFile) {
 
 TEST_F(AtomicFile, OfFilesThatBelongTogetherNoneMayBeAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  for (const auto& [first, second] : {std::pair("pipe", "new"), std::pair("new", "pipe")}) {
+  for (const std::pair order : {std::pair("pipe", "new"), std::pair("new", "pipe")}) {
     expect_input_error(
         [&] {
-          write_files_atomically({{folder_ / first, "a"}, {folder_ / second, "b"}});
+          write_files_atomically({{folder_ / order.first, "a"}, {folder_ / order.second, "b"}});
         },
         HasSubstr("is a device or a pipe, and one of several files that belong together"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
