@@ -183,7 +183,7 @@ TEST_F(AtomicFile, AReaderNeverSeesHalfAFile) {
 
 TEST_F(AtomicFile, OfFilesThatBelongTogetherNoneMayBeAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  for (const std::pair order : {std::pair("pipe", "new"), std::pair("new", "pipe")}) {
+  for (const auto& order : {std::pair("pipe", "new"), std::pair("new", "pipe")}) {
     expect_input_error(
         [&] {
           write_files_atomically({{folder_ / order.first, "a"}, {folder_ / order.second, "b"}});

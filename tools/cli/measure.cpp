@@ -211,11 +211,20 @@ struct Measured {
   std::shared_ptr<study::KeptRecords> kept;  // absent: nothing was measured
 };
 
+// What is shown of the techniques is asked for before they are measured.
+void check_shown_techniques(const MeasureOptions& options, const std::vector<study::Subject>& subjects) {
+  std::vector<std::string> measured = options.earlier_rows;
+  for (const study::Subject& subject : subjects) measured.push_back(subject.name);
+  study::check_rows(options.rows, measured);
+  if (!options.presets.empty()) study::check_presets(measured, techniques::preset_prefix);
+}
+
 Measured measure(const CLI::App& command, const MeasureOptions& options, Context& context) {
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
   settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
+  check_shown_techniques(options, subjects);
   refuse_idle_bake_options(command, subjects);
   refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   gpu::Device device = open_device(options);

@@ -84,7 +84,9 @@ BakedFiles finished(Json json, BakedFiles files) {
 
 void check_stem(const std::string& stem) {
   if (!is_one_line(stem))
-    throw InputError(stem, "is a name that is not UTF-8 on one line, and the JSON file names its pictures",
+    throw InputError(stem,
+                     "has a line end, a control character or a byte that is not UTF-8, and the JSON file "
+                     "names its pictures",
                      "choose a name of letters, digits and '-'");
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "input/input_error.h"
 #include "input/text_line.h"
 #include "study/summary.h"
@@ -37,7 +39,16 @@ std::string figure(const SummaryLine& line) {
 
 }  // namespace
 
+void check_presets(const std::vector<std::string>& measured, const std::string& prefix) {
+  const auto is_preset = [&prefix](const std::string& technique) { return technique.starts_with(prefix); };
+  if (std::none_of(measured.begin(), measured.end(), is_preset))
+    throw InputError("", "no quality preset was measured", "measure those whose names begin with " + prefix);
+}
+
 std::string preset_figures_csharp(const Results& results, const std::string& prefix) {
+  std::vector<std::string> measured;
+  for (const Record& record : results.records) measured.push_back(record.technique);
+  check_presets(measured, prefix);
   std::string text = fmt::format(figures_begin, scene_names(results).size());
   std::string open;  // the preset whose row is being written
   for (const SummaryLine& line : summarise(results)) {
@@ -49,8 +60,6 @@ std::string preset_figures_csharp(const Results& results, const std::string& pre
     }
     text += figure(line);
   }
-  if (open.empty())
-    throw InputError("", "no quality preset was measured", "measure those whose names begin with " + prefix);
   return text + "            },\n" + figures_end;
 }
 

@@ -120,18 +120,15 @@ std::string scene_table(const Results& results, double light, Figure figure) {
 // Those records alone, technique by technique.
 Results with_rows(const Results& results, const std::vector<std::string>& rows) {
   if (rows.empty()) return results;
+  std::vector<std::string> measured;
+  for (const Choice& choice : choices(results)) measured.push_back(choice.technique);
+  check_rows(rows, measured);
   Results shown = results;
   shown.records.clear();
   for (const std::string& row : rows) {
     for (const Record& record : results.records) {
       if (record.technique == row) shown.records.push_back(record);
     }
-  }
-  if (shown.records.empty()) {
-    std::vector<std::string> known;
-    for (const Choice& choice : choices(results)) known.push_back(choice.technique);
-    throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")),
-                     unknown_name_way_out(rows.front(), known));
   }
   return shown;
 }
@@ -327,6 +324,15 @@ std::string full_block(const Results& results, const BlockStyle& style) {
 }
 
 }  // namespace
+
+void check_rows(const std::vector<std::string>& rows, const std::vector<std::string>& measured) {
+  const auto is_measured = [&measured](const std::string& row) {
+    return std::find(measured.begin(), measured.end(), row) != measured.end();
+  };
+  if (!rows.empty() && std::none_of(rows.begin(), rows.end(), is_measured))
+    throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")),
+                     unknown_name_way_out(rows.front(), measured));
+}
 
 std::string result_block(const Results& results, const BlockStyle& style) {
   const Results shown = with_rows(results, style.rows);

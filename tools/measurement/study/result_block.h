@@ -26,6 +26,10 @@ struct BlockStyle {
   FactsOfTechniques facts{};  // which the full form shows, one row for each technique
 };
 
+// Throws InputError when rows are chosen and none of them is among the techniques that were measured, or will
+// be.
+void check_rows(const std::vector<std::string>& rows, const std::vector<std::string>& measured);
+
 // Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go by their
 // titles; the full form gives their names, too. It contains no times, because those of a software device do
 // not rank techniques. Throws InputError when none of the rows was measured.
