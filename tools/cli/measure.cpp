@@ -12,6 +12,7 @@
 #include "cli/idle_options.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
+#include "cli/report_folder.h"
 #include "cli/shared_options.h"
 #include "cli/static_cycles.h"
 #include "cli/study_messages.h"
@@ -21,7 +22,6 @@
 #include "cost/cost_report.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
-#include "input/visible_text.h"
 #include "platform/atomic_file.h"
 #include "platform/cache_folder.h"
 #include "platform/data_directory.h"
@@ -31,11 +31,9 @@
 #include "study/chart.h"
 #include "study/earlier_rows.h"
 #include "study/kept_records.h"
-#include "study/picture_sheet.h"
 #include "study/preset_figures.h"
 #include "study/report.h"
 #include "study/result_block.h"
-#include "study/short_title.h"
 #include "study/study.h"
 #include "study/summary.h"
 #include "techniques/preset_emit.h"
@@ -137,56 +135,6 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   return settings;
 }
 
-// What an earlier run drew in this folder is of other results.
-void remove_earlier_report(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> drawn{folder / "report.html", folder / "overview.png"};
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (entry.path().filename().string().starts_with("pareto-") && entry.path().extension() == ".svg")
-      drawn.push_back(entry.path());
-  for (const std::filesystem::path& file : drawn)
-    if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);
-}
-
-// The results before what is drawn of them: if that fails, they are there, and no other report is beside
-// them.
-void write_report(const std::filesystem::path& folder, const study::Results& results,
-                  std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts) {
-  make_folder(folder);
-  platform::write_file_atomically(folder / "results.json", study::to_json(results));
-  remove_earlier_report(folder);
-  study::ReportContent content;
-  content.results = results;
-  content.charts = study::report_charts(results);
-  content.pictures = std::move(pictures);
-  content.facts = std::move(facts);
-  if (!content.pictures.empty()) make_folder(folder / "pictures");
-  for (std::size_t i = 0; i < content.pictures.size(); ++i) {
-    const study::PictureRow& row = content.pictures[i];
-    const study::Record& record = results.records[i];
-    write_picture(folder / "pictures" / (study::file_stem(row) + ".png"),
-                  study::side_by_side(row, study::short_title(record.technique, record.title)));
-  }
-  const study::Picture overview = study::overview(results, content.pictures, 4);
-  if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
-  const std::string page = study::render_report(content);
-  std::vector<platform::FileContent> drawn;
-  for (const study::ReportChart& chart : content.charts)
-    drawn.push_back({folder / (chart.chart.name + ".svg"), chart.svg});
-  drawn.push_back({folder / "report.html", page});
-  platform::write_files_atomically(drawn);
-}
-
-void print_headlines(const std::filesystem::path& folder, const study::Results& results) {
-  std::string text;
-  for (const study::Headline& headline : study::headlines(results)) {
-    text += fmt::format("{:>8}  {} ({})\n", headline.value, headline.name, visible(headline.detail));
-  }
-  text += fmt::format("report: {}\n",
-                      std::filesystem::absolute(folder / "report.html").lexically_normal().string());
-  write_output("", text);
-}
-
 // Every package that a subject could include, once.
 std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& subjects) {
   std::vector<study::PackageNote> packages;
@@ -211,7 +159,7 @@ struct Measured {
   std::shared_ptr<study::KeptRecords> kept;  // absent: nothing was measured
 };
 
-// What is shown of the techniques is asked for before they are measured.
+// Rows and presets that no technique of this run will have are refused before the measuring.
 void check_shown_techniques(const MeasureOptions& options, const std::vector<study::Subject>& subjects) {
   std::vector<std::string> measured = options.earlier_rows;
   for (const study::Subject& subject : subjects) measured.push_back(subject.name);
@@ -298,22 +246,6 @@ study::Results earlier_results(const MeasureOptions& options) {
   study::Results earlier = study::read_results(options.earlier);
   study::check_earlier_rows(earlier, options.earlier_rows, front_end_name(options), options.earlier);
   return earlier;
-}
-
-// Where a file of the report belongs there may be an older one, and nothing else.
-void check_report_files(const std::filesystem::path& folder) {
-  static const std::set<std::string> kEndings{".json", ".html", ".svg", ".png"};
-  std::error_code absent;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, absent)) {
-    std::error_code ignored;
-    const bool is_ours =
-        entry.path().filename() == "pictures" ? entry.is_directory(ignored) : entry.is_regular_file(ignored);
-    if (is_ours || (entry.path().filename() != "pictures" && kEndings.count(entry.path().extension()) == 0))
-      continue;
-    throw InputError(entry.path().string(),
-                     "is a folder, a pipe or a device in the place of a file of the report",
-                     "remove it, or choose another folder with --output");
-  }
 }
 
 void check_outputs(const MeasureOptions& options, const Context& context) {

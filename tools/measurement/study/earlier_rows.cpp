@@ -6,6 +6,7 @@
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
+#include "study/summary.h"
 
 namespace penumbra::study {
 
@@ -74,9 +75,7 @@ void check_earlier_rows(const Results& earlier, const std::vector<std::string>& 
                      fmt::format("its shaders were compiled by {}, those here are by {}",
                                  earlier.front_end.value_or(kGlslang), front_end.value_or(kGlslang)),
                      "measure both with the same --front-end");
-  std::vector<std::string> known;
-  for (const Record& record : earlier.records)
-    if (!contains(known, record.technique)) known.push_back(record.technique);
+  const std::vector<std::string> known = technique_names(earlier);
   for (const std::string& technique : techniques)
     if (!contains(known, technique))
       throw InputError(file.string(), "it has no technique '" + technique + "'",

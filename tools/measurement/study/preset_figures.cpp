@@ -46,9 +46,7 @@ void check_presets(const std::vector<std::string>& measured, const std::string& 
 }
 
 std::string preset_figures_csharp(const Results& results, const std::string& prefix) {
-  std::vector<std::string> measured;
-  for (const Record& record : results.records) measured.push_back(record.technique);
-  check_presets(measured, prefix);
+  check_presets(technique_names(results), prefix);
   std::string text = fmt::format(figures_begin, scene_names(results).size());
   std::string open;  // the preset whose row is being written
   for (const SummaryLine& line : summarise(results)) {

@@ -120,9 +120,7 @@ std::string scene_table(const Results& results, double light, Figure figure) {
 // Those records alone, technique by technique.
 Results with_rows(const Results& results, const std::vector<std::string>& rows) {
   if (rows.empty()) return results;
-  std::vector<std::string> measured;
-  for (const Choice& choice : choices(results)) measured.push_back(choice.technique);
-  check_rows(rows, measured);
+  check_rows(rows, technique_names(results));
   Results shown = results;
   shown.records.clear();
   for (const std::string& row : rows) {

@@ -136,14 +136,22 @@ std::vector<Overall> overall(const Results& results) {
   return entries;
 }
 
+std::vector<std::string> distinct(const Results& results, std::string Record::*field) {
+  std::vector<std::string> values;
+  for (const Record& record : results.records)
+    if (std::find(values.begin(), values.end(), record.*field) == values.end())
+      values.push_back(record.*field);
+  return values;
+}
+
 }  // namespace
 
 std::vector<std::string> scene_names(const Results& results) {
-  std::vector<std::string> names;
-  for (const Record& record : results.records) {
-    if (std::find(names.begin(), names.end(), record.scene) == names.end()) names.push_back(record.scene);
-  }
-  return names;
+  return distinct(results, &Record::scene);
+}
+
+std::vector<std::string> technique_names(const Results& results) {
+  return distinct(results, &Record::technique);
 }
 
 std::vector<double> light_sizes(const Results& results) {

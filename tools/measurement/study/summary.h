@@ -51,9 +51,10 @@ LightSample sample_of(const Results& results, double light_degrees);
 // Lines in the order in which the records bring technique and map first, lights rising within each.
 std::vector<SummaryLine> summarise(const Results& results);
 
-std::vector<std::string> scene_names(const Results& results);  // in record order
-std::vector<double> light_sizes(const Results& results);       // degrees, rising
-std::vector<Choice> choices(const Results& results);           // in record order
+std::vector<std::string> scene_names(const Results& results);      // in record order
+std::vector<std::string> technique_names(const Results& results);  // in record order
+std::vector<double> light_sizes(const Results& results);           // degrees, rising
+std::vector<Choice> choices(const Results& results);               // in record order
 Choice choice_of(const Results& results, const Record& record);
 
 // A record's own figures with their intervals, for tables of one scene.
