@@ -1,14 +1,17 @@
 // Penumbra: the shadow of a ball that stands for an object.
 //
-// Computes:   BlobVisibility: the share of the sun that the ball leaves free, faded with its height, on what lies under it
-// Source:     SphereShadow.hlsl; that it falls on nothing above the ball's middle or steeper than 60 degrees is a rule of blob
-//             shadows, so that an object is not darkened by the ball in it.
-// Inputs:     receiver: position in metres, and the surface's normal, unit, of either sign; ball: centre and radius, metres;
-//             towardSun: direction towards it, unit, and half its angular diameter in radians; fadeMetres: the height of the
-//             ball's lowest point over the receiver at which nothing is left, 0: none fades. Up is +Y, as in Unity.
+// Computes:   BlobVisibility: the share of the sun that the ball leaves free, faded with its height, on what lies under
+//             it
+// Source:     SphereShadow.hlsl. Blob shadows have a rule besides: they fall on nothing above the ball's middle or
+//             steeper than 60 degrees, so that an object is not darkened by the ball in it.
+// Inputs:     receiver: position in metres, and the surface's normal, unit, of either sign; ball: centre and radius,
+//             metres; towardSun: direction towards it, unit, and half its angular diameter in radians; fadeMetres: the
+//             height of the ball's lowest point over the receiver at which no shadow is left; at 0 none fades. Up is
+//             +Y, as in Unity.
 // Cost:       no fetches; SphereVisibility where the ball is above.
-// Guarantees: [0, 1] for any input; a normal of 0, not known, receives nothing.
-// Use it:     for characters and props far away, multiplied over the balls. Overlapping shadows then count twice. Not: on walls.
+// Guarantees: [0, 1] for any input; a normal of 0 is not known, and receives nothing.
+// Use it:     for characters and props far away, multiplied over the balls. Overlapping shadows then count twice. Not:
+//             on walls.
 #ifndef PENUMBRA_BLOB_SHADOW_HLSL
 #define PENUMBRA_BLOB_SHADOW_HLSL
 

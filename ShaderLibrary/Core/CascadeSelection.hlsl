@@ -42,7 +42,7 @@ int SelectCascade(float3 positionWS, CascadeSpheres spheres, int count)
     return count;
 }
 
-// Of the cascade behind `cascade`, which SelectCascade returned. border: share of the sphere's radius.
+// Weight of the cascade behind `cascade`, which SelectCascade returned. border: share of the sphere's radius.
 float NextCascadeWeight(float3 positionWS, CascadeSpheres spheres, int cascade, int count, float border)
 {
     const float share = BoundedOrLow(border, 0.0, 1.0);

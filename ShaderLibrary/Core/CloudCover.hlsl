@@ -1,12 +1,12 @@
 // Penumbra: a procedural layer of clouds.
 //
 // Computes:   CloudTransmittance: the share of light that passes the layer straight up at a place
-// Source:     value noise on a lattice of hashed integers, faded as Perlin, "Improving noise" (2002); five octaves, each half as
-//             large and half as strong as the one before. Where the sum, scaled to [0, 1], lies above 1 - coverage, there is cloud,
-//             whose optical depth grows in proportion: Beer and Lambert.
+// Source:     value noise on a lattice of hashed integers, faded as Perlin, "Improving noise" (2002); five octaves,
+//             each half as large and half as strong as the one before. Where the sum, scaled to [0, 1], lies above 1 -
+//             coverage, there is cloud, whose optical depth grows in proportion: Beer and Lambert.
 // Inputs:     CloudCover, by BoundedCloudCover; the place in the layer, x and z, metres.
 // Cost:       no fetches; 20 hashes.
-// Guarantees: [0, 1] for any input; without coverage or density 1.
+// Guarantees: [0, 1] for any input; 1 without coverage or density.
 // Use it:     to fill the map of Far/CloudShadow.hlsl where a sky has no clouds of its own. Not: to draw clouds.
 #ifndef PENUMBRA_CLOUD_COVER_HLSL
 #define PENUMBRA_CLOUD_COVER_HLSL
@@ -17,7 +17,7 @@ struct CloudCover
 {
     float2 wind;         // metres that the clouds have moved along x and z
     float featureMetres; // size of the largest octave
-    float coverage;      // 0: none, 1: everywhere
+    float coverage;      // 0: no clouds, 1: clouds everywhere
     float density;       // optical depth where the noise is highest
 };
 
@@ -31,7 +31,7 @@ CloudCover BoundedCloudCover(float2 wind, float featureMetres, float coverage, f
     return cover;
 }
 
-// Of a corner of the lattice, in [0, 1].
+// The value at a corner of the lattice, in [0, 1].
 float LatticeValue(int2 corner, uint octave)
 {
     uint bits = uint(corner.x) * 0x8DA6B343u ^ uint(corner.y) * 0xD8163841u ^ octave * 0xCB1AB31Fu;
@@ -50,7 +50,8 @@ float ValueNoise(float2 place, uint octave)
     const float2 faded = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     const int2 corner = int2(cell);
     const float low = lerp(LatticeValue(corner, octave), LatticeValue(corner + int2(1, 0), octave), faded.x);
-    const float high = lerp(LatticeValue(corner + int2(0, 1), octave), LatticeValue(corner + int2(1, 1), octave), faded.x);
+    const float high =
+        lerp(LatticeValue(corner + int2(0, 1), octave), LatticeValue(corner + int2(1, 1), octave), faded.x);
     return lerp(low, high, faded.y);
 }
 

@@ -43,7 +43,7 @@ float MoveTowardLight(float depth, float distance)
     return depth + distance * kTowardLight;
 }
 
-// Largest gap any blocker of the map can have above this depth.
+// The largest gap that any blocker of the map can have above this depth.
 float LargestGap(float depth)
 {
     return max(DepthGap(kNearestDepth, depth), 0.0);

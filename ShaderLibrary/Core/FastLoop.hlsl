@@ -1,11 +1,11 @@
 // Penumbra: a loop that Unity's compiler reads once.
 //
 // Computes:   nothing. Defines PENUMBRA_LOOP, an attribute.
-// Source:     HLSL's attribute fastopt, by which FXC neither tries to unroll a loop nor reads what is in it anew for each loop
-//             around it.
+// Source:     HLSL's attribute fastopt, by which FXC neither tries to unroll a loop nor reads what is in it anew for
+//             each loop around it.
 // Inputs:     UNITY_LOOP.
-// Cost:       no fetches; about a hundredth of the bytecode's instructions change. Kernels with loops in loops, such as the
-//             flagship's, take FXC a third of the time.
+// Cost:       no fetches; about a hundredth of the bytecode's instructions change. Kernels with loops in loops, such as
+//             the flagship's, take FXC a third of the time.
 // Guarantees: glslang knows the attribute, too.
 // Use it:     in place of UNITY_LOOP, where loops stand in loops.
 #ifndef PENUMBRA_FAST_LOOP_HLSL

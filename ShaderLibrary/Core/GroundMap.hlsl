@@ -4,8 +4,9 @@
 //             GroundCoverage  1 where the map has ground, 0 beside it
 //             GroundHeight    metres of a stored height
 // Source:     the layout of Unity's terrains: the first texel of heights lies at the smallest x and z, rows along +X.
-// Inputs:     GroundMap, by BoundedGroundMap: world x and z of the map's corner, its size, and metres of 0 and 1; of a bake's JSON
-//             file, float4(corner_metres, size_metres) and heights_metres. Horizon angles have no heights: float2(0, 1).
+// Inputs:     GroundMap, by BoundedGroundMap: world x and z of the map's corner, its size, and metres of 0 and 1; of a
+//             bake's JSON file, float4(corner_metres, size_metres) and heights_metres. Horizon angles have no heights:
+//             float2(0, 1).
 // Cost:       no fetches.
 // Guarantees: coordinates are finite for any place; coverage is 0 for a place that is not finite.
 // Use it:     with bakes of `penumbra bake`, or a terrain's own height map. Not: for ground with overhangs.
@@ -33,14 +34,15 @@ GroundMap BoundedGroundMap(float4 area, float2 heights)
     return ground;
 }
 
-// Of maps whose texels are parts of the area, such as horizon angles.
+// Coordinates in maps whose texels are parts of the area, such as horizon angles.
 float2 GroundUv(float3 positionWS, GroundMap ground)
 {
     const float2 place = float2(BoundedOrLow(positionWS.x, -1e8, 1e8), BoundedOrLow(positionWS.z, -1e8, 1e8));
     return (place - ground.corner) / ground.size;
 }
 
-// Of heights, whose first and last texels lie on the area's edges: `texels` of them each way.
+// Coordinates in maps of heights, whose first and last texels lie on the area's edges; `texels` is their number each
+// way.
 float2 HeightUv(float2 groundUv, float2 texels)
 {
     const float2 count = max(texels, 2.0);

@@ -4,21 +4,23 @@
 //             BlendedHorizon     the horizon's angle of elevation in the sun's direction
 //             HorizonVisibility  the share of the sun's disc above it
 // Source:     Max, "Horizon mapping: shadows for bump-mapped surfaces" (1988): horizons are tabulated by azimuth and
-//             interpolated linearly. Candycat, "Graphics Study: RDR2, shadows" (2021): eight directions in two textures of
-//             four channels, compared with the sun's pitch. There the two halves' sums are combined by max, which of two
-//             neighbours in different textures takes the larger share alone; here they are added, since the weights of
-//             all eight are those of one interpolation.
+//             interpolated linearly. Candycat, "Graphics Study: RDR2, shadows" (2021): eight directions in two textures
+//             of four channels, compared with the sun's pitch. There the two halves' sums are combined by max, which of
+//             two neighbours in different textures takes the larger share alone; here they are added, since the weights
+//             of all eight are those of one interpolation.
 // Inputs:     the direction towards the sun, horizontal: x and z, of any positive length; angles in radians.
 // Cost:       no fetches. The weights and the angle of the sun are the same for every pixel.
 // Guarantees: weights are >= 0, at most two of them are not 0, their sum is within 1 ULP of 1; a direction without
 //             length is that of +Z. Visibility as of DiscHorizon.hlsl; without a diameter it is 0 or 1.
-// Use it:     for a sun over ground that does not change. Not: near what casts the shadow, where eight directions are few.
+// Use it:     for a sun over ground that does not change. Not: near what casts the shadow, where eight directions are
+//             few.
 #ifndef PENUMBRA_HORIZON_BLEND_HLSL
 #define PENUMBRA_HORIZON_BLEND_HLSL
 
 #include "DiscHorizon.hlsl"
 
-// Directions 0 to 3, and 4 to 7: number 0 is +Z, number 2 is +X, 45 degrees from one to the next.
+// Weights of directions 0 to 3, and 4 to 7. Direction 0 is +Z and direction 2 is +X: 45 degrees lie from one to the
+// next.
 struct HorizonWeights
 {
     float4 first;

@@ -20,8 +20,8 @@ float ChebyshevBound(float2 moments, float depth, float smallestVariance)
     return behind > 0.0 ? variance / (variance + behind * behind) : 1.0;
 }
 
-// Everything up to `amount`, in [0, 1), becomes dark, and the rest is stretched to [0, 1]: the light that leaks where
-// two occluders overlap is below their bound, and so are the outer parts of penumbrae.
+// Bounds up to `amount`, in [0, 1), become dark, and the rest is stretched to [0, 1]. The light that leaks where two
+// occluders overlap is below that amount, and so are the outer parts of penumbrae.
 float ReduceBleeding(float bound, float amount)
 {
     return min(max((bound - amount) / (1.0 - amount), 0.0), 1.0);

@@ -15,8 +15,8 @@ float GradientNoise(float2 pixel, uint frame)
     return frac(52.9829189 * frac(dot(moved, float2(0.06711056, 0.00583715))));
 }
 
-// Chooses a pixel's cascade in a border. Rows and columns change places: another frame's noise would be that of the
-// rotation, shifted by the same amount everywhere, and each cascade would have a part of the angles only.
+// Chooses a pixel's cascade in a border. Rows and columns change places because another frame's noise would be that of
+// the rotation, shifted by the same amount everywhere, and each cascade would have a part of the angles only.
 float CascadeNoise(float2 pixel, uint frame)
 {
     return GradientNoise(pixel.yx, frame);

@@ -1,7 +1,8 @@
 // Penumbra: the part of a ray that lies in a box.
 //
 // Computes:   RayThroughBox: from where to where along the ray, empty (the second not above the first) where it misses
-// Source:     slabs, Kay and Kajiya, "Ray Tracing Complex Scenes" (1986). A ray that runs along a slab lies in it or not.
+// Source:     slabs, Kay and Kajiya, "Ray Tracing Complex Scenes" (1986). A ray that runs along a slab lies in it or
+//             not.
 // Inputs:     the ray's origin and direction, the box's smallest and largest corner, how far the ray goes.
 // Cost:       no fetches.
 // Guarantees: both numbers are finite, >= 0 and at most the ray's length; a ray or box that is not finite misses.
@@ -11,7 +12,7 @@
 
 #include "FloatBits.hlsl"
 
-// The part of one axis: both ends in the order in which the ray passes them.
+// Both ends of the part within one axis's slab, in the order in which the ray passes them.
 float2 RayThroughSlab(float origin, float direction, float low, float high)
 {
     if (abs(direction) < 1e-20) return origin >= low && origin <= high ? float2(-3e38, 3e38) : float2(3e38, -3e38);

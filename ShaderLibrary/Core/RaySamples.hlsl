@@ -1,17 +1,17 @@
 // Penumbra: places along a view ray through fog.
 //
 // Computes:   FogShare        the share of a segment's length within which a given part of its fog's light is scattered
-//             RaySampleShare  where, as a share of the length, one of `count` samples lies: in the middle of its part at a jitter
-//                             of 0.5
-// Source:     the law of Beer and Lambert. Of the light that homogeneous fog scatters to the eye, what comes from t metres away
-//             weighs exp(-extinction t), so that the part u of it lies within t(u) = -ln(1 - u (1 - exp(-d))) length / d, where d
-//             is the optical depth of the segment, extinction times length. In thin fog by its series, the cumulants of a
-//             Bernoulli variable, since the logarithm has no digits left there.
+//             RaySampleShare  where, as a share of the length, one of `count` samples lies: in the middle of its part
+//                             at a jitter of 0.5
+// Source:     the law of Beer and Lambert. Of the light that homogeneous fog scatters to the eye, what comes from t
+//             metres away weighs exp(-extinction t), so that the part u of it lies within t(u) = -ln(1 - u (1 -
+//             exp(-d))) length / d, where d is the optical depth of the segment, extinction times length. Thin fog
+//             uses its series, the cumulants of a Bernoulli variable, since the logarithm has no digits left there.
 // Inputs:     part and jitter in [0, 1]; opticalDepth, 0 and up: 0 makes equal parts of the length; index from 0.
 // Cost:       no fetches; an exponential and a logarithm in fog.
 // Guarantees: [0, 1] for any input, rising with the index; NaN counts as 0. At most kMostRaySamples samples.
-// Use it:     for shafts of light. The mean of a function at these places is its mean along the segment, weighted as the fog
-//             weighs it. Not: for fog that is thicker in one place than in another: weight the samples there.
+// Use it:     for shafts of light. The mean of a function at these places is its mean along the segment, weighted as
+//             the fog weighs it. Not: for fog that is thicker in one place than in another: weight the samples there.
 #ifndef PENUMBRA_RAY_SAMPLES_HLSL
 #define PENUMBRA_RAY_SAMPLES_HLSL
 

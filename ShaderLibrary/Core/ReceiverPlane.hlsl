@@ -31,7 +31,7 @@ float2 BoundGradient(float2 gradient)
     return steepest > kLargestGradient ? gradient * (kLargestGradient / max(steepest, kLargestGradient)) : gradient;
 }
 
-// From the change of the shadow coordinate to the next pixel right and down: ddx(shadowCoord), ddy(shadowCoord).
+// The plane from the changes of the shadow coordinate to the next pixels right and down, ddx and ddy of shadowCoord.
 //
 //     | dz/dx |   | du/dx  dv/dx | | dz/du |
 //     | dz/dy | = | du/dy  dv/dy | | dz/dv |
@@ -50,8 +50,9 @@ float2 ReceiverPlaneFromDerivatives(float3 alongX, float3 alongY)
     return BoundGradient(gradient);
 }
 
-// From the surface's normal, under a light in parallel. World directions that keep atlas UV u, v or depth: the rows of an orthographic
-// light's matrix are orthogonal, so n.t = 0 for t = du row0/|row0|^2 + dv row1/|row1|^2 + dz row2/|row2|^2.
+// The plane from the surface's normal, under a light whose rays are parallel. World directions that keep atlas UV u, v
+// or depth are needed: the rows of an orthographic light's matrix are orthogonal, so n.t = 0 for t = du row0/|row0|^2 +
+// dv row1/|row1|^2 + dz row2/|row2|^2.
 float2 ReceiverPlaneFromNormal(float3 normalWS, float4x4 worldToShadow)
 {
     const float3 row0 = worldToShadow[0].xyz;
@@ -63,15 +64,15 @@ float2 ReceiverPlaneFromNormal(float3 normalWS, float4x4 worldToShadow)
     const float along = dot(normalWS, row2);
     // along / |row2| is the sine of the angle between plane and light.
     const bool known = along * along > kSmallestSine * kSmallestSine * squaredRow2;
-    // Without a normal `along` is a constant 0, of whose division compilers warn although the result is not used.
+    // Without a normal `along` is a constant 0, and compilers warn of a division by it although its result is not used.
     const float2 gradient = -float2(u, v) * (squaredRow2 / (known ? along : 1.0));
     return known ? BoundGradient(gradient) : float2(0.0, 0.0);
 }
 
-// The same under a light in perspective, whose matrix takes the receiver to shadowCoord after division by w. Near the
-// receiver shadowCoord moves by J = (row - shadowCoord row3) / w per metre, and the gradient g is such that
-// J2 - g.x J0 - g.y J1 has the normal's direction: two determinants over a third, which is the sine of the angle between
-// plane and ray times |J0 x J1|. w drops out.
+// The plane under a light in perspective, whose matrix takes the receiver to shadowCoord after division by w. Near the
+// receiver shadowCoord moves by J = (row - shadowCoord row3) / w per metre, and the gradient g is such that J2 - g.x J0
+// - g.y J1 has the normal's direction: two determinants over a third, which is the sine of the angle between plane and
+// ray times |J0 x J1|. w drops out.
 float2 ReceiverPlaneInPerspective(float3 normalWS, float4x4 worldToShadow, float3 shadowCoord)
 {
     const float3 alongU = worldToShadow[0].xyz - shadowCoord.x * worldToShadow[3].xyz;

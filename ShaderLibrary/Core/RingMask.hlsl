@@ -2,8 +2,9 @@
 //
 // Computes:   where the tap of a ring lies, how many rings lie inside of a circle, and the lit share of that circle.
 // Source:     a disc of radius 1 in N rings, ring k from radius (k / N)^(e/2) to ((k + 1) / N)^(e/2). Up to ring n its
-//             area is (n / N)^e: with e = 1 rings have equal areas, and their middles are Vogel's (1979); with e = 2 they
-//             have equal widths, and areas of 1, 3, 5, ... The bits of the blocked rings then give their area by counts:
+//             area is (n / N)^e: with e = 1 rings have equal areas, and their middles are Vogel's (1979); with e = 2
+//             they have equal widths, and areas of 1, 3, 5, ... The bits of the blocked rings then give their area by
+//             counts:
 //
 //                 | 0 |1|2|3:       bits 0 to 2 lie inside of the circle, bit 3 by its share before the circle
 //
@@ -59,21 +60,22 @@ uint InnermostRings(int count)
     return count >= 32 ? 0xFFFFFFFFu : RingBit(max(count, 0)) - 1u;
 }
 
-// Radius of ring `ring`'s tap, of a disc of radius 1.
+// Radius of the tap of ring `ring`, in a disc of radius 1.
 float RingTapRadius(int ring, int count, int exponent)
 {
     const float middle = (float(ring) + 0.5) / float(count);
     return exponent == 1 ? sqrt(middle) : middle;
 }
 
-// How many of the disc's rings lie inside of a circle; at least the innermost.
+// Number of the disc's rings that lie inside of a circle; at least 1, for the innermost.
 float RingsInside(float ratio, int count, int exponent)
 {
     const float inside = min(max(ratio, 0.0), 1.0);
     return min(max(float(count) * (exponent == 1 ? inside * inside : inside), 1.0), float(count));
 }
 
-// Area of the rings of a word's bits; the word's first ring is `first`. In units of the innermost ring's area.
+// Area of the rings whose bits are set in a word, in units of the innermost ring's area. `first` is the word's first
+// ring.
 uint AreaOfBits(uint bits, int first, int exponent)
 {
     const uint count = countbits(bits);
@@ -97,7 +99,8 @@ float RingVisibility(RingMask mask, float rings, int exponent)
         blocked += AreaOfBits(inside & mask.words[i], 32 * i, exponent);
     }
     const float part = rings - float(whole);
-    const float share = exponent == 1 ? part : part * (rings + float(whole)); // of ring `whole`: n^e - whole^e
+    // The area of ring `whole`'s part is rings^e - whole^e.
+    const float share = exponent == 1 ? part : part * (rings + float(whole));
     const bool last = (mask.words[min(whole >> 5, kRingWords - 1)] & RingBit(whole)) != 0u;
     return LitShare(float(lit) + (last ? 0.0 : share), float(blocked) + (last ? share : 0.0));
 }

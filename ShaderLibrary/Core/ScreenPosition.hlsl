@@ -38,7 +38,7 @@ ScreenPoint ScreenPointOf(float4x4 screenToWorld, float2 uv, float depth)
     return at;
 }
 
-// How the position moves, metres, for a small move of (u, v, depth), to first order.
+// The position's movement, metres, for a small move of (u, v, depth), to first order.
 float3 ScreenTangent(float4x4 screenToWorld, ScreenPoint at, float3 move)
 {
     const float4 h = mul(screenToWorld, float4(move, 0.0));
@@ -72,15 +72,15 @@ float2 DepthSlopes(DepthLine along)
                   IsSurfaceDepth(along.after) ? along.after - along.here : kNoDepthSlope);
 }
 
-// The side that changes less; kNoDepthSlope when neither neighbour is a surface.
+// The slope on the side that changes less; kNoDepthSlope when neither neighbour is a surface.
 float NearerSlope(DepthLine along)
 {
     const float2 slopes = DepthSlopes(along);
     return abs(slopes.y) < abs(slopes.x) ? slopes.y : slopes.x;
 }
 
-// Two surfaces, or a sharp bend: the slopes differ by more than a sixteenth, many times the effect of rounding on
-// depths far from the camera.
+// Whether the pixels belong to two surfaces or to a sharp bend: the slopes then differ by more than a sixteenth, many
+// times the effect of rounding on depths far from the camera.
 bool ContradictsItself(DepthLine along)
 {
     const float2 slopes = DepthSlopes(along);
@@ -88,9 +88,9 @@ bool ContradictsItself(DepthLine along)
     return steeper < kNoDepthSlope && abs(slopes.x - slopes.y) > 0.0625 * steeper;
 }
 
-// The side on which depth continues linearly, as it does on a plane. A side without a second neighbour is assumed to
-// bend by half the difference between the two slopes, so it loses to a straight line and wins against an edge. If both
-// bend equally, the side that changes less.
+// The slope on the side on which depth continues linearly, as it does on a plane. A side without a second neighbour is
+// assumed to bend by half the difference between the two slopes, so it loses to a straight line and wins against an
+// edge. If both bend equally, the side that changes less is taken.
 float StraighterSlope(float before2, DepthLine along, float after2)
 {
     const float2 slopes = DepthSlopes(along);
@@ -101,8 +101,8 @@ float StraighterSlope(float before2, DepthLine along, float after2)
     return bendBefore < bendAfter ? slopes.x : slopes.y;
 }
 
-// slope: of depth per pixel to the right and down the rows. 0 where a slope is not known. The sign follows the
-// matrix: flip it where it matters.
+// The unit normal; 0 where a slope is not known. slope: change of depth per pixel to the right and down the rows. The
+// normal's sign follows the matrix: flip it where it matters.
 float3 ScreenNormal(float4x4 screenToWorld, ScreenPoint at, float2 slope, float2 pixelSize)
 {
     if (!(abs(slope.x) <= 1.0) || !(abs(slope.y) <= 1.0)) return float3(0.0, 0.0, 0.0);

@@ -1,14 +1,15 @@
 // Penumbra: a straight line in world space as the camera's picture has it.
 //
-// Computes:   (u, v, stored depth) along a ray from a point that the camera sees, and how far a ray stays in the picture.
-// Source:     McGuire and Mara, "Efficient GPU Screen-Space Ray Tracing" (JCGT 2014): a projection maps straight lines to
-//             straight lines. With h = M (u, v, depth, 1), J the tangents at the origin and D the direction, the line is
-//             origin + slope s, where slope = J^-1 D per metre and s = t / (1 + bend t) after t metres;
-//             bend = -(last row of M . slope) / h.w is by how much the depth along the view grows per metre, as a share.
+// Computes:   (u, v, stored depth) along a ray from a point that the camera sees, and how far a ray stays in the
+//             picture.
+// Source:     McGuire and Mara, "Efficient GPU Screen-Space Ray Tracing" (JCGT 2014): a projection maps straight lines
+//             to straight lines. With h = M (u, v, depth, 1), J the tangents at the origin and D the direction, the
+//             line is origin + slope s, where slope = J^-1 D per metre and s = t / (1 + bend t) after t metres; bend =
+//             -(last row of M . slope) / h.w is by how much the depth along the view grows per metre, as a share.
 // Inputs:     screenToWorld as in ScreenPosition.hlsl, at: its ScreenPoint at origin; direction: unit, world space.
 // Cost:       no fetches.
-// Guarantees: exact for projections of both kinds, whatever the direction of depth and the order of rows; no inverse of a
-//             matrix, so that the distance from the world's origin has no effect of its own.
+// Guarantees: exact for projections of both kinds, whatever the direction of depth and the order of rows; no inverse of
+//             a matrix, so that the distance from the world's origin has no effect of its own.
 // Use it:     to walk over the camera's depth texture with equal steps over the screen.
 #ifndef PENUMBRA_SCREEN_RAY_HLSL
 #define PENUMBRA_SCREEN_RAY_HLSL
@@ -43,7 +44,8 @@ float3 ScreenRayPoint(ScreenRay ray, float along)
     return ray.origin + ray.slope * along;
 }
 
-// From metres to s, and back. A ray that reaches the camera's own plane before has no end: a length beyond any picture.
+// Takes metres to s; ScreenRayMetres takes them back. A ray that reaches the camera's own plane before `metres` has no
+// end, so it gets a length beyond any picture.
 float ScreenRayAlong(ScreenRay ray, float metres)
 {
     const float growth = 1.0 + ray.bend * metres;
@@ -55,7 +57,7 @@ float ScreenRayMetres(ScreenRay ray, float along)
     return along / (1.0 - ray.bend * along);
 }
 
-// The largest s up to `along` at which a coordinate that begins within [0, 1] still is.
+// The largest s up to `along` at which a coordinate that begins within [0, 1] is still within it.
 float WithinUnit(float origin, float slope, float along)
 {
     const float end = slope > 0.0 ? 1.0 : 0.0;
@@ -63,7 +65,8 @@ float WithinUnit(float origin, float slope, float along)
     return slope == 0.0 ? along : min(along, max(reach, 0.0));
 }
 
-// The same of a ray: within the picture, in front of the camera's far plane and behind its near plane.
+// The largest s up to `along` at which the ray is still within the picture, in front of the camera's far plane and
+// behind its near plane.
 float ScreenRayWithin(ScreenRay ray, float along)
 {
     along = WithinUnit(ray.origin.x, ray.slope.x, along);

@@ -14,7 +14,7 @@
 #ifndef PENUMBRA_SCREEN_SCALE_HLSL
 #define PENUMBRA_SCREEN_SCALE_HLSL
 
-// Of an image ceil(full / scale) wide.
+// Pixels of the screen per pixel of an image that is ceil(full / scale) wide.
 int ScreenScale(float fullWidth, float width)
 {
     return max(int(fullWidth / max(width, 1.0) + 0.5), 1);
@@ -25,7 +25,7 @@ int2 FullPixel(int2 pixel, int scale, int2 fullSize)
     return min(pixel * scale + (scale >> 1), fullSize - 1);
 }
 
-// The first of the two half-resolution pixels around full pixel x of one axis; -1 before the first.
+// The first of the two half-resolution pixels around full pixel x of one axis; -1 for pixels before the image's first.
 int HalfPixelBefore(int full)
 {
     return ((full + 1) >> 1) - 1;

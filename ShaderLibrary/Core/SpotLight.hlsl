@@ -29,9 +29,9 @@
 // The map of a spot light, and the light's source.
 struct SpotMap
 {
-    float nearMetres; // of the map's planes
+    float nearMetres; // distance of the map's near plane
     float farMetres;
-    float tanHalf;    // of the full angle that the map covers
+    float tanHalf;    // tan of half the angle that the map covers
     float sourceRadiusMetres;
 };
 
@@ -43,10 +43,10 @@ struct SpotCoordinate
     float axialMetres;
 };
 
-// The most that a source's image is stretched: cos of 84 degrees from the axis.
+// The cosine of 84 degrees: farther from the axis a source's image is stretched no more.
 static const float kSmallestAxisCosine = 0.1;
 
-// packed: near and far plane in metres, tan of half the map's angle, the source's radius in metres.
+// packed holds the near and the far plane in metres, tan of half the map's angle, and the source's radius in metres.
 SpotMap BoundedSpotMap(float4 packed)
 {
     SpotMap map;
@@ -57,8 +57,9 @@ SpotMap BoundedSpotMap(float4 packed)
     return map;
 }
 
-// The slice of an atlas that a spot light's map is: its sides are a power of two of texels, the light's axis meets its
-// middle. worldToShadow: as for ProjectOntoSpotMap. tanHalf: of the light's cone, whose map may be up to a third wider.
+// The slice of an atlas that a spot light's map is: its sides are a power of two of texels, and the light's axis meets
+// its middle. worldToShadow is that of ProjectOntoSpotMap. tanHalf is of the light's cone, whose map may be up to a
+// third wider.
 float4 SliceOfSpotMap(float4x4 worldToShadow, float tanHalf, float4 atlasTexelSize)
 {
     const float3 axis = worldToShadow[3].xyz;
@@ -70,7 +71,8 @@ float4 SliceOfSpotMap(float4x4 worldToShadow, float tanHalf, float4 atlasTexelSi
     return float4(middle - 0.5 * extent, extent);
 }
 
-// Planes and angle of the map in that slice. Stored depth is q + s / d towards the light: q = n / (n - f), s = n f / (f - n).
+// Planes and angle of the map in that slice. Stored depth is q + s / d towards the light: q = n / (n - f), s = n f / (f
+// - n).
 SpotMap SpotMapOfMatrix(float4x4 worldToShadow, float4 slice, float sourceRadiusMetres)
 {
     const float3 axis = worldToShadow[3].xyz;
@@ -95,7 +97,7 @@ float AxialDepth(float storedDepth, SpotMap map)
     return map.nearMetres * map.farMetres / (map.nearMetres + aboveFar * (map.farMetres - map.nearMetres));
 }
 
-// Its inverse, between the planes.
+// The inverse of AxialDepth, between the planes.
 float StoredDepth(float axialMetres, SpotMap map)
 {
     const float metres = min(max(axialMetres, map.nearMetres), map.farMetres);
@@ -103,32 +105,32 @@ float StoredDepth(float axialMetres, SpotMap map)
     return MoveTowardLight(kFarthestDepth, min(aboveFar, 1.0));
 }
 
-// d_r - d_b of a gap in stored depth.
+// The distance d_r - d_b that belongs to a gap in stored depth.
 float GapInMetres(float gap, float receiverMetres, SpotMap map)
 {
     const float share = max(gap, 0.0) * InverseMetresPerDepth(map) * receiverMetres; // (d_r - d_b) / d_b
     return receiverMetres * (share / (1.0 + share));
 }
 
-// w of the drawing above, across the light at the receiver.
+// The radius w of the drawing above, across the light at the receiver.
 float PenumbraRadiusMetres(float gap, float receiverMetres, SpotMap map)
 {
     return map.sourceRadiusMetres * (max(gap, 0.0) * InverseMetresPerDepth(map) * receiverMetres);
 }
 
-// The same of a blocker on the near plane: no blocker of the map makes a wider one.
+// The radius w for a blocker on the near plane: no blocker of the map makes a wider one.
 float SearchRadiusMetres(float receiverMetres, SpotMap map)
 {
     return map.sourceRadiusMetres * (max(receiverMetres - map.nearMetres, 0.0) / map.nearMetres);
 }
 
-// What a radius at an axial depth covers of the near plane, metres.
+// The radius, in metres on the near plane, of what a radius at an axial depth covers there.
 float RadiusOnNearPlane(float radiusMetres, float axialMetres, SpotMap map)
 {
     return radiusMetres * (map.nearMetres / axialMetres);
 }
 
-// What it covers of the map.
+// The radius, in tile UV, of what a radius at an axial depth covers of the map.
 float RadiusInTileUV(float radiusMetres, float axialMetres, SpotMap map)
 {
     return radiusMetres / (2.0 * map.tanHalf * axialMetres);
@@ -146,7 +148,8 @@ ShadowTile TileAtReceiver(ShadowTile tile, SpotMap map, float receiverMetres)
     return tile;
 }
 
-// offsetScale: of ShadowTile. worldToShadow takes world metres to (atlas UV, stored depth) times w, and w: axial depth.
+// offsetScale is that of ShadowTile. worldToShadow takes world metres to (atlas UV, stored depth) times w, and to w,
+// which is the axial depth.
 SpotCoordinate ProjectOntoSpotMap(float3 positionWS, float4x4 worldToShadow, float4 offsetScale)
 {
     const float4 projected = mul(worldToShadow, float4(positionWS, 1.0));
@@ -162,7 +165,7 @@ SpotCoordinate ProjectOntoSpotMap(float3 positionWS, float4x4 worldToShadow, flo
     return coordinate;
 }
 
-// The direction away from the light's axis in tile UV, its length the sine of the angle to it.
+// The direction away from the light's axis in tile UV; its length is the sine of the angle to the axis.
 float2 AwayFromAxis(float2 tileUV, SpotMap map)
 {
     const float2 tangent = (min(max(tileUV, 0.0), 1.0) - 0.5) * (2.0 * map.tanHalf);
@@ -174,8 +177,9 @@ float AxisCosine(float2 awayFromAxis)
     return max(sqrt(max(1.0 - dot(awayFromAxis, awayFromAxis), 0.0)), kSmallestAxisCosine);
 }
 
-// A disc that faces the receiver, projected through it onto the map: an ellipse, 1 / cos of the angle to the axis
-// times as long away from the axis as across, to first order in R. Takes points of the circle to those of the ellipse.
+// A disc that faces the receiver, projected through it onto the map, is an ellipse: to first order in R it is 1 / cos
+// of the angle to the axis times as long away from the axis as across. The function takes points of the circle to those
+// of the ellipse.
 float2 StretchAwayFromAxis(float2 offset, float2 awayFromAxis)
 {
     const float cosine = AxisCosine(awayFromAxis);

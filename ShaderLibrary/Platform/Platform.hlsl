@@ -60,7 +60,7 @@
 
 #endif
 
-// Unity's core package has these from version 17 on, those of multisampled textures only partly.
+// Unity's core package has these from version 17 on, but not all of those for multisampled textures.
 #if !defined(TYPED_TEXTURE2D)
 #define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
 #endif
