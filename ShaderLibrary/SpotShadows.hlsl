@@ -9,16 +9,17 @@
 //       int index = GetPerObjectLightIndex(lightIndex);  // in Forward+: lightIndex itself
 //       light.shadowAttenuation = PenumbraAdditionalLightVisibility(index, positionWS, normalWS, positionCS.xy, 0.05);
 //
-// Computes:   visibility of one spot light, a disc of the given radius, at a world position, with FilterPcssSpot. Where raw
-//             depths cannot be read (OpenGL, WebGL), tent 5 x 5.
+// Computes:   visibility of one spot light, a disc of the given radius, at a world position, with FilterPcssSpot. Where
+//             raw depths cannot be read (OpenGL, WebGL), tent 5 x 5.
 // Source:     Filters/PcssSpot.hlsl.
-// Inputs:     lightIndex: of URP's visible lights; positionWS, metres; normalWS: the geometric normal, unit; pixel: screen
-//             coordinate; sourceRadiusMetres: of the lamp's disc, which URP's lights do not have. The uniform
+// Inputs:     lightIndex: of URP's visible lights; positionWS, metres; normalWS: the geometric normal, unit; pixel:
+//             screen coordinate; sourceRadiusMetres: of the lamp's disc, which URP's lights do not have. The uniform
 //             _PenumbraPcssSpotParameters0, which the C# struct PcssSpotParameters sets.
 // Cost:       the filter's fetches; none outside of the light's map.
 // Guarantees: [0, 1]; 1 where no map covers the position, for lights of other types and for those without a shadow, so
-//             that point lights keep URP's shadows if the caller multiplies by the smaller of both. URP's shadow strength
-//             is applied, its distance fade is not. Without the keyword _ADDITIONAL_LIGHT_SHADOWS, 1 and no fetch.
+//             that point lights keep URP's shadows if the caller multiplies by the smaller of both. URP's shadow
+//             strength is applied, its distance fade is not. Without the keyword _ADDITIONAL_LIGHT_SHADOWS, 1 and no
+//             fetch.
 // Use it:     in forward shaders. Not: for the main light (Shadows.hlsl).
 #ifndef PENUMBRA_SPOT_SHADOWS_HLSL
 #define PENUMBRA_SPOT_SHADOWS_HLSL
@@ -30,7 +31,7 @@
 #include "Pipelines/UrpSpotLights.hlsl"
 #include "Filters/PcssSpot.hlsl"
 
-// As in Pipelines/TechniqueByKeyword.hlsl.
+// This condition is that of Pipelines/TechniqueByKeyword.hlsl.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
     (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
      defined(SHADER_API_WEBGPU))

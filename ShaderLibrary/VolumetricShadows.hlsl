@@ -6,21 +6,22 @@
 //   ...
 //   float light = 1.0;
 //   #if defined(MAIN_LIGHT_CALCULATE_SHADOWS)  // URP's, from its keywords: without one on, it has no shadow map
-//   light = PenumbraMainLightFogVisibility(cameraWS, directionWS, lengthMetres, extinction, 16, GradientNoise(pixel, 0u));
-//   #endif
+//   light = PenumbraMainLightFogVisibility(cameraWS, directionWS, lengthMetres, extinction, 16, GradientNoise(pixel,
+//   0u)); #endif
 //
 // Computes:   PenumbraMainLightRayVisibility  the mean visibility of the main light along a segment
-//             PenumbraMainLightFogVisibility  the same as homogeneous fog weighs it: its share of the light that the fog scatters to
-//                                             the eye, of which 1 - exp(-extinction length) would arrive without shadows
+//             PenumbraMainLightFogVisibility  the same as homogeneous fog weighs it: its share of the light that the
+//                                             fog scatters to the eye, of which 1 - exp(-extinction length) would
+//                                             arrive without shadows
 // Source:     Filters/RayVisibility.hlsl.
-// Inputs:     originWS, metres; directionWS, unit; lengthMetres: to the surface, or where the fog ends; extinction, per metre;
-//             samples, 1 to 64; jitter, 0 to 1: 0.5 in the middle of equal parts, GradientNoise of the pixel where a filter over
-//             the screen or over time follows. The uniforms of Pipelines/Urp.hlsl.
+// Inputs:     originWS, metres; directionWS, unit; lengthMetres: to the surface, or where the fog ends; extinction, per
+//             metre; samples, 1 to 64; jitter, 0 to 1: 0.5 in the middle of equal parts, GradientNoise of the pixel
+//             where a filter over the screen or over time follows. The uniforms of Pipelines/Urp.hlsl.
 // Cost:       1 comparison for each sample within the shadow distance.
-// Guarantees: [0, 1] for any input; lit beyond the last cascade. URP's shadow strength is applied, its distance fade is not.
-//             Depths are compared, never read raw, so it is the same on OpenGL and WebGL.
-// Use it:     in a pass over the screen at half or a quarter of its size, with rays that end at the shadow distance. Not: for the
-//             shadows of surfaces (Shadows.hlsl).
+// Guarantees: [0, 1] for any input; lit beyond the last cascade. URP's shadow strength is applied, its distance fade is
+//             not. Depths are compared, never read raw, so it is the same on OpenGL and WebGL.
+// Use it:     in a pass over the screen at half or a quarter of its size, with rays that end at the shadow distance.
+//             Not: for the shadows of surfaces (Shadows.hlsl).
 #ifndef PENUMBRA_VOLUMETRIC_SHADOWS_HLSL
 #define PENUMBRA_VOLUMETRIC_SHADOWS_HLSL
 
@@ -52,8 +53,8 @@ ShadowSegment PenumbraMainLightSegment(float3 originWS, float3 spanWS)
     return segment;
 }
 
-float PenumbraMainLightFogVisibility(float3 originWS, float3 directionWS, float lengthMetres, float extinction, int samples,
-                                     float jitter)
+float PenumbraMainLightFogVisibility(float3 originWS, float3 directionWS, float lengthMetres, float extinction,
+                                     int samples, float jitter)
 {
     const float metres = BoundedOrLow(lengthMetres, 0.0, kLongestRayMetres);
     RaySampling sampling;

@@ -3,24 +3,27 @@
 // Computes:   FieldSceneHardVisibility  0 where a ray towards the light meets an object, else 1
 //             FieldSceneConeVisibility  the share of a disc light that the objects leave free, by a cone for each
 //             FieldSceneSoftVisibility  the same, by six more cones in each object's penumbra
-// Source:     DistanceFieldMarch.hlsl. What two objects leave free of a disc lies between max(0, a + b - 1), where they cover
-//             different parts of it, and min(a, b), where the same part. Which it is, the six parts of the disc tell for the
-//             most part: of each part the least over the objects is free. Of one cone each, the shares are multiplied, as if
-//             one said nothing about the other. Documentation~/distance-fields.md compares the ways.
-// Inputs:     a 3D texture in which each object has a part, of `penumbra bake distance-field --objects N`; world positions and
-//             the surface's normal, in metres; uniforms:
-//             _PenumbraFieldAtlas   voxels of the JSON file, the texture's texels along x, y and z; the number of objects
-//             _PenumbraFieldObjects six rows for each object: three that take a world position to the field's own space, which
-//                                   may be turned, moved and scaled alike along all axes; then, of the object's entry in the
-//                                   file, corner_metres and distances_metres[1]; size_metres and a voxel's edge,
-//                                   size_metres[0] / voxels[0]; first_voxel. Lengths but for the first three rows are those
-//                                   of the field's own space. Documentation~/bakes.md sets them from C#.
+// Source:     DistanceFieldMarch.hlsl. What two objects leave free of a disc lies between max(0, a + b - 1), where they
+//             cover different parts of it, and min(a, b), where the same part. Which it is, the six parts of the disc
+//             tell for the most part: of each part the least over the objects is free. Of one cone each, the shares are
+//             multiplied, as if one said nothing about the other. Documentation~/distance-fields.md compares the ways.
+// Inputs:     a 3D texture in which each object has a part, of `penumbra bake distance-field --objects N`; world
+//             positions and the surface's normal, in metres; uniforms:
+//             _PenumbraFieldAtlas   voxels of the JSON file, the texture's texels along x, y and z; the number of
+//                                   objects
+//             _PenumbraFieldObjects six rows for each object: three that take a world position to the field's own
+//             space, which
+//                                   may be turned, moved and scaled alike along all axes; then, of the object's entry
+//                                   in the file, corner_metres and distances_metres[1]; size_metres and a voxel's edge,
+//                                   size_metres[0] / voxels[0]; first_voxel. Lengths but for the first three rows are
+//                                   those of the field's own space. Documentation~/bakes.md sets them from C#.
 //             They are constants, not a buffer, so that OpenGL ES 3.0 and WebGL 2 have them.
-// Cost:       for each object about 30 operations where its box is beside the ray or cone; else DistanceFieldMarch.hlsl's.
-// Guarantees: [0, 1] for any input; at most 16 objects. An object whose rows are not finite casts nothing. Texels of one object
-//             have no weight for another. Rays begin a voxel above the surface along its normal.
-// Use it:     for up to 16 solid objects that a shadow map does not hold, or holds too coarsely. Not: for sheets, wires and leaves,
-//             which are thinner than two voxels.
+// Cost:       for each object about 30 operations where its box is beside the ray or cone; else
+//             DistanceFieldMarch.hlsl's.
+// Guarantees: [0, 1] for any input; at most 16 objects. An object whose rows are not finite casts nothing. Texels of
+//             one object have no weight for another. Rays begin a voxel above the surface along its normal.
+// Use it:     for up to 16 solid objects that a shadow map does not hold, or holds too coarsely. Not: for sheets, wires
+//             and leaves, which are thinner than two voxels.
 #ifndef PENUMBRA_DISTANCE_FIELD_SCENE_HLSL
 #define PENUMBRA_DISTANCE_FIELD_SCENE_HLSL
 
@@ -89,8 +92,8 @@ float FieldSceneConeVisibility(TEXTURE3D(atlas), SAMPLER(sampler_linear), float3
     for (int i = 0; i < count && free > 0.0; ++i)
     {
         const FieldRay ray = RayOfFieldObject(i, positionWS, normalWS, towardLight, farthest);
-        free *= FieldConeVisibility(TEXTURE3D_ARGS(atlas, sampler_linear), ray.origin, ray.direction, ray.farthest, tanHalf,
-                                    steps, ray.box);
+        free *= FieldConeVisibility(TEXTURE3D_ARGS(atlas, sampler_linear), ray.origin, ray.direction, ray.farthest,
+                                    tanHalf, steps, ray.box);
     }
     return free;
 }

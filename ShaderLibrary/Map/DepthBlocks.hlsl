@@ -4,8 +4,8 @@
 // Source:     DepthPlanes.hlsl, DepthSpread.hlsl.
 // Inputs:     stored depths in [0, 1], either direction, sanitised.
 // Cost:       no fetches.
-// Guarantees: those of DepthPlanes.hlsl and DepthSpread.hlsl. Passes and kernels that make levels of these numbers call the
-//             same functions with the same numbers, and differ at most in denormals, which devices may flush.
+// Guarantees: those of DepthPlanes.hlsl and DepthSpread.hlsl. Passes and kernels that make levels of these numbers call
+//             the same functions with the same numbers, and differ at most in denormals, which devices may flush.
 // Use it:     for both maps at once. Not: for one of them.
 #ifndef PENUMBRA_DEPTH_BLOCKS_HLSL
 #define PENUMBRA_DEPTH_BLOCKS_HLSL
@@ -16,10 +16,10 @@
 struct DepthBlock
 {
     float4 planes; // PackPlanes
-    uint4 spreads; // PackSpread of its cells, row by row
+    uint4 spreads; // PackSpread of the block's cells, row by row
 };
 
-// depths: of the four quarters of 4 x 4 texels.
+// depths holds those of the four quarters of 4 x 4 texels.
 DepthBlock BlockOfTexels(float4 depths[4])
 {
     DepthBlock block;
@@ -30,7 +30,7 @@ DepthBlock BlockOfTexels(float4 depths[4])
     return block;
 }
 
-// parts: the four blocks, blockTexels wide, of a block twice as wide; row by row.
+// parts holds the four blocks, blockTexels wide, of a block twice as wide, row by row.
 DepthBlock JoinBlocks(DepthBlock parts[4], float blockTexels)
 {
     DepthPlanes planes[4];

@@ -1,8 +1,8 @@
 // Penumbra: depths of the shadow map as numbers that may be filtered.
 //
 // Computes:   depth from the light, centred in the map's range, and its square.
-// Source:     Donnelly and Lauritzen, "Variance Shadow Maps", I3D 2006. Centred depths: the rounding error of a variance
-//             is a share of the mean square, which is at most 1/4 and not 1 of depths in [-1/2, 1/2].
+// Source:     Donnelly and Lauritzen, "Variance Shadow Maps", I3D 2006. Centred depths: the rounding error of a
+//             variance is a share of the mean square, which is at most 1/4 and not 1 of depths in [-1/2, 1/2].
 // Inputs:     stored shadow-map depths, either direction.
 // Cost:       no fetches.
 // Guarantees: finite; -1/2 nearest the light, 1/2 farthest; NaN is farthest, as everywhere in the library.
@@ -13,7 +13,7 @@
 #include "../Core/DepthConvention.hlsl"
 #include "../Core/FloatBits.hlsl"
 
-// Two blurs, their sums and one bilinear fetch, of the mean square and of the mean that is squared.
+// Two blurs, their sums and one bilinear fetch round the mean square, and the mean that is squared.
 static const float kRoundings = 16.0;
 
 float CentredDepth(float storedDepth)
@@ -27,7 +27,7 @@ float2 DepthMoments(float storedDepth)
     return float2(depth, depth * depth);
 }
 
-// The same between 0 and 1, as integer formats hold them; and back.
+// The moments between 0 and 1, as integer formats hold them; DepthMomentsOf takes them back.
 float2 StoredDepthMoments(float storedDepth)
 {
     const float2 moments = DepthMoments(storedDepth);

@@ -1,8 +1,8 @@
 // Penumbra: two parallel planes that hold the depths of a block of the shadow map between them.
 //
 // Computes:   planes of a block of 4 x 4 texels, and of a block of four blocks.
-// Source:     derived here. Like a range of depths (DepthRange.hlsl), but it stays narrow on slopes, where a range is as
-//             wide as the slope's rise over the block. The slope of 16 texels is that of the least squares; of four
+// Source:     derived here. Like a range of depths (DepthRange.hlsl), but it stays narrow on slopes, where a range is
+//             as wide as the slope's rise over the block. The slope of 16 texels is that of the least squares; of four
 //             blocks it is the mean of theirs. Any slope would do: the planes are moved to hold every texel's centre.
 // Inputs:     stored depths in [0, 1], either direction, sanitised; offsets from the block's centre in texels.
 // Cost:       no fetches.
@@ -14,10 +14,10 @@
 
 #include "DepthRange.hlsl"
 
-// Of ten levels, each with a few roundings of floats.
+// The rounding of ten levels, each with a few roundings of floats.
 static const float kPlanesRounding = 4e-6;
 
-// Stored depth per texel, and the stored depths of both planes at the block's centre.
+// The gradient in stored depth per texel, and the stored depths of both planes at the block's centre.
 struct DepthPlanes
 {
     float2 gradient;
@@ -39,7 +39,7 @@ DepthPlanes UnpackPlanes(float4 packed)
     return planes;
 }
 
-// A gather's texels, from the corner that they share (TexelQuad.hlsl).
+// The positions of a gather's texels, from the corner that they share (TexelQuad.hlsl).
 static const float4 kGatherX = float4(-0.5, 0.5, 0.5, -0.5);
 static const float4 kGatherY = float4(0.5, 0.5, -0.5, -0.5);
 
@@ -48,7 +48,7 @@ float2 QuarterCorner(int quarter)
     return float2((quarter & 1) == 0 ? -1.0 : 1.0, quarter < 2 ? -1.0 : 1.0);
 }
 
-// depths: of the four quarters of 4 x 4 texels.
+// depths holds those of the four quarters of 4 x 4 texels.
 DepthPlanes PlanesOfBlock(float4 depths[4])
 {
     DepthPlanes planes;
@@ -56,7 +56,8 @@ DepthPlanes PlanesOfBlock(float4 depths[4])
     int i;
     UNITY_UNROLL
     for (i = 0; i < 4; ++i)
-        planes.gradient += float2(dot(depths[i], QuarterCorner(i).x + kGatherX), dot(depths[i], QuarterCorner(i).y + kGatherY));
+        planes.gradient += float2(dot(depths[i], QuarterCorner(i).x + kGatherX),
+                                  dot(depths[i], QuarterCorner(i).y + kGatherY));
     planes.gradient /= 20.0; // the sum of x^2 over 16 texels
     float2 range = kEmptyRange;
     UNITY_UNROLL
@@ -71,20 +72,20 @@ DepthPlanes PlanesOfBlock(float4 depths[4])
     return planes;
 }
 
-// From a block's centre to the outermost centres of its texels, along each axis.
+// The distance from a block's centre to the outermost centres of its texels, along each axis.
 float HalfSpan(float blockTexels)
 {
     return 0.5 * (blockTexels - 1.0);
 }
 
-// How far two planes that meet at a block's centre part within it.
+// The distance by which two planes that meet at a block's centre part within the block.
 float Parting(float2 gradient, float2 otherGradient, float blockTexels)
 {
     const float2 tilt = abs(gradient - otherGradient);
     return (tilt.x + tilt.y) * HalfSpan(blockTexels);
 }
 
-// parts: of the four blocks, blockTexels wide, of a block twice as wide; row by row.
+// parts holds the planes of the four blocks, blockTexels wide, of a block twice as wide, row by row.
 DepthPlanes JoinPlanes(DepthPlanes parts[4], float blockTexels)
 {
     DepthPlanes whole;

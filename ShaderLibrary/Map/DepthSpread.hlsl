@@ -1,14 +1,14 @@
 // Penumbra: mean and standard deviation of depths over square cells of the shadow map.
 //
 // Computes:   DepthSpread of 2 x 2 texels, and of four cells; both numbers in 32 bits.
-// Source:     the law of total variance: the variance of a whole is the mean of its parts' variances plus the variance of
-//             their means.
+// Source:     the law of total variance: the variance of a whole is the mean of its parts' variances plus the variance
+//             of their means.
 // Inputs:     stored depths in [0, 1], either direction, sanitised.
 // Cost:       no fetches.
-// Guarantees: finite. 16 bits each: the mean to within 1/131070, the deviation, which is at most 1/2, to within 1/262140; four
-//             equal depths have a deviation of exactly 0.
-// Use it:     in levels of cells twice as wide each, read without filtering: a filtered deviation is not that of the filtered
-//             depths.
+// Guarantees: finite. 16 bits each: the mean to within 1/131070, the deviation, which is at most 1/2, to within
+//             1/262140; four equal depths have a deviation of exactly 0.
+// Use it:     in levels of cells twice as wide each, read without filtering: a filtered deviation is not that of the
+//             filtered depths.
 #ifndef PENUMBRA_DEPTH_SPREAD_HLSL
 #define PENUMBRA_DEPTH_SPREAD_HLSL
 
@@ -42,7 +42,7 @@ DepthSpread SpreadOfFour(float4 depths)
     return spread;
 }
 
-// means, deviations: of the four cells.
+// means and deviations are those of the four cells.
 DepthSpread JoinSpreads(float4 means, float4 deviations)
 {
     DepthSpread whole = SpreadOfFour(means);
@@ -50,7 +50,7 @@ DepthSpread JoinSpreads(float4 means, float4 deviations)
     return whole;
 }
 
-// cells: four packed ones.
+// cells holds the packed spreads of four cells.
 uint JoinPackedSpreads(uint4 cells)
 {
     float4 means, deviations;

@@ -15,7 +15,7 @@
 
 #include "DepthMoments.hlsl"
 
-static const float kLargestExponent = 172.0;       // in 32 bits
+static const float kLargestExponent = 172.0;       // for exponentials in 32 bits
 static const float kLargestSquaredExponent = 86.0; // where the square is stored, too
 
 float ExponentialOfDepth(float storedDepth, float exponent)
@@ -23,13 +23,13 @@ float ExponentialOfDepth(float storedDepth, float exponent)
     return exp(exponent * CentredDepth(SanitizeMapDepth(storedDepth)));
 }
 
-// x: grows with depth; y: negative, grows towards 0.
+// x grows with depth; y is negative and grows towards 0.
 float2 WarpedDepth(float centredDepth, float2 exponents)
 {
     return float2(exp(exponents.x * centredDepth), -exp(-exponents.y * centredDepth));
 }
 
-// Warped depth in xy, its squares in zw.
+// Warped depths in xy, their squares in zw.
 float4 WarpedMoments(float storedDepth, float2 exponents)
 {
     const float2 warped = WarpedDepth(CentredDepth(SanitizeMapDepth(storedDepth)), exponents);

@@ -2,9 +2,9 @@
 //
 // Computes:   z, z^2, z^3, z^4 of a depth z in [-1, 1], transformed to four values in [0, 1] that use the range of an
 //             integer format better; and back.
-// Source:     Peters and Klein, "Moment Shadow Mapping", I3D 2015, section 3.3: of the affine transforms of the odd and of
-//             the even moments that keep to [0, 1], those with the largest determinant. Odd: (3 z - 4 z^3) / 2 + 1/2 and
-//             (sqrt(3) z - 4 sqrt(3) / 9 z^3) / 2 + 1/2; even: 4 z^2 - 4 z^4 and z^4.
+// Source:     Peters and Klein, "Moment Shadow Mapping", I3D 2015, section 3.3: of the affine transforms of the odd and
+//             of the even moments that keep to [0, 1], those with the largest determinant. Odd: (3 z - 4 z^3) / 2 + 1/2
+//             and (sqrt(3) z - 4 sqrt(3) / 9 z^3) / 2 + 1/2; even: 4 z^2 - 4 z^4 and z^4.
 // Inputs:     stored shadow-map depths, either direction; of the way back, means of the stored values.
 // Cost:       no fetches.
 // Guarantees: finite; values in [0, 1]. The transform is affine: means may be taken before the way back.

@@ -11,13 +11,13 @@
 
 static const float kLargestMapDeviation = 4.0;
 
-// Taps on each side of the middle one.
+// The number of taps on each side of the middle one.
 int MapBlurReach(float deviation)
 {
     return int(ceil(2.5 * deviation));
 }
 
-// Of the tap `offset` texels from the middle; not normalised, 1 in the middle.
+// The weight of the tap `offset` texels from the middle: 1 in the middle, and not normalised.
 float MapBlurWeight(int offset, float deviation)
 {
     const float ratio = float(offset) / max(deviation, 1e-3);

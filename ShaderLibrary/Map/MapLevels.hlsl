@@ -1,17 +1,17 @@
 // Penumbra: means over areas of any size, from mip levels.
 //
-// Computes:   four taps whose mean weighs the map around a position with a given standard deviation, from the mip level in
-//             which they overlap.
+// Computes:   four taps whose mean weighs the map around a position with a given standard deviation, from the mip level
+//             in which they overlap.
 // Source:     Williams, "Pyramidal Parametrics", 1983. A texel of level L is a box of 2^L texels, variance 4^L / 12;
 //             interpolation is a tent of that width, 4^L / 6; together 4^L / 4 along each axis. Four taps at
 //             (+-a, +-a) add a^2. At 2^L = deviation the taps are 0.87 of their own width away from the middle.
 // Inputs:     a map with mip levels, each texel the mean of four; positions in texel coordinates.
 // Cost:       4 filtered fetches.
 // Guarantees: no tile's taps read another's texels: levels are used up to the one in which a tile still begins and ends
-//             between texels, and taps stay away from the tile's border by half a texel of theirs. There the mean is that of
-//             an area moved inward.
-// Use it:     for kernels whose width differs from pixel to pixel, where a soft edge of the kernel is welcome. Not: where its
-//             border must be exact: Map/SummedArea.hlsl.
+//             between texels, and taps stay away from the tile's border by half a texel of theirs. There the mean is
+//             that of an area moved inward.
+// Use it:     for kernels whose width differs from pixel to pixel, where a soft edge of the kernel is welcome. Not:
+//             where its border must be exact: Map/SummedArea.hlsl.
 #ifndef PENUMBRA_MAP_LEVELS_HLSL
 #define PENUMBRA_MAP_LEVELS_HLSL
 
@@ -21,7 +21,7 @@
 struct LevelTaps
 {
     float level;
-    float2 at[4]; // texels of level 0
+    float2 at[4]; // positions in texels of level 0
 };
 
 // The coarsest level whose texels do not straddle a tile's border.

@@ -12,15 +12,15 @@
 //             where the box's own sum is below 2^32. Of values below 2^b that is every box of up to 2^(32 - b) texels.
 // Inputs:     sums: of Shaders/SummedAreas.compute, each tile by itself; positions in texel coordinates of the map.
 // Cost:       MeanOfTexels: 4 fetches. MeanOfBox: 16.
-// Guarantees: nothing outside of the tile is read; a box is cut off at the tile's border, and its mean is that of what is
-//             left, by its true area. Channels are rounded once, to float, after they were subtracted.
+// Guarantees: nothing outside of the tile is read; a box is cut off at the tile's border, and its mean is that of what
+//             is left, by its true area. Channels are rounded once, to float, after they were subtracted.
 // Use it:     for kernels whose width differs from pixel to pixel. Not: for one width, for which a blur costs 1 fetch.
 #ifndef PENUMBRA_SUMMED_AREA_HLSL
 #define PENUMBRA_SUMMED_AREA_HLSL
 
 #include "../Core/TileBounds.hlsl"
 
-// Whole texels [low, high).
+// The whole texels in [low, high).
 struct TexelBox
 {
     int2 low;
@@ -74,7 +74,7 @@ float AreaOf(TexelBox texels)
     return size.x * size.y;
 }
 
-// The sum of what lies in the tile above and left of `corner`.
+// The sum of the texels that lie in the tile above and left of `corner`.
 uint4 SumBefore(TYPED_TEXTURE2D(uint4, sums), int2 corner, int2 tileLow)
 {
     const uint4 sum = LOAD_TEXTURE2D(sums, max(corner - 1, tileLow));
@@ -93,15 +93,15 @@ float4 CentredSum(uint4 sum, uint middle, int texels)
     return float4(int4(sum - middle * uint(texels)));
 }
 
-// Mean of (value - middle).
+// The mean of (value - middle).
 float4 MeanOfTexels(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, uint middle)
 {
     const int2 size = box.high - box.low;
     return CentredSum(SumOfTexels(sums, box, tileLow), middle, size.x * size.y) / AreaOf(box);
 }
 
-// Along one axis: where a box's cells begin and end, and how much of each lies in it. The first and the last cell are one
-// texel wide, the one between has the rest, which may be nothing.
+// The cells of a box along one axis: where they begin and end, and how much of each lies in the box. The first and the
+// last cell are one texel wide; the one between has the rest, which may be nothing.
 struct BoxCells
 {
     int4 edges;
@@ -133,7 +133,7 @@ SumRow SumsBefore(TYPED_TEXTURE2D(uint4, sums), int4 x, int y, int2 tileLow)
     return row;
 }
 
-// Three cells between two rows, by their shares.
+// The sum over three cells between two rows, weighted by their shares.
 float4 CentredBand(SumRow above, SumRow below, int4 x, float3 shares, int height, uint middle)
 {
     uint4 columns[4];
@@ -144,7 +144,7 @@ float4 CentredBand(SumRow above, SumRow below, int4 x, float3 shares, int height
            shares.z * CentredSum(columns[3] - columns[2], middle, (x.w - x.z) * height);
 }
 
-// Mean of (value - middle), texels at the box's edges by the share of them that lies in it.
+// The mean of (value - middle); texels at the box's edges count by the share of them that lies in the box.
 float4 MeanOfBox(TYPED_TEXTURE2D(uint4, sums), MapBox box, TileBounds bounds, uint middle)
 {
     const int2 tileLow = int2(bounds.minimum);

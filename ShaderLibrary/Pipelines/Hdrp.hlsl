@@ -50,7 +50,7 @@
 #endif
 #endif
 
-// Versions after 17.0 name the length of HDRP's arrays; before, it is 4.
+// Versions after 17.0 name the length of HDRP's arrays; before, the length is 4.
 #if defined(MAX_SHADOW_CASCADES)
 #define PENUMBRA_HDRP_CASCADES MAX_SHADOW_CASCADES
 #else
@@ -69,7 +69,8 @@ SAMPLER(sampler_PenumbraPointClamp);
 
 float4 _PenumbraMainLightParams;
 
-// HDRP adds it to every reference depth: its casters have a slope-scaled bias, and this is the small constant part.
+// HDRP adds this bias to every reference depth: its casters have a slope-scaled bias, and this is the small constant
+// part.
 static const float kHdrpDepthBias = 1.0 / 65536.0;
 
 struct PenumbraHdrpCascade
@@ -82,7 +83,7 @@ struct PenumbraHdrpLight
 {
     bool covered;   // false: no map covers the position, it is lit
     int cascade;
-    float strength; // of the shadow: the light's dimmer, reduced where the last cascade fades out
+    float strength; // the shadow's strength: the light's dimmer, reduced where the last cascade fades out
     ShadowReceiver receiver;
     ShadowTile tile;
     PcssHdrpParameters pcss;
@@ -131,14 +132,15 @@ float4x4 PenumbraHdrpWorldToAtlas(HDShadowData data)
 bool PenumbraHdrpIsPacked(HDShadowData data)
 {
 #if PENUMBRA_HDRP_PACKED_PCSS
-    // HDRP fills them at High quality only. For a light without a disc the first two hold 0 and an infinity.
+    // HDRP fills these parameters at High quality only. For a light without a disc the first two hold 0 and an
+    // infinity.
     return data.dirLightPCSSParams1.y > 0.0;
 #else
     return false;
 #endif
 }
 
-// tanHalf: of the light, used where HDRP did not pack its own.
+// tanHalf is the light's, and is used where HDRP did not pack its own.
 ShadowTile PenumbraHdrpTile(HDShadowData data, float tanHalf)
 {
     ShadowTile tile;
@@ -192,7 +194,8 @@ ShadowReceiver PenumbraHdrpReceiver(float3 positionRWS, float3 normalWS, HDShado
     return receiver;
 }
 
-// normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is not known. pixel: of the screen.
+// normalWS is the surface's own (not normal-mapped) normal, unit, or 0 where it is not known. pixel is a pixel of the
+// screen.
 PenumbraHdrpLight PreparePenumbraHdrpLight(float3 positionRWS, float3 normalWS, float2 pixel)
 {
     PenumbraHdrpLight light = (PenumbraHdrpLight)0;

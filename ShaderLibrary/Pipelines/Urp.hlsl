@@ -66,21 +66,22 @@ int PenumbraMainLightCascadeCount()
     return min(max(int(_PenumbraMainLightParams.x), 1), 4);
 }
 
-// World metres to atlas UV and stored depth, of a cascade of 0 .. count - 1.
+// Maps world metres to atlas UV and stored depth, for a cascade of 0 .. count - 1.
 float4x4 PenumbraMainLightMatrix(int cascade)
 {
     return _MainLightWorldToShadow[cascade];
 }
 
-// Whether filters read the next cascade at some pixels near this position. cascade: its own.
+// Whether filters read the next cascade at some pixels near this position, which lies in `cascade`.
 bool PenumbraMainLightInBorder(float3 positionWS, int cascade)
 {
     const float border = _PenumbraMainLightParams.w;
     if (!(border > 0.0)) return false;
-    return NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, PenumbraMainLightCascadeCount(), border) > 0.0;
+    return NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, PenumbraMainLightCascadeCount(),
+                             border) > 0.0;
 }
 
-// In the border to the next cascade either of both, by noise.
+// In the border to the next cascade, noise chooses either of both.
 int PenumbraMainLightDitheredCascade(float3 positionWS, int count, float2 pixel)
 {
     const int cascade = PenumbraMainLightCascade(positionWS, count);
@@ -110,8 +111,8 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
     return tile;
 }
 
-// In a cascade of PenumbraMainLightCascade. normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is
-// not known. pixel: of the screen; it rotates the disk.
+// Prepares the light in a cascade that PenumbraMainLightCascade returned. normalWS is the surface's own (not
+// normal-mapped) normal, unit, or 0 where it is not known. pixel is a pixel of the screen, and rotates the disk.
 PenumbraMainLight PreparePenumbraMainLightIn(int cascade, float3 positionWS, float3 normalWS, float2 pixel)
 {
     const int count = PenumbraMainLightCascadeCount();
@@ -130,21 +131,21 @@ PenumbraMainLight PreparePenumbraMainLightIn(int cascade, float3 positionWS, flo
     return shadow;
 }
 
-// For a filter, whose noise also chooses the cascade in a border.
+// Prepares the light for a filter, whose noise also chooses the cascade in a border.
 PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, float2 pixel)
 {
     const int cascade = PenumbraMainLightDitheredCascade(positionWS, PenumbraMainLightCascadeCount(), pixel);
     return PreparePenumbraMainLightIn(cascade, positionWS, normalWS, pixel);
 }
 
-// For single comparisons, away from penumbrae or in search of them.
+// Prepares the light for single comparisons, away from penumbrae or in search of them.
 PenumbraMainLight PreparePenumbraMainLightTap(float3 positionWS, float3 normalWS)
 {
     const int cascade = PenumbraMainLightCascade(positionWS, PenumbraMainLightCascadeCount());
     return PreparePenumbraMainLightIn(cascade, positionWS, normalWS, float2(0.0, 0.0));
 }
 
-// URP's shadow strength: 0 leaves everything lit.
+// URP's shadow strength is applied: a strength of 0 leaves everything lit.
 float ApplyPenumbraStrength(float visibility)
 {
     return 1.0 + _MainLightShadowParams.x * (visibility - 1.0);

@@ -1,13 +1,13 @@
 // Penumbra: the shadow data of URP's additional spot lights, in the form that filters take.
 //
-// Computes:   shadow coordinate, receiver plane and slice of a world position under one of URP's additional lights, from
-//             the globals that URP uploads.
-// Source:     the layout of URP 12 to 17. _AdditionalShadowParams of a light: x strength, z 0 for a spot light and 1 for a
-//             point light, w the index of its slice, below 0 without a shadow. _AdditionalLightsWorldToShadow of a slice
-//             takes world space to atlas UV and stored depth, times w. Both are arrays, or structured buffers whose names
-//             end in _SSBO. URP uploads neither the slice's place nor its planes nor the cone: the first two follow from
-//             the matrix (Core/SpotLight.hlsl), the cone from the light's attenuation, whose z and w are
-//             1 / (cos inner - cos outer) and -cos outer times that.
+// Computes:   shadow coordinate, receiver plane and slice of a world position under one of URP's additional lights,
+//             from the globals that URP uploads.
+// Source:     the layout of URP 12 to 17. _AdditionalShadowParams of a light: x strength, z 0 for a spot light and 1
+//             for a point light, w the index of its slice, below 0 without a shadow. _AdditionalLightsWorldToShadow of
+//             a slice takes world space to atlas UV and stored depth, times w. Both are arrays, or structured buffers
+//             whose names end in _SSBO. URP uploads neither the slice's place nor its planes nor the cone: the first
+//             two follow from the matrix (Core/SpotLight.hlsl), the cone from the light's attenuation, whose z and w
+//             are 1 / (cos inner - cos outer) and -cos outer times that.
 // Inputs:     URP's globals; _AdditionalLightsShadowmapTexture_TexelSize, which Unity sets; the frame index in
 //             _PenumbraMainLightParams.z.
 // Cost:       no fetches.
@@ -49,7 +49,7 @@ float4 PenumbraSpotLightAttenuation(int lightIndex)
 #endif
 }
 
-// Of half the cone's full angle.
+// The tangent of half the cone's full angle.
 float PenumbraSpotLightTanHalf(int lightIndex)
 {
     const float4 attenuation = PenumbraSpotLightAttenuation(lightIndex);
@@ -57,7 +57,7 @@ float PenumbraSpotLightTanHalf(int lightIndex)
     return sqrt(1.0 - cosine * cosine) / cosine;
 }
 
-// lightIndex: of URP's list of visible lights, as for PenumbraAdditionalLightVisibility.
+// lightIndex counts in URP's list of visible lights, as for PenumbraAdditionalLightVisibility.
 PenumbraSpotLight PreparePenumbraSpotLight(int lightIndex, float3 positionWS, float3 normalWS, float2 pixel,
                                            float sourceRadiusMetres)
 {

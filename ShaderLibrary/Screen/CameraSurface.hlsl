@@ -54,8 +54,8 @@ CameraSurface ReadCameraPosition(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view
     return SurfaceWithSlope(view, pixel, depth, float2(kNoDepthSlope, kNoDepthSlope));
 }
 
-// along: the pixel and its neighbours. The second neighbours are read only where the first two disagree: at an edge, or on a
-// sharp bend.
+// along holds the pixel and its neighbours. The second neighbours are read only where the first two disagree: at an
+// edge, or on a sharp bend.
 float DepthSlopeAlong(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 direction, DepthLine along)
 {
     if (!ContradictsItself(along)) return NearerSlope(along);

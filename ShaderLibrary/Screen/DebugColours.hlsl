@@ -1,6 +1,7 @@
 // Penumbra: colours for numbers, for debug views.
 //
-// Computes:   a colour for a cascade, a length, the size of a shadow texel, and the chequers of the shadow map's texels.
+// Computes:   a colour for a cascade, a length, the size of a shadow texel, and the chequers of the shadow map's
+//             texels.
 // Source:     black body colours for lengths: the larger, the brighter. Cascades have colours of Okabe and Ito, "Color
 //             Universal Design" (2008), which colour-blind people can tell apart and which are light enough for the
 //             shadow to show under them; texel sizes blend between three of them.
@@ -17,7 +18,7 @@ static const float kShortestShownMetres = 0.01;
 static const float kLongestShownMetres = 1.0;
 static const float kCoarsestShownPixels = 8.0;
 
-// Sky blue, orange, green, purple. Dark grey for any other number: no cascade.
+// Sky blue, orange, green and purple stand for the cascades. Any other number is no cascade, and dark grey.
 float3 CascadeColour(int cascade)
 {
     if (cascade == 0) return float3(0.337, 0.706, 0.914);
@@ -27,21 +28,21 @@ float3 CascadeColour(int cascade)
     return float3(0.25, 0.25, 0.25);
 }
 
-// 0 black, 1/3 red, 2/3 yellow, 1 white.
+// The colour is black at 0, red at 1/3, yellow at 2/3 and white at 1.
 float3 HeatColour(float share)
 {
     const float heat = 3.0 * BoundedOrLow(share, 0.0, 1.0);
     return float3(min(heat, 1.0), min(max(heat - 1.0, 0.0), 1.0), max(heat - 2.0, 0.0));
 }
 
-// Equal steps for equal ratios: 1 cm is 0, 10 cm one half, 1 m and more 1.
+// Equal steps stand for equal ratios: 1 cm is 0, 10 cm one half, 1 m and more 1.
 float LengthShare(float metres)
 {
     const float shown = BoundedOrLow(metres, kShortestShownMetres, kLongestShownMetres);
     return log2(shown / kShortestShownMetres) / log2(kLongestShownMetres / kShortestShownMetres);
 }
 
-// How many pixels of the screen a shadow texel is wide: blue up to 1, yellow, vermilion from 8.
+// The colour says how many pixels of the screen a shadow texel is wide: blue up to 1, then yellow, vermilion from 8.
 float3 TexelSizeColour(float pixels)
 {
     const float share = log2(BoundedOrLow(pixels, 1.0, kCoarsestShownPixels)) / log2(kCoarsestShownPixels);
@@ -51,7 +52,7 @@ float3 TexelSizeColour(float pixels)
     return share < 0.5 ? lerp(fine, middle, 2.0 * share) : lerp(middle, coarse, 2.0 * share - 1.0);
 }
 
-// Alternating 1 and 0, one texel each.
+// Alternates between 1 and 0, one texel each.
 float TexelChequer(float2 texels)
 {
     const int2 texel = int2(floor(float2(BoundedOrLow(texels.x, 0.0, 65536.0), BoundedOrLow(texels.y, 0.0, 65536.0))));

@@ -29,7 +29,7 @@ static const int kLargestDenoiseRadius = 8;
 struct SurfaceLine
 {
     float depth;
-    float slope;          // of depth per pixel
+    float slope;          // change of depth per pixel
     float metresPerDepth; // distance from the line, per unit of stored depth
     float tolerance;      // metres
 };
@@ -50,7 +50,7 @@ SurfaceLine SurfaceLineAt(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
     return along;
 }
 
-// steps: pixels from the one the line belongs to.
+// steps counts pixels from the one that the line belongs to.
 float LineWeight(SurfaceLine along, float depth, int steps)
 {
     if (!IsSurfaceDepth(depth)) return 0.0;
@@ -70,7 +70,7 @@ bool IsOnScreen(ScreenView view, int2 pixel)
     return all(pixel >= 0) && all(pixel < int2(view.size.xy));
 }
 
-// Whether all visibilities within the radius are 0, or all are 1: nothing to smooth.
+// Whether all visibilities within the radius are 0, or all are 1: there is nothing to smooth then.
 bool IsSettled(TEXTURE2D_X(visibility), ScreenView view, int2 pixel, int2 direction, int radius, float here)
 {
     if (here > 0.0 && here < 1.0) return false;

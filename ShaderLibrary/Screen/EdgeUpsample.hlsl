@@ -1,8 +1,9 @@
 // Penumbra: half-resolution visibility upsampled to the screen's resolution, where it tells what lies between.
 //
 // Computes:   bilinear interpolation between the up to four half-resolution pixels around a pixel, each weighted by the
-//             distance of its surface to this pixel's plane; nothing where they differ by more than a step, as at the edge
-//             of a narrow penumbra, or where none of them saw this pixel's surface: there the caller computes the pixel.
+//             distance of its surface to this pixel's plane; nothing where they differ by more than a step, as at the
+//             edge of a narrow penumbra, or where none of them saw this pixel's surface: there the caller computes the
+//             pixel.
 // Source:     Kopf, Cohen, Lischinski and Uyttendaele, "Joint Bilateral Upsampling" (2007), with the distance to the
 //             receiver's plane as the range.
 // Inputs:     visibility, half the screen's size rounded up (at the pixels of Core/ScreenScale.hlsl); camera
@@ -21,18 +22,18 @@
 // Distance from the plane, in pixel widths, from which a surface counts as another one.
 static const float kUpsampleTolerance = 2.0;
 
-// Difference of taps of one surface above which they do not tell what lies between them. A smaller one computes more pixels,
-// with less error.
+// Difference of taps of one surface above which they do not tell what lies between them. A smaller one computes more
+// pixels, with less error.
 static const float kUpsampleStep = 0.25;
 
 struct HalfTaps
 {
     int2 first;        // half-resolution pixel of the first tap
-    int2 count;        // 1 or 2 of them each way
+    int2 count;        // taps each way, 1 or 2
     float4 visibility; // in the order (0, 0), (1, 0), (0, 1), (1, 1)
 };
 
-// Of one axis: the first tap, and how many there are. The last pixel of an odd size was computed, too.
+// The first tap along one axis, and how many there are. The half image has the last pixel of an odd size, too.
 int2 HalfTapsOf(int pixel, int halfSize, int size)
 {
     const bool isSeen = (pixel & 1) == 1 || pixel == size - 1;
@@ -73,7 +74,7 @@ HalfTaps ReadHalfTaps(TEXTURE2D_X(visibility), int2 pixel, int2 halfSize, int2 s
     return taps;
 }
 
-// The first tap, which there always is, is then the answer.
+// Whether all taps are equal. The first tap, which there always is, is then the answer.
 bool TapsAgree(HalfTaps taps)
 {
     bool agree = true;
@@ -82,10 +83,10 @@ bool TapsAgree(HalfTaps taps)
     return agree;
 }
 
-// here: the pixel's surface, seen. Negative where the taps do not tell.
+// here is the surface seen at the pixel. The result is negative where the taps do not tell.
 float UpsampleOverPlane(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, CameraSurface here, HalfTaps taps)
 {
-    if (dot(here.normalWS, here.normalWS) <= 0.0) return -1.0;  // no plane
+    if (dot(here.normalWS, here.normalWS) <= 0.0) return -1.0;  // no plane is known
     float sum = 0.0;
     float weights = 0.0;
     float lowest = 1.0;

@@ -41,7 +41,7 @@ bool IsMasked(TEXTURE2D_X(mask), int2 texel, int2 size)
     return HasNanBits(value) || value >= 0.5;
 }
 
-// direction: (1, 0) or (0, 1).
+// direction is (1, 0) or (0, 1).
 float WidenMask(TEXTURE2D_X(mask), int2 texel, int2 direction, int radius, int2 size)
 {
     if (IsMasked(mask, texel, size)) return 1.0;

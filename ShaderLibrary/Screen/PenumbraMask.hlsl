@@ -12,8 +12,8 @@
 //             none: the sky is lit.
 // Cost:       no fetches; the taps are the caller's: 4 camera depths and 4 comparisons per block, 0.5 per pixel.
 // Guarantees: exactly 0 or 1; tap pixels lie on the screen. Not conservative: a shadow thinner than the gap between
-//             taps can be missed. Shaders/ConservativeMaskPass.hlsl misses none; where it knows a block's visibility its
-//             mask holds that, too.
+//             taps can be missed. Shaders/ConservativeMaskPass.hlsl misses none; where it knows a block's visibility
+//             its mask holds that, too.
 // Use it:     before MaskBlur.hlsl. Not: alone, since a penumbra is wider than its edge.
 #ifndef PENUMBRA_PENUMBRA_MASK_HLSL
 #define PENUMBRA_PENUMBRA_MASK_HLSL
@@ -21,8 +21,9 @@
 static const int kMaskBlock = 4;
 static const int kMaskTaps = 4;
 
-// What a mask says of a block. Below 0.5: that no penumbra is there; a texel of 8 bits tells them apart.
-static const float kMaskCompareOnce = 0.0; // whether it is lit is not known
+// These are what a mask says of a block. Values below 0.5 mean that no penumbra is there; a texel of 8 bits tells them
+// apart.
+static const float kMaskCompareOnce = 0.0; // one comparison tells whether the block is lit
 static const float kMaskAllDark = 0.125;
 static const float kMaskAllLit = 0.25;
 static const float kMaskFilter = 1.0;
@@ -32,7 +33,7 @@ bool MaskSkipsFilter(float mask)
     return mask < 0.5;
 }
 
-// Visibility of the whole block; below 0 where a comparison must tell.
+// The visibility of the whole block; negative where a comparison must tell.
 float MaskedVisibility(float mask)
 {
     if (mask > 0.5 * (kMaskAllDark + kMaskAllLit)) return 1.0;

@@ -25,14 +25,15 @@
 
 static const int kMostSamples = 8;
 
-// Where the samples lie, in 16ths of a pixel from its centre, y in the order of rows: the standard patterns of Direct3D,
-// Vulkan and Metal. OpenGL does not prescribe any.
+// These are where the samples lie, in 16ths of a pixel from its centre, y in the order of rows, in the standard
+// patterns of Direct3D, Vulkan and Metal. OpenGL does not prescribe any.
 static const int2 kTwoSamples[2] = {int2(4, 4), int2(-4, -4)};
 static const int2 kFourSamples[4] = {int2(-2, -6), int2(6, -2), int2(-6, 2), int2(2, 6)};
 static const int2 kEightSamples[8] = {int2(1, -3), int2(-1, 3), int2(5, 1),  int2(-3, -5),
                                       int2(-5, 5), int2(-7, -1), int2(3, 7), int2(7, -7)};
 
-// Of a pixel's `samples` samples, in pixels from its centre; 0 for a number without a standard pattern.
+// The place of one of a pixel's `samples` samples, in pixels from its centre; 0 for a number without a standard
+// pattern.
 float2 SampleOffset(int samples, int index)
 {
     int2 sixteenths = int2(0, 0);
@@ -51,7 +52,7 @@ struct SampleSurface
     float metresPerPixel; // in the plane of equal depth
 };
 
-// uv: where the sample lies, not the pixel's centre.
+// uv is where the sample lies, not the pixel's centre.
 SampleSurface SurfaceOfSample(ScreenView view, float2 uv, float depth, float3 normal)
 {
     const ScreenPoint at = ScreenPointOf(view.screenToWorld, uv, depth);
@@ -64,7 +65,7 @@ SampleSurface SurfaceOfSample(ScreenView view, float2 uv, float depth, float3 no
     return surface;
 }
 
-// Step 1.
+// Step 1 of the file's header.
 bool SamplesDiffer(TEXTURE2D_X_MSAA(float4, normals), int2 pixel, int samples)
 {
     const float3 first = LOAD_TEXTURE2D_X_MSAA(normals, pixel, 0).xyz;
@@ -77,7 +78,7 @@ bool SamplesDiffer(TEXTURE2D_X_MSAA(float4, normals), int2 pixel, int samples)
     return false;
 }
 
-// Step 2, of two samples: symmetric.
+// Step 2 of the file's header, for two samples; their order does not matter.
 bool SurfacesDiffer(SampleSurface a, SampleSurface b, EdgeParameters parameters)
 {
     if (a.seen != b.seen) return true;

@@ -1,34 +1,35 @@
 // Penumbra: shadows of what the camera sees, by a march towards the sun over its depth texture ("contact shadows").
 //
-// Computes:   ScreenTraceVisibility: visibility of the sun's centre, as far as the camera's depth texture knows. A ray from the
-//             receiver is walked in equal steps over the screen, and is blocked where it is behind a seen surface by less
-//             than a thickness.
+// Computes:   ScreenTraceVisibility: visibility of the sun's centre, as far as the camera's depth texture knows. A ray
+//             from the receiver is walked in equal steps over the screen, and is blocked where it is behind a seen
+//             surface by less than a thickness.
 //
-//                 sun  .                o: samples. The ray begins above the surface by what half a pixel of its slope and
-//                        o  |##|          the rounding of depth can hide, so that a plane never shadows itself.
+//                 sun  .                o: samples. The ray begins above the surface by what half a pixel of its slope
+//                        o  |##|          and the rounding of depth can hide, so that a plane never shadows itself.
 //                          o|##|
 //                     ______\__|____    ##: taken to reach this far behind what is seen
 //
-// Source:     the length, 12 steps and a share of the view depth for far shadows: Candycat, "Graphics Study: RDR2, shadows"
-//             (2021). Stepping over the screen: McGuire and Mara, "Efficient GPU Screen-Space Ray Tracing" (JCGT 2014).
-//             Thickness, and fading out at the end of the ray and the border of the screen, as in the screen-space shadows
-//             of "Days Gone" (Bend Studio, 2023) and the contact shadows of Unity's HDRP.
-//             The offset: a sample is read at a pixel's centre, at most half a pixel each way from the ray. In the plane of
-//             equal depth that is a move of |x| <= 1/2 pixel along both axes, which changes the height over the receiver's
-//             plane by at most (|n . alongX| + |n . alongY|) / 2: a ray at least that high is in front of the plane there.
-//             What rounding adds is moved in stored depth, towards the viewer: two depths, the receiver's and a sample's, are
-//             wrong by up to 2^-24 of themselves each, the slopes that the normal is made of by 2^-23 per pixel over two
-//             pixels, and each of four sums and products by 2^-24: 10 of these, for which 16 are taken.
+// Source:     the length, 12 steps and a share of the view depth for far shadows: Candycat, "Graphics Study: RDR2,
+//             shadows" (2021). Stepping over the screen: McGuire and Mara, "Efficient GPU Screen-Space Ray Tracing"
+//             (JCGT 2014). Thickness, and fading out at the end of the ray and the border of the screen, as in the
+//             screen-space shadows of "Days Gone" (Bend Studio, 2023) and the contact shadows of Unity's HDRP. The
+//             offset: a sample is read at a pixel's centre, at most half a pixel each way from the ray. In the plane of
+//             equal depth that is a move of |x| <= 1/2 pixel along both axes, which changes the height over the
+//             receiver's plane by at most (|n . alongX| + |n . alongY|) / 2: a ray at least that high is in front of
+//             the plane there. What rounding adds is moved in stored depth, towards the viewer: two depths, the
+//             receiver's and a sample's, are wrong by up to 2^-24 of themselves each, the slopes that the normal is
+//             made of by 2^-23 per pixel over two pixels, and each of four sums and products by 2^-24: 10 of these, for
+//             which 16 are taken.
 // Inputs:     camera depth texture, stored depth; ScreenView; pixel of the full screen; towardSun: world space, of any
 //             positive length; jitter: [0, 1), another for each pixel; ScreenTraceParameters.
-// Cost:       5 to 9 fetches of camera depth for the surface and up to traceSteps for the ray, as many as it has pixels; none
-//             of these where the ray has no length, 1 on the sky.
-// Guarantees: [0, 1] for any input. Reads no texel outside the screen, where the march ends; the sky blocks nothing; the ray
-//             is clipped at the near plane. A plane that faces the sun does not shadow itself, whatever its slope, if depths
-//             are floats. At most 64 samples.
-// Use it:     for contacts that the bias or the texels of a shadow map lose, and for small things seen by the camera that
-//             no map holds. Not: in place of a map; what the camera does not see casts no shadow, and what it sees has a
-//             thickness that is a guess.
+// Cost:       5 to 9 fetches of camera depth for the surface and up to traceSteps for the ray, as many as it has
+//             pixels; none of these where the ray has no length, 1 on the sky.
+// Guarantees: [0, 1] for any input. Reads no texel outside the screen, where the march ends; the sky blocks nothing;
+//             the ray is clipped at the near plane. A plane that faces the sun does not shadow itself, whatever its
+//             slope, if depths are floats. At most 64 samples.
+// Use it:     for contacts that the bias or the texels of a shadow map lose, and for small things seen by the camera
+//             that no map holds. Not: in place of a map; what the camera does not see casts no shadow, and what it sees
+//             has a thickness that is a guess.
 #ifndef PENUMBRA_SCREEN_TRACE_HLSL
 #define PENUMBRA_SCREEN_TRACE_HLSL
 
@@ -44,17 +45,17 @@ struct TraceRay
     ScreenRay ray;
     float lengthMetres;
     float thickness; // metres
-    float weight;    // of a hit, for the receiver: 0 where there is nothing to trace
+    float weight;    // weight of a hit at the receiver; 0 where there is nothing to trace
 };
 
-// 0 up to `low`, 1 from `high` on; 1 from there on where both are equal.
+// Rises from 0 at `low` to 1 at `high`; where both are equal it is 1 from there on.
 float FadeIn(float value, float low, float high)
 {
     if (!(high > low)) return value >= low ? 1.0 : 0.0;
     return BoundedOrLow((value - low) / (high - low), 0.0, 1.0);
 }
 
-// Of unit length; 0 of a direction that is none.
+// The direction at unit length; 0 where its length is 0 or not finite.
 float3 UnitOrZero(float3 direction)
 {
     const float3 finite = float3(FiniteOr(direction.x, 0.0), FiniteOr(direction.y, 0.0), FiniteOr(direction.z, 0.0));
@@ -65,7 +66,7 @@ float3 UnitOrZero(float3 direction)
 
 static const float kTraceRounding = 9.5367432e-7; // 16 * 2^-24
 
-// How high above the plane with this normal, metres, a ray begins.
+// The height above the plane with this normal, metres, at which a ray begins.
 float TraceOffset(ScreenView view, ScreenPoint at, float3 normal)
 {
     const float3 alongX = ScreenTangent(view.screenToWorld, at, float3(view.size.z, 0.0, 0.0));
@@ -73,14 +74,14 @@ float TraceOffset(ScreenView view, ScreenPoint at, float3 normal)
     return 0.5 * (abs(dot(normal, alongX)) + abs(dot(normal, alongY)));
 }
 
-// depth: of the pixel; surface: what is seen there.
+// depth is the pixel's, and surface is what is seen there.
 TraceRay PrepareTraceRay(ScreenView view, int2 pixel, float depth, CameraSurface surface, float3 towardSun,
                          ScreenTraceParameters parameters)
 {
     const float3 origin = float3((float2(pixel) + 0.5) * view.size.zw, depth);
     ScreenPoint at = ScreenPointOf(view.screenToWorld, origin.xy, depth);
     const float3 towardViewer = ScreenTangent(view.screenToWorld, at, float3(0.0, 0.0, MoveTowardLight(0.0, 1.0)));
-    // 0 where no slope is known, and then it faces nothing: nothing is traced.
+    // The normal is 0 where no slope is known. It faces nothing then, and nothing is traced.
     const float3 normal = surface.normalWS * (dot(surface.normalWS, towardViewer) < 0.0 ? -1.0 : 1.0);
 
     const ScreenRay rise = ScreenRayOf(view.screenToWorld, at, origin, normal);
@@ -103,7 +104,7 @@ TraceRay PrepareTraceRay(ScreenView view, int2 pixel, float depth, CameraSurface
     return trace;
 }
 
-// How much a hit counts after so many metres, at this place of the screen.
+// The weight of a hit after so many metres, at this place of the screen.
 float TraceHitWeight(TraceRay trace, float metres, float2 uv, ScreenTraceParameters parameters)
 {
     const float left = max(1.0 - metres / max(trace.lengthMetres, 1e-20), 0.0);
