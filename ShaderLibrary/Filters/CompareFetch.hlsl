@@ -25,10 +25,10 @@ struct CompareReceiver
     float2 centre;    // texel coordinates
     float depth;
     float2 gradient;  // stored depth per texel
-    bool atNearPlane; // nothing of the map can lie in front of it
+    bool atNearPlane; // no texel of the map can lie in front of the receiver
 };
 
-// gradient: stored depth per atlas UV, 0 for a flat comparison. bias: stored depth toward the light.
+// gradient is stored depth per atlas UV, 0 for a flat comparison. bias is stored depth toward the light.
 CompareReceiver PrepareCompare(ShadowReceiver receiver, ShadowTile tile, float2 gradient, float bias)
 {
     CompareReceiver prepared;

@@ -1,13 +1,14 @@
-// Penumbra: where PCSS by angular diameter is exactly 1 or exactly 0 for one receiver, and else how wide its penumbra can be.
+// Penumbra: where PCSS by angular diameter is exactly 1 or exactly 0 for one receiver, and else how wide its penumbra
+// can be.
 //
-// Computes:   whether the planes that hold the blocks of the shadow map show that no texel around the receiver blocks it, or
-//             that each does; where they do not, a radius that no blocker's penumbra exceeds.
+// Computes:   whether the planes that hold the blocks of the shadow map show that no texel around the receiver blocks
+//             it, or that each does; where they do not, a radius that no blocker's penumbra exceeds.
 // Source:     derived here, from Map/DepthPlanes.hlsl, as in PcssAngularDecision.hlsl.
 // Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes of blocks of 4 x 4 texels,
 //             coarsePlanes of 8 x 8 texels, with mip levels.
 // Cost:       up to 9 fetches of the planes for each of up to kMostRingRadii radii.
-// Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, in tests on a software device. NaN texels count
-//             as the farthest depth, which comparison samplers need not share.
+// Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, in tests on a software device. NaN
+//             texels count as the farthest depth, which comparison samplers need not share.
 // Use it:     before DepthRingFilter.hlsl's sums.
 #ifndef PENUMBRA_DEPTH_RING_DECISION_HLSL
 #define PENUMBRA_DEPTH_RING_DECISION_HLSL
@@ -16,10 +17,11 @@
 #include "PcssAngular.hlsl"
 #include "ReceiverGroup.hlsl"
 
-// Each radius is that of the blockers which the blocks within the one before allow. Fetches per pixel of two scenes under a
-// light of 2 degrees, without the passes over the map, with 1, 2, 3 and 4: 57, 47, 47 and 47; under 5 degrees 103, 100, 95 and 95.
+// Each radius is that of the blockers which the blocks within the radius before allow. Two scenes under a light of 2
+// degrees take 57, 47, 47 and 47 fetches per pixel with 1, 2, 3 and 4 radii, without the passes over the map; under 5
+// degrees they take 103, 100, 95 and 95.
 static const int kMostRingRadii = 3;
-// A radius that shrinks by less is not tried again.
+// A radius that shrinks to more than this share of the one before is not tried again.
 static const float kRingRadiusShrinks = 0.75;
 static const float kSmallestRingRadius = 2.0;
 
@@ -30,13 +32,13 @@ struct RingReach
 {
     QuadReceiver receiver;
     LightCone cone;
-    float smallestRadius; // of the filter, texels
-    float largestRadius;  // of the search, texels
+    float smallestRadius; // smallest radius of the filter, texels
+    float largestRadius;  // largest radius of the search, texels
 };
 
 struct RingDecision
 {
-    float visibility; // or kUndecided
+    float visibility; // visibility, or kUndecided
     float radius;     // texels: no blocker's penumbra is wider
 };
 
@@ -46,8 +48,8 @@ struct RingBounds
     bool whole;         // the blocks are all of the disc's
     bool noneBlocks;
     bool allBlock;
-    float largestGap;   // of the texels that may block
-    float smallestGap;  // of all
+    float largestGap;   // largest gap of the texels that may block
+    float smallestGap;  // smallest gap of all texels
 };
 
 RingReach RingReachOf(ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
@@ -75,7 +77,8 @@ DepthPlanes PlanesOfLevel(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), int2 
     return UnpackPlanes(planes);
 }
 
-RingBounds AddRingBlock(RingBounds bounds, DepthPlanes planes, int2 texel, float radius, DiscBlocks disc, RingReach reach)
+RingBounds AddRingBlock(RingBounds bounds, DepthPlanes planes, int2 texel, float radius, DiscBlocks disc,
+                        RingReach reach)
 {
     const float blockTexels = kRangeBlock * PowerOfTwo(disc.level);
     const float2 away = (float2(texel) + 0.5) * blockTexels - reach.receiver.centre;

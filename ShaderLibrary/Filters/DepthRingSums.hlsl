@@ -1,10 +1,11 @@
 // Penumbra: visibility of a disc light from every cell of the shadow map around a receiver, four cells at a time.
 //
-// Computes:   which quads of cells lie in the rings of a level; sums over a quad's cells in search of blockers, and in the
-//             filter; the penumbra that the search finds, and what of the filter is needed for it.
-// Source:     Penumbra's own; the filter is that of PcssAngular.hlsl over every cell of DepthRings.hlsl in place of samples.
-// Inputs:     QuadReceiver; ConeScales; of each quad its four depths or packed spreads, row by row, from wherever they are
-//             kept: textures (DepthRingFilter.hlsl) or groupshared memory (Shaders/TileWindows.hlsl).
+// Computes:   which quads of cells lie in the rings of a level; sums over a quad's cells in search of blockers, and in
+//             the filter; the penumbra that the search finds, and what of the filter is needed for it.
+// Source:     Penumbra's own; the filter is that of PcssAngular.hlsl over every cell of DepthRings.hlsl in place of
+//             samples.
+// Inputs:     QuadReceiver; ConeScales; of each quad its four depths or packed spreads, row by row, from wherever they
+//             are kept: textures (DepthRingFilter.hlsl) or groupshared memory (Shaders/TileWindows.hlsl).
 // Cost:       no fetches. Some 30 cells for each octave of distance in search of blockers, and 20 to 80 in the filter.
 // Guarantees: finite sums. A cell that is not wholly in the receiver's tile does not count.
 // Use it:     in a loop over the levels and, of each, over QuadsAround. Not: under spot lights.
@@ -15,15 +16,15 @@
 #include "DepthRings.hlsl"
 #include "PcssAngular.hlsl"
 
-// Levels of cells beyond the texels: the widest cells are of 256 texels.
+// There are so many levels of cells beyond the texels: the widest cells are of 256 texels.
 static const int kMostRingLevels = 8;
-// The kernel of narrow penumbrae is wider than its radius by its texels: so much narrower it is made, and no narrower than
-// that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and that over all pixels rises from 1 on; fitting a
-// straight edge to the texels changes either by a hundredth.
+// A narrow penumbra's kernel is wider than its radius, by the width of its texels. It is therefore made narrower by
+// this many texels, and no narrower than that. From 0.75 to 1.25 texels the error in the sun's own penumbrae falls, and
+// that over all pixels rises from 1 on; fitting a straight edge to the texels changes either by a hundredth.
 static const float kKernelNarrowing = 0.25;
 static const float kNarrowestRadius = 1.125;
 
-// Quads of cells of one level: low, size in quads.
+// A range of quads of cells of one level; low and size are in quads.
 struct QuadRange
 {
     int2 low;
@@ -36,13 +37,14 @@ int2 CellOfQuad(int2 quad, int k)
     return 2 * quad + int2(k & 1, k >> 1);
 }
 
-// From the receiver to a cell's centre, texels. width: of the cell.
+// The way from the receiver to the centre of a cell of that width, texels.
 float2 AwayFrom(QuadReceiver receiver, int2 cell, float width)
 {
     return (float2(cell) + 0.5) * width - receiver.centre;
 }
 
-// All quads with cells in the level's ring, and some without. A cell's share of the ring ends half a cell beyond the ring.
+// The quads that hold all cells in the level's ring, and some without. A cell's share of the ring ends half a cell
+// beyond the ring.
 QuadRange QuadsAround(QuadReceiver receiver, int level, float radius, float ringCells)
 {
     const float width = PowerOfTwo(level);
@@ -66,7 +68,7 @@ int2 QuadAt(QuadRange quads, int index)
     return quads.low + PlaceInRows(index, quads.size.x);
 }
 
-// What of each cell's area belongs to the level's ring, texels. filled: and to what the ring encloses.
+// The area of each cell that belongs to the level's ring or, if filled, to the ring and what it encloses, texels.
 float4 AreasOfQuad(int2 quad, int level, float radius, float ringCells, bool filled, QuadReceiver receiver)
 {
     const float width = PowerOfTwo(level);
@@ -91,14 +93,14 @@ float4 AreasInRing(int2 quad, int level, float radius, float ringCells, QuadRece
     return AreasOfQuad(quad, level, radius, ringCells, false, receiver);
 }
 
-// The level of the filter's cells, filterCells or fewer to the edge of its disc. Smaller cells near the receiver, as the search
-// has them, change the error by less than a hundredth.
+// The level of the filter's cells, of which filterCells or fewer reach to the edge of its disc. Smaller cells near the
+// receiver, as the search has them, change the error by less than a hundredth.
 int DiscLevel(float radius, float filterCells)
 {
     return RingLevels(radius + 0.5, filterCells, kMostRingLevels);
 }
 
-// Of the filter's disc. level: DiscLevel.
+// The area of each cell that belongs to the filter's disc. level is DiscLevel's.
 float4 AreasInDisc(int2 quad, int level, float radius, float filterCells, QuadReceiver receiver)
 {
     return AreasOfQuad(quad, level, radius, filterCells, true, receiver);
@@ -113,7 +115,7 @@ struct RingSearch
 {
     RingSums sums;
     float low;    // how much of the cone low blockers hide, texels
-    float ground; // BlockersOfCell; known after the texels
+    float ground; // depth of the ground for BlockersOfCell; known after the texels
     bool groundFound;
 };
 
@@ -127,8 +129,9 @@ RingSearch BeginSearch(ConeScales scales)
     return search;
 }
 
-// depth: of a texel. area: what of it belongs to the first ring, above 0.
-RingSearch SearchTexel(RingSearch search, float depth, float2 away, float area, QuadReceiver receiver, ConeScales scales)
+// depth is a texel's. area is what of the texel belongs to the first ring, above 0.
+RingSearch SearchTexel(RingSearch search, float depth, float2 away, float area, QuadReceiver receiver,
+                       ConeScales scales)
 {
     RingSearch next = search;
     const float distance = length(away);
@@ -142,8 +145,9 @@ RingSearch SearchTexel(RingSearch search, float depth, float2 away, float area, 
     return next;
 }
 
-// depths: of a quad of texels. areas: AreasInRing of level 0.
-RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 areas, QuadReceiver receiver, ConeScales scales)
+// depths are those of a quad of texels. areas are AreasInRing's of level 0.
+RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 areas, QuadReceiver receiver,
+                        ConeScales scales)
 {
     RingSearch next = search;
     UNITY_UNROLL
@@ -156,7 +160,7 @@ RingSearch SearchTexels(RingSearch search, float4 depths, int2 quad, float4 area
     return next;
 }
 
-// cells: packed spreads of a quad of cells of that level, from 1.
+// cells holds the packed spreads of a quad of cells of that level, from 1.
 RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, float4 areas, QuadReceiver receiver,
                        ConeScales scales)
 {
@@ -177,10 +181,11 @@ RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, flo
     return next;
 }
 
-// What the search has found, and the filter that follows: over the 4 x 4 texels around the receiver, over a disc, or both.
+// What the search has found, and the filter that follows, over the 4 x 4 texels around the receiver, over a disc, or
+// over both.
 struct RingPenumbra
 {
-    bool blocked;         // else the receiver is lit
+    bool blocked;         // false: the receiver is lit
     bool readsBlock;
     bool readsDisc;
     float radius;         // texels
@@ -190,7 +195,7 @@ struct RingPenumbra
     LightCone cone;       // its slack is that of the disc
 };
 
-// radius: of the search.
+// radius is the search's.
 RingPenumbra PenumbraOf(RingSearch search, float radius, ConeScales scales)
 {
     const RingSums sums = search.sums;
@@ -218,7 +223,7 @@ int2 QuadOfBlock(QuadReceiver receiver, int k)
     return int2(floor(receiver.centre + 0.5)) - 2 + 2 * int2(k & 1, k >> 1);
 }
 
-// As FilterBlock of PcssAngular.hlsl: lit and blocked weights, with those of a texel of the block.
+// Adds one texel of the block to the lit and the blocked weight, as FilterBlock of PcssAngular.hlsl weighs it.
 float2 FilterBlockTexel(float2 sums, float depth, int2 texel, RingPenumbra penumbra, QuadReceiver receiver)
 {
     const float outermost = max(penumbra.blockRadius + kBlockReachTexels, kSmallestBlockTexels);
@@ -233,16 +238,17 @@ float2 FilterBlockTexel(float2 sums, float depth, int2 texel, RingPenumbra penum
     return sums + float2(weight - hidden, hidden);
 }
 
-// With those of a quad of the block. first: QuadOfBlock.
+// Adds a quad of the block to the weights. first is QuadOfBlock's.
 float2 FilterBlockQuad(float2 sums, float4 depths, int2 first, RingPenumbra penumbra, QuadReceiver receiver)
 {
     float2 next = sums;
     UNITY_UNROLL
-    for (int k = 0; k < 4; ++k) next = FilterBlockTexel(next, depths[k], first + int2(k & 1, k >> 1), penumbra, receiver);
+    for (int k = 0; k < 4; ++k)
+        next = FilterBlockTexel(next, depths[k], first + int2(k & 1, k >> 1), penumbra, receiver);
     return next;
 }
 
-// Lit and blocked areas, with those of one cell.
+// Adds one cell to the lit and the blocked area.
 float2 FilterCell(float2 sums, CellBlockers blockers, float distance, float width, float area, LightCone cone)
 {
     const float cut = ConeOffset(distance, max(cone.slackTexels, width), cone.largestOffset, cone.scales);
@@ -250,7 +256,8 @@ float2 FilterCell(float2 sums, CellBlockers blockers, float distance, float widt
     return sums + float2(area - hidden, hidden);
 }
 
-// As FilterDisc of PcssAngular.hlsl, over texels. areas: AreasInDisc of level 0.
+// Adds a quad of texels to the areas, as FilterDisc of PcssAngular.hlsl weighs them. areas are AreasInDisc's of level
+// 0.
 float2 FilterTexels(float2 sums, float4 depths, int2 quad, float4 areas, RingPenumbra penumbra, QuadReceiver receiver)
 {
     float2 next = sums;
@@ -261,13 +268,14 @@ float2 FilterTexels(float2 sums, float4 depths, int2 quad, float4 areas, RingPen
         if (areas[k] > 0.0)
         {
             const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), 1.0);
-            next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k], penumbra.cone);
+            next = FilterCell(next, BlockersOfTexel(depths[k], away, receiver), length(away), 1.0, areas[k],
+                              penumbra.cone);
         }
     }
     return next;
 }
 
-// The same over larger cells.
+// Adds a quad of larger cells to the areas.
 float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas, RingPenumbra penumbra,
                    QuadReceiver receiver)
 {
@@ -280,7 +288,8 @@ float2 FilterCells(float2 sums, uint4 cells, int2 quad, int level, float4 areas,
         if (areas[k] > 0.0)
         {
             const float2 away = AwayFrom(receiver, CellOfQuad(quad, k), width);
-            const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground, receiver);
+            const CellBlockers blockers = BlockersOfCell(UnpackSpread(cells[k]), away, width, penumbra.ground,
+                                                         receiver);
             next = FilterCell(next, blockers, length(away), width, areas[k], penumbra.cone);
         }
     }

@@ -1,22 +1,23 @@
 // Penumbra: blockers around a receiver, by cells of the shadow map that grow with their distance.
 //
-// Computes:   ShareInRing: the share of a cell that belongs to the ring of its level; BlockersOfTexel, BlockersOfCell: how much
-//             of it blocks, and how far above the receiver; AddBlockers: sums, for the mean radius of the penumbrae that all
-//             blockers make.
+// Computes:   ShareInRing: the share of a cell that belongs to the ring of its level; BlockersOfTexel, BlockersOfCell:
+//             how much of it blocks, and how far above the receiver; AddBlockers: sums, for the mean radius of the
+//             penumbrae that all blockers make.
 //
-//                 +-------+-------+-------+   cells of one texel up to ringCells texels from the receiver, of two texels
+//                 +-------+-------+-------+   cells of one texel up to ringCells texels from the receiver, of 2 texels
 //                 |       +-+-+-+-+       |   up to twice as far, and so on: each octave of distance has as many cells,
 //                 |       +-+-o-+-+       |   so that a low blocker, whose penumbra is narrow, is seen as sharply in
 //                 +-------+-+-+-+-+-------+   proportion as a high one
 //
-// Source:     Penumbra's own. A cell with the mean m above the ground and the deviation s is taken for a share f at the height
-//             h above it, the rest on the ground: f h = m, f h^2 = m^2 + s^2. Were the ground taken to lie on the receiver's
-//             plane, which is above it by the casters' bias, a small share of blockers would be far too high. Weighting each
-//             blocker by area / r^2, r its penumbra's radius, weights it by the share of the light's disc that it hides.
+// Source:     Penumbra's own. A cell with the mean m above the ground and the deviation s is taken for a share f at the
+//             height h above it, the rest on the ground: f h = m, f h^2 = m^2 + s^2. Were the ground taken to lie on
+//             the receiver's plane, which is above it by the casters' bias, a small share of blockers would be far too
+//             high. Weighting each blocker by area / r^2, r its penumbra's radius, weights it by the share of the
+//             light's disc that it hides.
 // Inputs:     QuadReceiver; ConeScales; lengths in texels, depths as stored.
 // Cost:       no fetches.
-// Guarantees: finite; a cell without anything above the plane blocks nothing. The rings' shares of a cell's levels are in
-//             [0, 1].
+// Guarantees: finite; a cell without anything above the plane blocks nothing. The rings' shares of a cell's levels are
+//             in [0, 1].
 // Use it:     over the cells around a receiver, DepthRingSums.hlsl. Not: under spot lights.
 #ifndef PENUMBRA_DEPTH_RINGS_HLSL
 #define PENUMBRA_DEPTH_RINGS_HLSL
@@ -25,9 +26,9 @@
 #include "../Map/DepthSpread.hlsl"
 #include "TexelQuad.hlsl"
 
-// From the receiver to where the next level begins, in cells of the level: for the filter, and for the search, whose mean
-// changes less with the size of cells. Other numbers can be defined before this file, to measure them
-// (Documentation~/noise.md).
+// The distance from the receiver to where the next level begins, in cells of the level: one number for the filter, and
+// one for the search, whose mean changes less with the size of cells. Other numbers can be defined before this file, to
+// measure them (Documentation~/noise.md).
 #if !defined(PENUMBRA_RING_CELLS)
 #define PENUMBRA_RING_CELLS 5.0
 #endif
@@ -36,29 +37,33 @@
 #endif
 static const float kRingCells = PENUMBRA_RING_CELLS;
 static const float kSearchRingCells = PENUMBRA_SEARCH_RING_CELLS;
-// A mean that lies above the ground by less is on it: four steps of 16 bits; and by less than this share of how far the
-// receiver's plane rises from the receiver to the cell: its slope is that of depths of the camera.
+// A mean that lies above the ground by less than this counts as on it: four steps of 16 bits. So does one that lies
+// above it by less than the next share of how far the receiver's plane rises from the receiver to the cell, because the
+// plane's slope comes from the camera's depths.
 static const float kLeastAbove = 6e-5;
 static const float kSlopeError = 0.03;
-// Share by which the squared deviation of a plane may be larger than that of the receiver's; and error of a deviation.
+// The share by which the squared deviation of a plane may be larger than that of the receiver's plane, and the error of
+// a deviation.
 static const float kSquareError = 0.1;
 static const float kDeviationError = 2e-5;
-// The ground lies below the receiver's plane by the bias with which casters are drawn: it is looked for up to so many texels
-// away, and so many texels deep.
+// The ground lies below the receiver's plane by the bias with which casters are drawn. It is looked for up to this many
+// texels away, and this many texels deep.
 static const float kGroundReach = 2.5;
 static const float kDeepestGround = 8.0;
-// How many times as wide as the light's cone the search looks where the cone is empty, as in PcssAngular.hlsl.
+// The search looks in a cone this many times as wide as the light's where the light's cone is empty, as in
+// PcssAngular.hlsl.
 static const float kNearbyCones = 5.0;
 
-// What lies in a cell above the receiver's plane: a share of its area, and how much nearer to the light than the receiver.
+// What lies in a cell above the receiver's plane: the share of the cell's area that it takes, and how much nearer to
+// the light than the receiver it is.
 struct CellBlockers
 {
     float share;
     float gap;
 };
 
-// Of the level's ring and what it encloses. distance: of the cell's centre. radius: beyond which no cell counts. ringCells:
-// kRingCells or kSearchRingCells.
+// The share of a cell that belongs to the level's ring and what the ring encloses. distance is that of the cell's
+// centre. No cell beyond radius counts. ringCells is kRingCells or kSearchRingCells.
 float ShareInDisc(float distance, int level, float radius, float ringCells)
 {
     const float cell = PowerOfTwo(level);
@@ -91,7 +96,7 @@ CellBlockers BlockersOfTexel(float depth, float2 away, QuadReceiver receiver)
     return blockers;
 }
 
-// cell: its width, texels. ground: how far the ground lies below the receiver's plane, stored depth.
+// cell is the cell's width, texels. ground is how far the ground lies below the receiver's plane, stored depth.
 CellBlockers BlockersOfCell(DepthSpread spread, float2 away, float cell, float ground, QuadReceiver receiver)
 {
     CellBlockers blockers;
@@ -110,14 +115,16 @@ CellBlockers BlockersOfCell(DepthSpread spread, float2 away, float cell, float g
     return blockers;
 }
 
-// Depth of the ground below the receiver's plane where no texel shows it: as far as a texel is wide.
+// The depth of the ground below the receiver's plane where no texel shows it: as far as a texel is wide.
 float UsualGround(ConeScales scales)
 {
     return scales.depthPerMetre / max(scales.texelsPerMetre, 1e-9);
 }
 
-// With a texel near the receiver: the nearest below the plane is the ground. found: whether one was.
-float GroundWithTexel(float ground, inout bool found, float depth, float2 away, QuadReceiver receiver, ConeScales scales)
+// Takes a texel near the receiver into account: the nearest texel below the plane is the ground. found says whether
+// there was one.
+float GroundWithTexel(float ground, inout bool found, float depth, float2 away, QuadReceiver receiver,
+                      ConeScales scales)
 {
     const float below = DepthGap(PlaneDepth(receiver, away), depth);
     const bool isGround = below > 0.0 && below < (found ? ground : kDeepestGround * UsualGround(scales));
@@ -125,7 +132,7 @@ float GroundWithTexel(float ground, inout bool found, float depth, float2 away, 
     return isGround ? below : ground;
 }
 
-// Over all cells: of those in the light's cone, and of those in a cone kNearbyCones as wide.
+// Sums over all cells: those in the light's cone, and those in a cone kNearbyCones as wide.
 struct RingSums
 {
     float2 inside; // x: area / r^2; y: area / r
@@ -140,7 +147,7 @@ RingSums NoBlockers()
     return sums;
 }
 
-// area: of the cell, in its ring.
+// area is what of the cell belongs to its ring.
 RingSums AddBlockers(RingSums sums, CellBlockers blockers, float distance, float cell, float area, ConeScales scales)
 {
     RingSums next = sums;

@@ -35,7 +35,8 @@ float PointDepth(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receive
 float FilteredDepth(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 texels)
 {
     const float2 corner = ClampQuadCorner(texels, receiver.bounds);
-    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
+    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point,
+                                                                  corner * receiver.texelSize));
     return dot(mapDepth, BilinearWeights(texels, corner));
 }
 
@@ -43,7 +44,8 @@ float FilteredDepth(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver rece
 float LitByGather(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 texels, float reference)
 {
     const float2 corner = ClampQuadCorner(texels, receiver.bounds);
-    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
+    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point,
+                                                                  corner * receiver.texelSize));
     const float4 gap = DepthGap(mapDepth, float4(reference, reference, reference, reference));
     const float4 weight = BilinearWeights(texels, corner);
     const float blocked = dot(weight, float4(gap.x > 0.0, gap.y > 0.0, gap.z > 0.0, gap.w > 0.0));

@@ -1,19 +1,19 @@
 // Penumbra: exponential variance soft shadows on mip levels.
 //
-// Computes:   visibility of a disc light: the blocker's depth from the mean of exp(-c z) over the area that the farthest
-//             blocker's penumbra could cover, a soft minimum, then the smaller of two bounds of Chebyshev's over the area
-//             that this blocker's penumbra covers.
-// Source:     Google's Filament, 2026 (its "EVSSM", pull request 10188): one fetch at level log2(search radius); five at
-//             level log2(penumbra radius) - 1, the middle with weight 1/2, four at half that radius each way with 1/8;
-//             exponent 5.54 of depths in [-1, 1] with 16 bits and 42 with 32; smallest variance 0.002 of the mean square;
-//             light bleeding below 0.15 removed. Here widths are those of Core/Penumbra.hlsl, and levels are means of 2 x 2,
-//             which there are a Gaussian's of 3 x 3.
+// Computes:   visibility of a disc light: the blocker's depth from the mean of exp(-c z) over the area that the
+//             farthest blocker's penumbra could cover, a soft minimum, then the smaller of two bounds of Chebyshev's
+//             over the area that this blocker's penumbra covers.
+// Source:     Google's Filament, 2026 (its "EVSSM", pull request 10188): one fetch at level log2(search radius); five
+//             at level log2(penumbra radius) - 1, the middle with weight 1/2, four at half that radius each way with
+//             1/8; exponent 5.54 of depths in [-1, 1] with 16 bits and 42 with 32; smallest variance 0.002 of the mean
+//             square; light bleeding below 0.15 removed. Here widths are those of Core/Penumbra.hlsl, and levels are
+//             means of 2 x 2, which there are a Gaussian's of 3 x 3.
 // Inputs:     moments: of Map/DepthWarp.hlsl, with mip levels; linear sampler; ShadowReceiver; ShadowTile.
 //             ExponentialVarianceParameters: exponents are of depths in [-1/2, 1/2], twice those above.
 // Cost:       6 filtered fetches of four channels.
 // Guarantees: [0, 1] for any input; nothing outside of the tile counts.
-// Use it:     to compare with. Not: where a blocker stands beside one that is much nearer to the light: the soft minimum
-//             takes the nearer one's depth for both, however small its share.
+// Use it:     to compare with. Not: where a blocker stands beside one that is much nearer to the light: the soft
+//             minimum takes the nearer one's depth for both, however small its share.
 #ifndef PENUMBRA_EXPONENTIAL_LEVELS_HLSL
 #define PENUMBRA_EXPONENTIAL_LEVELS_HLSL
 
@@ -31,7 +31,7 @@ float4 LevelTexel(TEXTURE2D(moments), SAMPLER(sampler_moments), float2 texels, f
     return SAMPLE_TEXTURE2D_LOD(moments, sampler_moments, inside / size, level);
 }
 
-// Gap of the depth at which a lone blocker would leave this mean of exp(-c z).
+// The gap of the depth at which a lone blocker would leave this mean of exp(-c z).
 float SoftMinimumGap(float meanExponential, float exponent, float depth)
 {
     const float blocker = -log(max(meanExponential, 1e-37)) / exponent;

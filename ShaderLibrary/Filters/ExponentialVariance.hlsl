@@ -1,7 +1,7 @@
 // Penumbra: exponential variance shadow maps.
 //
-// Computes:   the smaller of two upper bounds of visibility: Chebyshev's for exp(c z) and for -exp(-d z) of the depths z
-//             around the receiver.
+// Computes:   the smaller of two upper bounds of visibility: Chebyshev's for exp(c z) and for -exp(-d z) of the depths
+//             z around the receiver.
 // Source:     Lauritzen and McCool, "Layered Variance Shadow Maps", GI 2008, section 7.
 // Inputs:     moments: of Map/DepthWarp.hlsl, filtered over the map; ShadowReceiver; ShadowTile.
 // Cost:       1 filtered fetch of four channels.

@@ -2,14 +2,14 @@
 //
 // Computes:   the share of blockers on a disk as wide as Filament's bulb, made harder where the blockers are near: the
 //             taps of the search are the filter's, too.
-// Source:     Myers, "Shadow of Cold War" (2021), as Filament's ShadowType DPCF has it (FilamentTaps.hlsl): 12 taps, and
-//             the hardened share s of x is 1/2 + (s' - s' (1 - |2x - 1|)^3) / 2 with s' the sign of 2x - 1.
+// Source:     Myers, "Shadow of Cold War" (2021), as Filament's ShadowType DPCF has it (FilamentTaps.hlsl): 12 taps,
+//             and the hardened share s of x is 1/2 + (s' - s' (1 - |2x - 1|)^3) / 2 with s' the sign of 2x - 1.
 // Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
 //             FilamentParameters, of which filterSamples is not used.
 // Cost:       blockerSamples fetches.
-// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's plane
-//             at every tap (the plane of a surface along the light's rays passes the near plane); texels outside the tile
-//             are not read.
+// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's
+//             plane at every tap (the plane of a surface along the light's rays passes the near plane); texels outside
+//             the tile are not read.
 // Use it:     for comparison with Filament, whose parameters FilamentTaps.hlsl explains; the renderer feature does not
 //             offer it. Not: as a first choice.
 #ifndef PENUMBRA_FILAMENT_DPCF_HLSL

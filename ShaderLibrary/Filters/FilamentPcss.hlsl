@@ -1,15 +1,15 @@
 // Penumbra: PCSS by the rules of Filament, for comparison.
 //
-// Computes:   the mean depth of blockers on a disk as wide as Filament's bulb, then the lit share of that disk scaled by
-//             the penumbra ratio.
-// Source:     Filament's ShadowType PCSS (FilamentTaps.hlsl): 16 taps for the search and 16 for the filter, each of them
-//             a bilinear comparison of four texels. Newer versions filter variance maps instead.
+// Computes:   the mean depth of blockers on a disk as wide as Filament's bulb, then the lit share of that disk scaled
+//             by the penumbra ratio.
+// Source:     Filament's ShadowType PCSS (FilamentTaps.hlsl): 16 taps for the search and 16 for the filter, each of
+//             them a bilinear comparison of four texels. Newer versions filter variance maps instead.
 // Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
 //             FilamentParameters.
 // Cost:       blockerSamples fetches where nothing blocks, else blockerSamples + filterSamples.
-// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's plane
-//             at every tap (the plane of a surface along the light's rays passes the near plane); texels outside the tile
-//             are not read.
+// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's
+//             plane at every tap (the plane of a surface along the light's rays passes the near plane); texels outside
+//             the tile are not read.
 // Use it:     for comparison with Filament, whose parameters FilamentTaps.hlsl explains; the renderer feature does not
 //             offer it. Not: as a first choice.
 #ifndef PENUMBRA_FILAMENT_PCSS_HLSL
@@ -17,12 +17,14 @@
 
 #include "FilamentTaps.hlsl"
 
-// Lit share of the four texels around `texels`, each compared with the receiver's plane at the tap, `plane` above it.
+// The lit share of the four texels around `texels`, each compared with the receiver's plane at the tap, `plane` above
+// it.
 float FilamentLit(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 texels, float plane)
 {
     const float2 inside = ClampToTile(texels, receiver.bounds);
     const float2 corner = ClampQuadCorner(inside, receiver.bounds);
-    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
+    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point,
+                                                                  corner * receiver.texelSize));
     const float depth = receiver.depth;
     const float4 gap = DepthGap(mapDepth, float4(depth, depth, depth, depth)) - plane;
     const float4 blocking = float4(gap.x >= 0.0, gap.y >= 0.0, gap.z >= 0.0, gap.w >= 0.0);

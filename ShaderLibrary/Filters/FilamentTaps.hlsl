@@ -3,8 +3,8 @@
 // Computes:   Filament's taps and biases for a directional light, its radius of the light and its penumbra ratio.
 // Source:     Filament (google/filament: surface_shadowing.fs as of commit 128523a, ShadowMapManager.cpp,
 //             LightManager.h). The taps are the first of 64 points of S. Kosarevsky's poisson-disk-generator. In this
-//             version, too, the first 16 lie in one half of the disk (y > 0, centroid 0.36, 0.50), and Filament takes no
-//             more than 16: the disk, turned by a random angle per pixel, samples one side of the receiver. That is
+//             version, too, the first 16 lie in one half of the disk (y > 0, centroid 0.36, 0.50), and Filament takes
+//             no more than 16: the disk, turned by a random angle per pixel, samples one side of the receiver. That is
 //             most of its error: with 16 points on a Vogel disk, the RMSE in penumbrae of PCSS at 2 degrees falls from
 //             0.28 to 0.14, the mean of 5 scenes.
 // Inputs:     QuadReceiver, ConeScales; texels, metres, stored depth.
@@ -16,13 +16,13 @@
 // How Filament means its parameters:
 // - The light is a bulb with a radius in metres (shadowBulbRadius, 0.02 by default) at the near plane. The search is as
 //   wide as the bulb, the penumbra (d_receiver - d_blocker) / d_blocker times as wide, with distances from the near
-//   plane. The sun's angular radius has no part in it. To compare it with a sun, the bulb is as wide as the sun's disc at
-//   half the depth range (discShare 0.5): of 0.12 to 1 the share with the smallest error in the scene `trees` at 2
+//   plane. The sun's angular radius has no part in it. To compare it with a sun, the bulb is as wide as the sun's disc
+//   at half the depth range (discShare 0.5): of 0.12 to 1 the share with the smallest error in the scene `trees` at 2
 //   degrees. Receivers and blockers nearer to the near plane get wider penumbrae than the disc's, others narrower ones.
 // - Bias: the receiver moves along its normal, half a texel times the sine of the angle to the light (normalBias 1).
-//   Casters are drawn with a slope-scaled offset of two (polygonOffsetSlope 2), in place of Unity's 2.5; where a pipeline
-//   cannot, slopeBias moves the receiver by as much of its own slope. The constant offset of half a step of stored depth
-//   is omitted. Taps are tested against the receiver's plane.
+//   Casters are drawn with a slope-scaled offset of two (polygonOffsetSlope 2), in place of Unity's 2.5; where a
+//   pipeline cannot, slopeBias moves the receiver by as much of its own slope. The constant offset of half a step of
+//   stored depth is omitted. Taps are tested against the receiver's plane.
 //
 // What is different here: the plane is from the normal, where Filament has it from screen derivatives, which are not
 // finite where the surface is seen edge-on. The blocker's distance is at least 2^-24, where Filament divides by 0. Taps
@@ -62,7 +62,8 @@ float2 FilamentTap(int index, int count)
 }
 
 // The receiver with both biases.
-QuadReceiver FilamentReceiver(ShadowReceiver receiver, ShadowTile tile, ConeScales scales, FilamentParameters parameters)
+QuadReceiver FilamentReceiver(ShadowReceiver receiver, ShadowTile tile, ConeScales scales,
+                              FilamentParameters parameters)
 {
     const QuadReceiver surface = PrepareQuads(receiver, tile);
     const float3 normal = ReceiverNormalLS(surface, scales);
@@ -70,12 +71,13 @@ QuadReceiver FilamentReceiver(ShadowReceiver receiver, ShadowTile tile, ConeScal
     const float texel = 1.0 / max(scales.texelsPerMetre, 1e-6);
     const float away = 0.5 * BoundedOrLow(parameters.normalBias, 0.0, 64.0) * texel * sine;
     QuadReceiver moved = MoveReceiver(surface, normal * away, scales);
-    const float slope = max(abs(moved.gradient.x), abs(moved.gradient.y)) * BoundedOrLow(parameters.slopeBias, 0.0, 64.0);
+    const float slope =
+        max(abs(moved.gradient.x), abs(moved.gradient.y)) * BoundedOrLow(parameters.slopeBias, 0.0, 64.0);
     moved.depth = min(max(MoveTowardLight(moved.depth, slope), 0.0), 1.0);
     return moved;
 }
 
-// Texels.
+// The radius of Filament's bulb, texels.
 float FilamentBulbRadius(ConeScales scales, FilamentParameters parameters)
 {
     const float disc = BoundedOrLow(parameters.discShare, 0.0, 64.0) * scales.texelsPerDepth;
@@ -83,7 +85,7 @@ float FilamentBulbRadius(ConeScales scales, FilamentParameters parameters)
     return min(disc + bulb, scales.largestRadius);
 }
 
-// blockerHeight: the mean of the blockers, from the far plane, stored depth.
+// blockerHeight is the blockers' mean height over the far plane, stored depth.
 float FilamentPenumbraRatio(QuadReceiver receiver, float blockerHeight)
 {
     const float gap = blockerHeight - DepthGap(receiver.depth, kFarthestDepth);
@@ -93,10 +95,10 @@ float FilamentPenumbraRatio(QuadReceiver receiver, float blockerHeight)
 struct FilamentBlockers
 {
     float count;
-    float heightSum; // from the far plane, stored depth
+    float heightSum; // sum of heights over the far plane, stored depth
 };
 
-// A texel as near as the receiver's plane blocks: the biases keep the receiver's own surface off it.
+// A texel as near as the receiver's plane blocks, because the biases keep the receiver's own surface off it.
 FilamentBlockers FilamentSearch(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 rotation,
                                 float radius, int count)
 {

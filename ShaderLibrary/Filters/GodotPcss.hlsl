@@ -5,8 +5,8 @@
 //             (d_receiver - d_blocker) / d_blocker, with distances from the near plane.
 // Source:     Godot 4 (godotengine/godot: scene_forward_lights_inc.glsl as of commit 001d4b2, light_storage.cpp,
 //             renderer_scene_cull.cpp, renderer_scene_render_rd.cpp): as many taps for the search as for the filter, on
-//             the same Vogel disk, whose angle is 2.4 radians and not the golden one. Of its qualities of the soft shadow
-//             filter, Hard and Very Low have 4 taps, Low 8, Medium 12, High 24, Ultra 32. The default is Low.
+//             the same Vogel disk, whose angle is 2.4 radians and not the golden one. Of its qualities of the soft
+//             shadow filter, Hard and Very Low have 4 taps, Low 8, Medium 12, High 24, Ultra 32. The default is Low.
 // Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
 //             GodotPcssParameters.
 // Cost:       samples fetches where nothing blocks, else twice as many.
@@ -20,18 +20,19 @@
 //   distance: twice the radius of that disc. With diameterShare 0.5 the light is given half its diameter instead.
 // - The division by the blocker's distance belongs to a light at the near plane. It makes the penumbra wider than the
 //   disc's by d_receiver / d_blocker.
-// - Blockers are searched in depths that are interpolated between texels: at an edge of a caster they lie between caster
+// - Blockers are searched in depths that are interpolated between texels: at an edge of a caster they lie between
+// caster
 //   and ground, where nothing is.
 // - Bias: the receiver moves 0.001 of the depth range toward the light (shadow_bias 0.1), and across the light by its
-//   normal's part there times two texels (shadow_normal_bias 2). The receiver's plane is not used, so wide disks shadow the
-//   slope that they lie on. Casters are drawn without Godot's biases, but with Unity's slope-scaled one, without which more
-//   lit surfaces shadow themselves.
+//   normal's part there times two texels (shadow_normal_bias 2). The receiver's plane is not used, so wide disks shadow
+//   the slope that they lie on. Casters are drawn without Godot's biases, but with Unity's slope-scaled one, without
+//   which more lit surfaces shadow themselves.
 //
 // With an angular diameter of 0 this is one bilinear comparison per tap; Godot then has another filter.
 //
 // What is different here: taps beside the tile are taken at its edge, where Godot reads the neighbouring cascade. The
-// blocker's distance is at least kGodotSmallestDistance, where Godot divides by 0. Disks are no wider than the tile. Godot
-// rotates the disk the other way round.
+// blocker's distance is at least kGodotSmallestDistance, where Godot divides by 0. Disks are no wider than the tile.
+// Godot rotates the disk the other way round.
 #ifndef PENUMBRA_GODOT_PCSS_HLSL
 #define PENUMBRA_GODOT_PCSS_HLSL
 
@@ -49,7 +50,7 @@ float2 GodotDisk(int index, int count)
     return float2(cos(angle), sin(angle)) * sqrt((float(index) + 0.5) / float(count));
 }
 
-// Radius of the light's cone per distance, as a multiple of the exact tan(a/2).
+// The radius of the light's cone per distance, as a multiple of the exact tan(a/2).
 float GodotWidening(float tanHalf, float diameterShare)
 {
     const float angle = min(2.0 * atan(tanHalf) * diameterShare, 1.5);
@@ -61,14 +62,15 @@ QuadReceiver GodotReceiver(ShadowReceiver receiver, ShadowTile tile, ConeScales 
 {
     const QuadReceiver surface = PrepareQuads(receiver, tile);
     const float texel = 1.0 / max(scales.texelsPerMetre, 1e-6);
-    const float2 across = ReceiverNormalLS(surface, scales).xy * (BoundedOrLow(parameters.normalBias, 0.0, 64.0) * texel);
+    const float2 across =
+        ReceiverNormalLS(surface, scales).xy * (BoundedOrLow(parameters.normalBias, 0.0, 64.0) * texel);
     QuadReceiver prepared = MoveReceiver(surface, float3(across, 0.0), scales);
     prepared.depth = min(max(MoveTowardLight(prepared.depth, BoundedOrLow(parameters.depthBias, 0.0, 1.0)), 0.0), 1.0);
     prepared.depth = KeepBehindNearPlane(prepared.depth);
     return prepared;
 }
 
-// Texels: of the light's cone at the near plane.
+// The radius of the light's cone at the near plane, texels.
 float GodotSearchRadius(QuadReceiver prepared, ConeScales scales, GodotPcssParameters parameters)
 {
     const float tanHalf =
@@ -84,7 +86,7 @@ float FilterGodotPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
     const QuadReceiver prepared = GodotReceiver(receiver, tile, scales, parameters);
     const float2 rotation = UnitRotation(receiver.rotation);
     const int count = BoundedSampleCount(parameters.samples);
-    const float receiverDistance = LargestGap(prepared.depth); // from the near plane
+    const float receiverDistance = LargestGap(prepared.depth); // distance from the near plane
     const float searchRadius = GodotSearchRadius(prepared, scales, parameters);
     float distanceSum = 0.0;
     float blockers = 0.0;
@@ -93,7 +95,8 @@ float FilterGodotPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
     for (i = 0; i < count; ++i)
     {
         const float2 offset = RotateDisk(GodotDisk(i, count), rotation) * searchRadius;
-        const float mapDepth = FilteredDepth(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, prepared.centre + offset);
+        const float mapDepth = FilteredDepth(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared,
+                                             prepared.centre + offset);
         if (IsBlocker(mapDepth, prepared.depth))
         {
             distanceSum += LargestGap(mapDepth);
@@ -110,7 +113,8 @@ float FilterGodotPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
     for (i = 0; i < count; ++i)
     {
         const float2 offset = RotateDisk(GodotDisk(i, count), rotation) * radius;
-        lit += LitByGather(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, prepared.centre + offset, prepared.depth);
+        lit += LitByGather(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, prepared.centre + offset,
+                           prepared.depth);
     }
     return SanitizeVisibility(MeanVisibility(lit, float(count)));
 }

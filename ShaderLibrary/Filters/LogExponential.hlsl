@@ -8,8 +8,8 @@
 //             four are interpolated.
 // Guarantees: [0, 1]; 1 where nothing in the filtered area lies before the receiver; 0 where the mean is at most
 //             `bleeding`.
-// Use it:     in place of Exponential.hlsl where its largest exponent is not enough, or with 16 bits. Not: at contacts, for
-//             the same reason, but the gap that fades is smaller as the exponent is larger.
+// Use it:     in place of Exponential.hlsl where its largest exponent is not enough, or with 16 bits. Not: at contacts,
+//             for the same reason, but the gap that fades is smaller as the exponent is larger.
 #ifndef PENUMBRA_LOG_EXPONENTIAL_HLSL
 #define PENUMBRA_LOG_EXPONENTIAL_HLSL
 

@@ -1,14 +1,15 @@
 // Penumbra: moment soft shadow mapping on mip levels.
 //
-// Computes:   visibility of a disc light: mean blocker from four moments of the area that the farthest blocker's penumbra
-//             could cover, then Hamburger's bound over the area that this blocker's penumbra covers.
-// Source:     Peters, Muenstermann, Wetzstein, Klein, "Improved Moment Shadow Maps for Translucent Occluders, Soft Shadows and
-//             Single Scattering", JCGT 6(1), 2017, on mip levels in place of summed-area tables: Map/MapLevels.hlsl.
+// Computes:   visibility of a disc light: mean blocker from four moments of the area that the farthest blocker's
+//             penumbra could cover, then Hamburger's bound over the area that this blocker's penumbra covers.
+// Source:     Peters, Muenstermann, Wetzstein, Klein, "Improved Moment Shadow Maps for Translucent Occluders, Soft
+//             Shadows and Single Scattering", JCGT 6(1), 2017, on mip levels in place of summed-area tables:
+//             Map/MapLevels.hlsl.
 // Inputs:     moments: of Map/FourMoments.hlsl, with mip levels; linear sampler; ShadowReceiver; ShadowTile.
 // Cost:       4 filtered fetches for each of 1 to `searches` searches; where one finds blockers, 4 more.
 // Guarantees: [0, 1] for any input; nothing outside of the tile counts.
-// Use it:     for wide penumbrae at a small cost, in 10.7 bytes per texel with 16 bits. Not: where three or more occluders
-//             overlap in depth.
+// Use it:     for wide penumbrae at a small cost, in 10.7 bytes per texel with 16 bits. Not: where three or more
+//             occluders overlap in depth.
 #ifndef PENUMBRA_MSSM_LEVELS_HLSL
 #define PENUMBRA_MSSM_LEVELS_HLSL
 
@@ -23,7 +24,7 @@
 struct MomentsAround
 {
     float4 moments;
-    float depth; // of the receiver's plane in the taps' middle, in [-1, 1]
+    float depth; // depth of the receiver's plane in the taps' middle, in [-1, 1]
 };
 
 MomentsAround MeanMoments(TEXTURE2D(moments), SAMPLER(sampler_moments), PlaneReceiver plane, ShadowTile tile,
@@ -64,7 +65,7 @@ float FilterMssmLevels(TEXTURE2D(moments), SAMPLER(sampler_moments), ShadowRecei
         const BlockerShare blockers = BlockersOfMoments(area.moments, area.depth, mix);
         if (!(blockers.share > kNegligibleShare)) return 1.0;
         const float searched = radius;
-        const float gap = 0.5 * blockers.gapSum / blockers.share; // of depths in [-1, 1]
+        const float gap = 0.5 * blockers.gapSum / blockers.share; // depths in [-1, 1] are twice as far apart
         radius = min(max(PenumbraRadius(gap, scales), floorTexels), searched);
         if (radius > kSettledShare * searched) break;
     }

@@ -1,9 +1,9 @@
 // Penumbra: moment soft shadow mapping on summed-area tables.
 //
-// Computes:   visibility of a disc light: mean blocker from four moments of the area that the farthest blocker's penumbra
-//             could cover, then Hamburger's bound over the area that this blocker's penumbra covers.
-// Source:     Peters, Muenstermann, Wetzstein, Klein, "Improved Moment Shadow Maps for Translucent Occluders, Soft Shadows and
-//             Single Scattering", JCGT 6(1), 2017. Widths are those of Core/Penumbra.hlsl.
+// Computes:   visibility of a disc light: mean blocker from four moments of the area that the farthest blocker's
+//             penumbra could cover, then Hamburger's bound over the area that this blocker's penumbra covers.
+// Source:     Peters, Muenstermann, Wetzstein, Klein, "Improved Moment Shadow Maps for Translucent Occluders, Soft
+//             Shadows and Single Scattering", JCGT 6(1), 2017. Widths are those of Core/Penumbra.hlsl.
 // Inputs:     sums: of Shaders/SummedAreas.compute, of Map/DepthDigits.hlsl; ShadowReceiver; ShadowTile.
 // Cost:       4 fetches for each of 1 to `searches` searches; where one finds blockers, 16 more. About 100 arithmetic
 //             operations for each area.
@@ -22,7 +22,7 @@
 
 static const float kLargestMomentReach = 0.5 * float(kLargestMomentBox) - 1.0;
 
-// Of the receiver's plane in an area's middle, in the moments' range [-1, 1].
+// The depth of the receiver's plane in an area's middle, in the moments' range [-1, 1].
 float MomentDepth(PlaneReceiver plane, MapBox box)
 {
     return 2.0 * DepthAt(plane, MiddleOf(box));
@@ -51,7 +51,7 @@ float FilterMssmSums(TYPED_TEXTURE2D(uint4, sums), ShadowReceiver receiver, Shad
             BlockersOfMoments(found, MomentDepth(plane, BoxOf(area)), mix);
         if (!(blockers.share > kNegligibleShare)) return 1.0;
         const float searched = radius;
-        const float gap = 0.5 * blockers.gapSum / blockers.share; // of depths in [-1, 1]
+        const float gap = 0.5 * blockers.gapSum / blockers.share; // depths in [-1, 1] are twice as far apart
         radius = min(max(PenumbraRadius(gap, scales), floorTexels), searched);
         if (radius > kSettledShare * searched) break;
     }

@@ -4,42 +4,45 @@
 //             OpacityOverDisc    its mean over the disc of the penumbra that the blended casters make:
 //
 //                  \  disc of angular diameter a  /
-//                   \        |--w--|             /    w = tan(a/2) gap: what the cone of rays to the light covers at the
-//              .. .. \ .. .. .. .. / .. blended       casters. The mean of their opacity over it is the share of the
-//                     \      |gap /                   light that they stop.
+//                   \        |--w--|             /    w = tan(a/2) gap: what the cone of rays to the light covers at
+//              .. .. \ .. .. .. .. / .. blended       the casters. The mean of their opacity over it is the share of
+//                     \      |gap /                   the light that they stop.
 //                      \     |   /
 //                 ------\----+--/-------- receiver
 //
 // Source:     Candycat, "Graphics Study: RDR2, shadows" (2021), for the mask and its one sample. The disc: Fernando,
 //             "Percentage-Closer Soft Shadows" (2005), with the mean gap weighted by opacity.
-// Inputs:     opacityMask: 1 less the product of transmittances; blendedDepth: the nearest depth of what is in it; both of
-//             the map's size (Shaders/OpacityPasses.hlsl). AngularSearch: PcssAngular.hlsl.
-// Cost:       at the receiver 1 fetch. Over the disc a gather of the mask for each tap, and one of the depth where any of its
-//             texels has opacity: a third of blockerSamples for the search, and where it finds anything filterSamples more.
-// Guarantees: [0, 1] for any input; exactly 0 where the mask is 0; texels outside the tile are not read. Over the disc, texels
-//             whose nearest blended caster is not above the receiver count as 0.
-// Use it:     multiply a filter's visibility by 1 less it. Not: between two blended casters over one texel: the mask has both.
+// Inputs:     opacityMask: 1 less the product of transmittances; blendedDepth: the nearest depth of what is in it; both
+//             of the map's size (Shaders/OpacityPasses.hlsl). AngularSearch: PcssAngular.hlsl.
+// Cost:       at the receiver 1 fetch. Over the disc a gather of the mask for each tap, and one of the depth where any
+//             of its texels has opacity: a third of blockerSamples for the search, and where it finds anything
+//             filterSamples more.
+// Guarantees: [0, 1] for any input; exactly 0 where the mask is 0; texels outside the tile are not read. Over the disc,
+//             texels whose nearest blended caster is not above the receiver count as 0.
+// Use it:     multiply a filter's visibility by 1 less it. Not: between two blended casters over one texel: the mask
+//             has both.
 #ifndef PENUMBRA_OPACITY_MASK_HLSL
 #define PENUMBRA_OPACITY_MASK_HLSL
 
 #include "PcssAngular.hlsl"
 
-// Fewer than for blockers: each tap sees four texels, and smoke has no holes. With 4, 8, 12 and 24 taps the error in penumbra
-// of the scene wires-and-smoke under a disc of 2 degrees is 0.061, 0.051, 0.047 and 0.044, for 36, 42, 47 and 61 fetches.
+// The search needs fewer taps than that for blockers: each tap sees four texels, and smoke has no holes. With 4, 8, 12
+// and 24 taps the error in penumbra of the scene wires-and-smoke under a disc of 2 degrees is 0.061, 0.051, 0.047 and
+// 0.044, for 36, 42, 47 and 61 fetches.
 static const int kBlockerSamplesPerTap = 3;
 
 struct BlendedQuad
 {
-    float4 opacity; // above the receiver
+    float4 opacity; // opacity above the receiver
     float4 gap;     // stored depth
-    float4 radius;  // from the receiver, texels
-    float4 weight;  // bilinear
+    float4 radius;  // distance from the receiver, texels
+    float4 weight;  // bilinear weight
 };
 
 float4 BoundedOpacity(float4 opacity)
 {
-    return float4(BoundedOrLow(opacity.x, 0.0, 1.0), BoundedOrLow(opacity.y, 0.0, 1.0), BoundedOrLow(opacity.z, 0.0, 1.0),
-                  BoundedOrLow(opacity.w, 0.0, 1.0));
+    return float4(BoundedOrLow(opacity.x, 0.0, 1.0), BoundedOrLow(opacity.y, 0.0, 1.0),
+                  BoundedOrLow(opacity.z, 0.0, 1.0), BoundedOrLow(opacity.w, 0.0, 1.0));
 }
 
 float OpacityAtReceiver(TEXTURE2D_PARAM(opacityMask, sampler_linear), ShadowReceiver receiver, ShadowTile tile)
@@ -72,16 +75,16 @@ BlendedQuad ReadBlended(TEXTURE2D(opacityMask), TEXTURE2D_PARAM(blendedDepth, sa
     return quad;
 }
 
-// Their mean gap above the receiver, weighted by opacity, in the light's cone or, where it is empty, in a wider one. Count is
-// the sum of opacities, 0 where there are none.
-BlockerEstimate SearchBlended(TEXTURE2D(opacityMask), TEXTURE2D_PARAM(blendedDepth, sampler_point), AngularSearch search,
-                              int samples, float clump)
+// The mean gap of the blended casters above the receiver, weighted by opacity, in the light's cone or, where it is
+// empty, in a wider one. The estimate's count is the sum of opacities, 0 where there are none.
+BlockerEstimate SearchBlended(TEXTURE2D(opacityMask), TEXTURE2D_PARAM(blendedDepth, sampler_point),
+                              AngularSearch search, int samples, float clump)
 {
     const int count = BoundedSampleCount(samples);
     LightCone wide = search.cone;
     wide.scales.depthPerTexel = search.cone.scales.depthPerTexel / kNearbyWidth;
     const float4 each = float4(1.0, 1.0, 1.0, 1.0);
-    float2 inside = float2(0.0, 0.0); // sum of gaps, of opacities
+    float2 inside = float2(0.0, 0.0); // x: sum of gaps, y: sum of opacities
     float2 nearby = float2(0.0, 0.0);
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
@@ -107,7 +110,8 @@ float OpacityOverDisc(TEXTURE2D(opacityMask), TEXTURE2D_PARAM(blendedDepth, samp
 {
     const BlockerEstimate casters =
         SearchBlended(opacityMask, TEXTURE2D_ARGS(blendedDepth, sampler_point), search,
-                      parameters.blockerSamples / kBlockerSamplesPerTap, BoundedOrLow(parameters.blockerClump, 0.0, 8.0));
+                      parameters.blockerSamples / kBlockerSamplesPerTap,
+                      BoundedOrLow(parameters.blockerClump, 0.0, 8.0));
     if (!(casters.count > 0.0)) return 0.0;
     const float penumbra = min(PenumbraRadius(casters.gap, search.cone.scales), search.radius);
     const float radius = max(penumbra - kQuadReachTexels, search.smallestRadius);

@@ -13,10 +13,12 @@
 // Use it:     from about one texel of penumbra radius up. Not: on devices without gather.
 //
 // Choices that differ from the textbook, each measured (Documentation~/presets.md):
-// - The search's radius is that of the farthest blocker the map can hold, so its samples have as many in every octave of
+// - The search's radius is that of the farthest blocker the map can hold, so its samples have as many in every octave
+// of
 //   radius, and one at the receiver: spread evenly, or by 1/r, they step over low blockers, whose cone is narrow, and
 //   leak at contacts.
-// - Where no sample hits a blocker inside the light's cone, those beside it say how high the caster there stands, and the
+// - Where no sample hits a blocker inside the light's cone, those beside it say how high the caster there stands, and
+// the
 //   filter decides: at the rim of a penumbra a sliver of the cone is blocked, which few samples hit.
 // - Each texel is tested at its centre against the receiver's plane, by gather, so a wide kernel does not shadow the
 //   surface it lies on.
@@ -36,34 +38,36 @@
 
 // A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
 static const float kSmallestSlackTexels = 0.75;
-// How far a sample's bilinear weights carry an edge beyond the sample: from 0 to 1 the kernel is that much wider than
+// A sample's bilinear weights carry an edge this far beyond the sample: from 0 to 1 the kernel is that much wider than
 // its disc, on either side.
 static const float kQuadReachTexels = 0.5;
-// How many times as wide as the light's cone the search looks where the cone is empty. At 3 and at 10 the error in
-// penumbra is 0 to 15 % larger with 8 samples, at 10 a third more lit pixels are darkened.
+// The search looks in a cone this many times as wide as the light's where the light's cone is empty. At 3 and at 10 the
+// error in penumbra is 0 to 15 % larger with 8 samples; at 10 a third more lit pixels are darkened.
 static const float kNearbyWidth = 5.0;
-// Height of the filter's cone, as a share of the blockers' mean gap. Leaks and false shadows balance from 0.1 to 0.25.
+// The height of the filter's cone, as a share of the blockers' mean gap. Leaks and false shadows balance from 0.1 to
+// 0.25.
 static const float kConeHeightShare = 0.15;
-// The widest filter radius for which the 4 x 4 texels around the receiver are enough, and how far beyond the radius their
-// weight, which falls evenly with the distance, comes to nothing. Farther: softer edges, and light leaks at contacts.
+// The widest filter radius for which the 4 x 4 texels around the receiver are enough, and how far beyond the radius
+// their weight, which falls evenly with the distance, comes to nothing. With a wider reach edges are softer, and light
+// leaks at contacts.
 static const float kWidestBlockTexels = 1.25;
 static const float kBlockReachTexels = 0.4;
-// Blockers whose penumbra's radius is below this, and whose gap is below this share of the mean, are low ones beside high
-// ones. Twice the radius changes no error by 1 % and costs 0.1 fetches.
+// Blockers whose penumbra's radius is below this, and whose gap is below this share of the mean, are low ones beside
+// high ones. Twice the radius changes no error by 1 % and costs 0.1 fetches.
 static const float kLowBlockerTexels = 2.0;
 static const float kLowBlockerShare = 0.25;
-// No less, or a receiver between four texels could find none with a weight.
+// A smaller radius would leave a receiver between four texels without any texel that has a weight.
 static const float kSmallestBlockTexels = 0.75;
-// A gap that no two depths of a map have.
+// No two depths of a map have this gap.
 static const float kAnyGap = 2.0;
 // No texel of a sample's quad with a weight is farther from the sample than a texel's diagonal.
 static const float kQuadSlackTexels = 1.5;
-// By how much at most a cone of FilterFound is wider than the light's, beyond the smallest filter radius.
+// A cone of FilterFound is wider than the light's by at most this much, beyond the smallest filter radius.
 static const float kWidestSlackTexels = 1.75;
-// Of the mean gap, with what floats round of it.
+// The mean gap may be larger by this factor, since floats round it.
 static const float kRoundedShare = 1.001;
 
-// Where the search's sample lies, in texels from the receiver. clump below 1: geometric.
+// The place of a sample of the search, in texels from the receiver. A clump below 1 means geometric spacing.
 float SearchSampleRadius(int index, int count, float clump, float radius)
 {
     const float outermost = max(radius, 1e-3);
@@ -71,15 +75,15 @@ float SearchSampleRadius(int index, int count, float clump, float radius)
     return FibonacciRadius(index, count, clump) * radius;
 }
 
-// Gap below which a blocker's penumbra is narrow enough to count as a low blocker, stored depth.
+// The gap, stored depth, below which a blocker's penumbra is narrow enough for a low blocker.
 float LowBlockerGap(LightCone cone)
 {
     return kLowBlockerTexels * cone.scales.depthPerTexel;
 }
 
-// Blockers inside the cone; where there is none, those in the wider one. coneHeight: at which the filter's cone ends, stored
-// depth. A cone that the search found empty keeps its height: nothing in it that could leak. lowBlockers: how many texels
-// inside the cone are low blockers.
+// Finds the blockers inside the cone or, where there is none, those in the wider one. coneHeight, stored depth, is
+// where the filter's cone ends. A cone that the search found empty keeps its height: nothing in it could leak.
+// lowBlockers is how many texels inside the cone are low blockers.
 BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone,
                                float2 rotation, float radius, PcssAngularParameters parameters,
                                out float coneHeight, out float lowBlockers)
@@ -89,7 +93,7 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     LightCone wide = cone;
     wide.scales.depthPerTexel = cone.scales.depthPerTexel / kNearbyWidth;
     const float4 each = float4(1.0, 1.0, 1.0, 1.0);
-    float2 inside = float2(0.0, 0.0); // sum of gaps, texels
+    float2 inside = float2(0.0, 0.0); // x: sum of gaps, y: number of texels
     float2 nearby = float2(0.0, 0.0);
     const float lowGap = LowBlockerGap(cone);
     lowBlockers = 0.0;
@@ -98,7 +102,8 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     {
         const float reach = i == 0 ? 0.0 : SearchSampleRadius(i, count, clump, radius);
         const float2 offset = OffsetInMap(RotateDisk(FibonacciDirection(i), rotation) * reach, receiver);
-        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone,
+                                        receiver.centre + offset);
         const float4 close = TexelsInCone(quad.gap, quad.abovePlane, quad.radius, wide);
         inside += float2(dot(quad.gap, quad.blocking), dot(quad.blocking, each));
         lowBlockers += dot(quad.blocking, 1.0 - step(lowGap, quad.gap));
@@ -112,9 +117,9 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     return estimate;
 }
 
-// The 4 x 4 texels around the receiver, by a weight that falls evenly with the distance. The centres of those beside the
-// block are 2 texels away or more, where there is no weight left: nothing jumps where the block moves on by a texel.
-// Texels from largestGap (stored depth) up have no weight: what lies below them is not known.
+// The lit share of the 4 x 4 texels around the receiver, by a weight that falls evenly with the distance. The centres
+// of texels beside the block are 2 texels away or more, where there is no weight left: nothing jumps where the block
+// moves on by a texel. Texels from largestGap (stored depth) up have no weight: what lies below them is not known.
 float FilterBlock(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone, float radius,
                   float largestGap)
 {
@@ -144,7 +149,8 @@ float FilterDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receive
     for (int i = 0; i < count; ++i)
     {
         const float2 offset = OffsetInMap(RotateDisk(FibonacciDisk(i, count, 1.0), rotation) * radius, receiver);
-        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone,
+                                        receiver.centre + offset);
         blocked += dot(quad.weight, quad.blocking);
         lit += dot(quad.weight, 1.0 - quad.blocking);
     }
@@ -158,13 +164,13 @@ struct AngularSearch
     LightCone cone;
     float2 rotation;
     float smallestRadius; // texels
-    float radius;         // texels, of the search
+    float radius;         // radius of the search, texels
     BlockerEstimate blockers;
-    float coneHeight;     // stored depth, of the filter's cone
-    float lowBlockers;    // texels
+    float coneHeight;     // height of the filter's cone, stored depth
+    float lowBlockers;    // number of texels that are low blockers
 };
 
-// rotation: unit. scales: at the receiver.
+// rotation is of unit length. scales are those at the receiver.
 AngularSearch SearchAround(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 rotation,
                            ConeScales scales, PcssAngularParameters parameters)
 {
@@ -189,7 +195,8 @@ AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowRec
                         UnitRotation(receiver.rotation), ConeScalesOf(tile), parameters);
 }
 
-// Radius, texels, of what the blockers make; no wider than the search. Means nothing without blockers.
+// The radius, texels, of the penumbra that the blockers make; no wider than the search. It means nothing without
+// blockers.
 float FoundPenumbra(AngularSearch search)
 {
     return min(PenumbraRadius(search.blockers.gap, search.cone.scales), search.radius);
@@ -207,7 +214,7 @@ float FilterFound(TEXTURE2D_PARAM(shadowMap, sampler_point), AngularSearch searc
     float visibility = 1.0;
     if (narrow || search.lowBlockers > 0.0)
     {
-        // Slack for all 4 x 4 texels: what they hide, they hide.
+        // The cone has slack for all 4 x 4 texels, so that each texel in them that blocks hides light.
         cone.slackTexels = kWidestBlockTexels + kBlockReachTexels;
         const float lowGap = min(LowBlockerGap(cone), kLowBlockerShare * search.blockers.gap);
         visibility = FilterBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, cone,
@@ -230,8 +237,8 @@ float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     return FilterFound(TEXTURE2D_ARGS(shadowMap, sampler_point), search, parameters.filterSamples);
 }
 
-// Width of the penumbra from 0 to 1, metres across the light, that the blockers found at the receiver make; 0 where
-// nothing blocks. Costs the search alone.
+// The width of the penumbra from 0 to 1, metres across the light, that the blockers found at the receiver make; 0 where
+// nothing blocks. It costs the search alone.
 float PenumbraWidthAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
                            PcssAngularParameters parameters)
 {

@@ -1,7 +1,7 @@
 // Penumbra: where PCSS by angular diameter is exactly 1 or exactly 0, for a group of receivers, without running it.
 //
-// Computes:   whether PcssAngular.hlsl gives 1 at every receiver of a group, or 0 at every one, from the planes that hold
-//             the blocks of the shadow map between them.
+// Computes:   whether PcssAngular.hlsl gives 1 at every receiver of a group, or 0 at every one, from the planes that
+//             hold the blocks of the shadow map between them.
 // Source:     derived here, from Map/DepthPlanes.hlsl.
 //
 //                 \  light's cone  /       a block whose depths all lie below the receivers' planes, behind them, or
@@ -11,9 +11,9 @@
 //                     \/_____\_/           are dark
 //
 // Inputs:     depthPlanes: of 4 x 4 texels, with mip levels; ReceiverGroup; scales of its tile; PcssAngularParameters.
-// Cost:       a fetch for each block that it looks at: up to 4 x 4 large ones, and parts of those that it cannot decide as a
-//             whole. After kMostBlocks it divides no more. In all three searches 5 to 120 on average over scenes and lights
-//             from 0.53 to 5 degrees, about 550 at most.
+// Cost:       a fetch for each block that it looks at: up to 4 x 4 large ones, and parts of those that it cannot decide
+//             as a whole. After kMostBlocks it divides no more. In all three searches 5 to 120 on average over scenes
+//             and lights from 0.53 to 5 degrees, about 550 at most.
 // Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, for every receiver of the group, any
 //             rotation and any number of samples, in tests on a software device.
 // Use it:     for a mask of whole tiles of pixels, Shaders/ConservativeMaskPass.hlsl. Not: for PcssClassic.hlsl and
@@ -25,18 +25,20 @@
 #include "ReceiverGroup.hlsl"
 
 static const int kGroupBlocksAcross = 4;
-// With 64, 128, 256 and 1000 the mask decides 16.6, 22.1, 25.4 and 27.6 % of the pixels under a disc of 5 degrees, 54.6, 55.7,
-// 55.9 and 55.9 % under the sun's, for 6.2, 6.9, 7.6 and 10.5 and always 5.1 fetches per pixel (mean of three scenes).
+// With 64, 128, 256 and 1000 blocks the mask decides 16.6, 22.1, 25.4 and 27.6 % of the pixels under a disc of 5
+// degrees, for 6.2, 6.9, 7.6 and 10.5 fetches per pixel; under the sun's disc it decides 54.6, 55.7, 55.9 and 55.9 %,
+// always for 5.1 fetches (mean of three scenes).
 static const int kMostBlocks = 256;
 
-// A search over the blocks around a group, from few large ones down to the parts of those that are not decided as a whole.
+// A search over the blocks around a group, from few large ones down to the parts of those that are not decided as a
+// whole.
 struct BlockWalk
 {
     DiscBlocks top;
     int2 texel;
     int level;
     int visited;
-    float reach; // from a receiver to the texels that it reads
+    float reach; // distance from a receiver to the texels that it reads
 };
 
 BlockWalk WalkAround(ReceiverGroup group, float radius)
@@ -90,8 +92,8 @@ bool HasBlocks(BlockWalk walk)
     return walk.level < walk.top.level || walk.texel.y <= walk.top.high.y;
 }
 
-// Upper bound of the gaps of all texels that can block a receiver of the group; 0: none can. finest: level of the smallest
-// blocks that are read.
+// An upper bound of the gaps of all texels that can block a receiver of the group; 0 where none can. finest is the
+// level of the smallest blocks that are read.
 float LargestBlockingGap(TEXTURE2D(depthPlanes), ReceiverGroup group, LightCone cone, float radius, int finest)
 {
     BlockWalk walk = WalkAround(group, radius);
@@ -114,7 +116,7 @@ float LargestBlockingGap(TEXTURE2D(depthPlanes), ReceiverGroup group, LightCone 
     return largest;
 }
 
-// Every texel within the radius blocks every receiver, from a gap of `smallestGap` up.
+// Whether every texel within the radius blocks every receiver, from a gap of `smallestGap` up.
 bool AllBlock(TEXTURE2D(depthPlanes), ReceiverGroup group, float radius, float smallestGap)
 {
     BlockWalk walk = WalkAround(group, radius);
@@ -135,7 +137,8 @@ bool AllBlock(TEXTURE2D(depthPlanes), ReceiverGroup group, float radius, float s
     return all;
 }
 
-// Visibility of every receiver of the group, or kUndecided. mayBeDark: false where other receivers are known to be lit.
+// The visibility of every receiver of the group, or kUndecided. mayBeDark is false where other receivers are known to
+// be lit.
 float DecideAngular(TEXTURE2D(depthPlanes), ReceiverGroup group, ConeScales scales, PcssAngularParameters parameters,
                     bool mayBeDark)
 {
@@ -145,7 +148,8 @@ float DecideAngular(TEXTURE2D(depthPlanes), ReceiverGroup group, ConeScales scal
     cone.slackTexels = smallestRadius + kWidestSlackTexels;
     cone.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
     const float narrowest = max(smallestRadius, kWidestBlockTexels);
-    const float search = max(SearchRadius(group.depths.y, parameters.maxPenumbraMetres, smallestRadius, scales), narrowest);
+    const float search = max(SearchRadius(group.depths.y, parameters.maxPenumbraMetres, smallestRadius, scales),
+                             narrowest);
     const bool perhapsDark = mayBeDark && AllBlock(depthPlanes, group, 0.0, 0.0);
     const float gap = LargestBlockingGap(depthPlanes, group, cone, search, perhapsDark ? 16 : 0);
     if (!(gap > 0.0)) return 1.0;

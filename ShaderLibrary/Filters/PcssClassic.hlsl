@@ -1,7 +1,7 @@
 // Penumbra: percentage-closer soft shadows, the classic recipe.
 //
-// Computes:   visibility of a disc light: mean gap of the blockers within a fixed world-space radius, then the lit share
-//             of a disc as wide as the penumbra that gap makes. Both discs are Poisson sets, rotated per pixel.
+// Computes:   visibility of a disc light: mean gap of the blockers within a fixed world-space radius, then the lit
+//             share of a disc as wide as the penumbra that gap makes. Both discs are Poisson sets, rotated per pixel.
 // Source:     Fernando, "Percentage-Closer Soft Shadows" (2005), for a directional light, whose rays do not converge:
 //             the penumbra's radius is tan(a/2) times the gap, not lightSize (d_r - d_b) / d_b.
 // Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
@@ -27,7 +27,7 @@ float FilterPcssClassic(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     const float smallestRadius = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
     const int count = PoissonSetSize(parameters.samples);
 
-    // No cone: every texel above the plane and nearer to the light blocks.
+    // The disc has no cone: every texel above the plane and nearer to the light blocks.
     LightCone disc;
     disc.scales = scales;
     disc.slackTexels = 0.0;
@@ -42,7 +42,8 @@ float FilterPcssClassic(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     for (i = 0; i < count; ++i)
     {
         const float2 offset = RotateDisk(PoissonDisk(i, count), rotation) * searchRadius;
-        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, disc, prepared.centre + offset);
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, disc,
+                                        prepared.centre + offset);
         const float4 counted = quad.blocking * quad.weight;
         gapSum += dot(quad.gap, counted);
         blockers += dot(counted, float4(1.0, 1.0, 1.0, 1.0));
@@ -56,7 +57,8 @@ float FilterPcssClassic(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     for (i = 0; i < count; ++i)
     {
         const float2 offset = RotateDisk(PoissonDisk(i, count), rotation) * radius;
-        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, disc, prepared.centre + offset);
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, disc,
+                                        prepared.centre + offset);
         blocked += dot(quad.weight, quad.blocking);
         lit += dot(quad.weight, 1.0 - quad.blocking);
     }

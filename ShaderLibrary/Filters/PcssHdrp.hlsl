@@ -23,10 +23,10 @@ static const float kHdrpScale = 2.0;
 // HDRP's per-cascade constants, in texels and stored depth.
 struct HdrpScales
 {
-    float texelsPerDepth;        // of the light
+    float texelsPerDepth;        // scale of the light's cone
     float depthPerTexel;         // its inverse
-    float searchDepthPerTexel;   // of the wider cone of the blocker search
-    float minFilterDepthPerTexel; // of the cone below the smallest filter radius
+    float searchDepthPerTexel;   // scale of the wider cone of the blocker search
+    float minFilterDepthPerTexel; // scale of the cone below the smallest filter radius
     float largestBlockerGap;
     float largestOffset;
 };

@@ -1,20 +1,20 @@
 // Penumbra: percentage-closer soft shadows of a spot light with a source of a given radius.
 //
-// Computes:   visibility of a disc around the light's position that faces the receiver: mean gap of the blockers between
-//             receiver and disc, then the lit share of a disc as wide as the penumbra that gap makes.
+// Computes:   visibility of a disc around the light's position that faces the receiver: mean gap of the blockers
+//             between receiver and disc, then the lit share of a disc as wide as the penumbra that gap makes.
 // Source:     Fernando, "Percentage-Closer Soft Shadows" (2005), for a light in perspective. In the map, straight lines
-//             stay straight and 1 / depth is linear (Core/SpotLight.hlsl), so blockers are searched and weighed as under
-//             the sun, by PcssAngular.hlsl, with these scales:
-//             - penumbra radius in tile UV: R (f - n) / (2 tan(angle / 2) n f) per unit of stored depth gap. The mean of
+//             stay straight and 1 / depth is linear (Core/SpotLight.hlsl), so blockers are searched and weighed as
+//             under the sun, by PcssAngular.hlsl, with these scales: - penumbra radius in tile UV: R (f - n) / (2
+//             tan(angle / 2) n f) per unit of stored depth gap. The mean of
 //               stored gaps is the mean of the penumbra's radii; a mean of depths in metres would not be.
 //             - search: as far as a blocker on the near plane hides part of the disc. It has as many samples in every
 //               octave of radius, because that is far where the near plane is close to the light.
 //             - kernels are ellipses away from the axis, because the map's plane does not face the receiver.
-// Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; SpotMap: planes, angle, source;
-//             ShadowReceiver: after division by w, its gradient from ReceiverPlaneInPerspective; ShadowTile: of its
-//             fields the rectangle and the atlas size; PcssSpotParameters.
-// Cost:       as PcssAngular.hlsl: blockerSamples fetches where nothing blocks, else 4 more where the penumbra is narrow
-//             and filterSamples more where it is wide, and 4 more there where a low blocker stands, too.
+// Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; SpotMap: planes, angle,
+//             source; ShadowReceiver: after division by w, its gradient from ReceiverPlaneInPerspective; ShadowTile: of
+//             its fields the rectangle and the atlas size; PcssSpotParameters.
+// Cost:       as PcssAngular.hlsl: blockerSamples fetches where nothing blocks, else 4 more where the penumbra is
+//             narrow and filterSamples more where it is wide, and 4 more there where a low blocker stands, too.
 // Guarantees: [0, 1] for any input; exactly 1 without blockers, exactly 0 where every texel read blocks; texels outside
 //             the tile are not read.
 // Use it:     for receivers that ProjectOntoSpotMap() calls covered. Not: on devices without gather, and not for point
@@ -34,7 +34,7 @@ QuadReceiver PrepareQuadsInPerspective(ShadowReceiver receiver, ShadowTile tile,
     return prepared;
 }
 
-// The cone has no height of its own to end at: it is as high as the light.
+// The cone has no height of its own to end at, since it is as high as the light.
 PcssAngularParameters AngularOfSpot(PcssSpotParameters parameters)
 {
     PcssAngularParameters angular;

@@ -4,19 +4,21 @@
 //
 //                     light
 //                   \  \  \  \           of four samples here two are lit: 0.5. A ray is straight in each cascade's map
-//                    \##\  \  \          too, so a sample's place there is its place along the segment, and no matrix is
-//               eye --x--x--o--o--| surface      multiplied for it
+//                    \##\  \  \          too, so a sample's place there is its place along the segment, and no matrix
+//               eye --x--x--o--o--| surface      is multiplied for it
 //
-// Source:     Toth and Umenhoffer, "Real-time volumetric lighting in participating media" (2009), for samples of the shadow map
-//             along the ray, moved by another amount in each pixel. Their weights by extinction are places here, so that each
-//             sample counts the same: Core/RaySamples.hlsl.
-// Inputs:     shadow map with comparison sampler; ShadowSegment: the ray in the world and in the tile of each of its cascades, by
-//             SegmentInTile; RaySampling: how many samples (1 to 64), where each lies in its part of the ray (0.5: the middle;
-//             noise of the pixel, where a filter follows), and the optical depth of the fog along the ray (0: equal parts of it).
+// Source:     Toth and Umenhoffer, "Real-time volumetric lighting in participating media" (2009), for samples of the
+//             shadow map along the ray, moved by another amount in each pixel. Their weights by extinction are places
+//             here, so that each sample counts the same: Core/RaySamples.hlsl.
+// Inputs:     shadow map with comparison sampler; ShadowSegment: the ray in the world and in the tile of each of its
+//             cascades, by SegmentInTile; RaySampling: how many samples (1 to 64), where each lies in its part of the
+//             ray (0.5: the middle; noise of the pixel, where a filter follows), and the optical depth of the fog along
+//             the ray (0: equal parts of it).
 // Cost:       1 fetch for each sample that a cascade's map covers.
-// Guarantees: [0, 1] for any input; 1 beyond the last cascade and where no map covers a place. A comparison has no bias: samples
-//             lie in the air.
-// Use it:     for fog and shafts of light, once for each pixel of a smaller picture. Not: for the shadow of the surface behind.
+// Guarantees: [0, 1] for any input; 1 beyond the last cascade and where no map covers a place. A comparison has no
+//             bias: samples lie in the air.
+// Use it:     for fog and shafts of light, once for each pixel of a smaller picture. Not: for the shadow of the surface
+//             behind.
 #ifndef PENUMBRA_RAY_VISIBILITY_HLSL
 #define PENUMBRA_RAY_VISIBILITY_HLSL
 
@@ -43,16 +45,16 @@ struct TileSegment
 struct ShadowSegment
 {
     float3 originWS; // metres
-    float3 spanWS;   // to its end, metres
-    CascadeSpheres spheres; // not read with one cascade
+    float3 spanWS;   // from the origin to the segment's end, metres
+    CascadeSpheres spheres; // with one cascade these are not read
     int cascades;
-    TileSegment in0; // those at and beyond `cascades` are not read
+    TileSegment in0; // segments at and beyond `cascades` are not read
     TileSegment in1;
     TileSegment in2;
     TileSegment in3;
 };
 
-// worldToShadow: world metres to atlas UV and stored depth.
+// worldToShadow maps world metres to atlas UV and stored depth.
 TileSegment SegmentInTile(float4x4 worldToShadow, ShadowTile tile, float3 originWS, float3 spanWS)
 {
     TileSegment segment;

@@ -1,16 +1,16 @@
 // Penumbra: what a block of the shadow map may do to a whole group of receivers.
 //
-// Computes:   bounds of receivers of one cascade: how far they lie from one of them, their depths, and how far their planes
-//             part from its plane; with them, whether texels of a block of the map can block any receiver of the group,
-//             and whether each must block all.
+// Computes:   bounds of receivers of one cascade: how far they lie from one of them, their depths, and how far their
+//             planes part from its plane; with them, whether texels of a block of the map can block any receiver of the
+//             group, and whether each must block all.
 // Source:     derived here, from Map/DepthPlanes.hlsl.
-// Inputs:     QuadReceiver of each receiver, all of one tile; planes of a block. Lengths in texels of the shadow map, depths
-//             as stored.
+// Inputs:     QuadReceiver of each receiver, all of one tile; planes of a block. Lengths in texels of the shadow map,
+//             depths as stored.
 // Cost:       no fetches.
 // Guarantees: for every receiver of the group and every texel of the block, with the test of TexelQuad.hlsl: where
-//             `noneAbove`, no texel is both nearer to the light than the receiver and above its plane; where `allAbove`,
-//             each is above the plane; every texel is nearer to the light than the receiver by smallestGap to largestGap.
-//             Floats are allowed for by a margin.
+//             `noneAbove`, no texel is both nearer to the light than the receiver and above its plane; where
+//             `allAbove`, each is above the plane; every texel is nearer to the light than the receiver by smallestGap
+//             to largestGap. Floats are allowed for by a margin.
 // Use it:     to decide a tile of pixels at once. Not: for receivers of spot lights.
 #ifndef PENUMBRA_RECEIVER_GROUP_HLSL
 #define PENUMBRA_RECEIVER_GROUP_HLSL
@@ -21,10 +21,10 @@
 struct ReceiverGroup
 {
     QuadReceiver first; // the planes of the others are measured from its plane
-    float spread;       // farthest receiver from the first
+    float spread;       // distance of the farthest receiver from the first
     float2 depths;      // x: nearest to the light, y: farthest
-    float planeError;   // of the first plane at the other receivers
-    float tilt;         // of the other planes against the first, depth per texel, sum of both axes
+    float planeError;   // error of the first plane at the other receivers
+    float tilt;         // tilt of the other planes against the first, depth per texel, sum of both axes
 };
 
 ReceiverGroup GroupOf(QuadReceiver receiver)
@@ -38,7 +38,7 @@ ReceiverGroup GroupOf(QuadReceiver receiver)
     return group;
 }
 
-// How large the terms of a plane's depth are, `away` from its receiver: its rounding is a share of that.
+// The size of the terms of a plane's depth, `away` from its receiver: rounding is a share of that.
 float PlaneTerms(QuadReceiver receiver, float2 away)
 {
     return abs(receiver.depth) + dot(abs(receiver.gradient), abs(away));
@@ -61,14 +61,15 @@ ReceiverGroup JoinGroup(ReceiverGroup group, QuadReceiver receiver)
 struct GroupBounds
 {
     bool noneAbove;
-    bool noneAbovePlane; // whether or not they are nearer to the light than the receivers
+    bool noneAbovePlane; // whether or not the texels are nearer to the light than the receivers
     bool allAbove;
     float smallestGap;
     float largestGap;
-    float nearest; // distance from any receiver of the group to the block, at least
+    float nearest; // smallest distance from any receiver of the group to the block
 };
 
-// away: from the group's first receiver to the block's centre. reach: from a receiver to the texels that it reads.
+// away leads from the group's first receiver to the block's centre. reach is the distance from a receiver to the texels
+// that it reads.
 GroupBounds BoundBlock(DepthPlanes block, float2 away, float blockTexels, float reach, ReceiverGroup group)
 {
     const float2 level = float2(0.0, 0.0);
@@ -79,7 +80,8 @@ GroupBounds BoundBlock(DepthPlanes block, float2 away, float blockTexels, float 
     const float terms = abs(block.nearest) + abs(block.farthest) + PlaneTerms(group.first, away) + own + slope + others;
     const float margin = kPlanesRounding * (1.0 + terms);
     const float parting = Parting(block.gradient, group.first.gradient, blockTexels) + others + margin;
-    // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane): no part of the block may.
+    // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane), so no part of the block
+    // may leave it.
     const bool inMap = DepthGap(kNearestDepth, plane) > own + others + margin;
     const float2 outside = max(abs(away) - 0.5 * blockTexels, 0.0);
     GroupBounds bounds;

@@ -11,13 +11,13 @@
 
 #include "TexelQuad.hlsl"
 
-// How much nearer to the light the receiver's plane lies one texel further along x and y, stored depth.
+// The rise of the receiver's plane toward the light, one texel further along x and y, stored depth.
 float2 RisePerTexel(QuadReceiver receiver)
 {
     return float2(DepthGap(receiver.gradient.x, 0.0), DepthGap(receiver.gradient.y, 0.0));
 }
 
-// xy across the light, along the texture's axes; z toward the light.
+// The normal's xy lie across the light, along the texture's axes; its z points toward the light.
 float3 ReceiverNormalLS(QuadReceiver receiver, ConeScales scales)
 {
     const float metres = scales.depthPerMetre > 0.0 ? scales.texelsPerMetre / scales.depthPerMetre : 0.0;

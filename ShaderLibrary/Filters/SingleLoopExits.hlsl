@@ -3,28 +3,29 @@
 // Computes:   what SingleLoop.hlsl computes, without its loop where the nearest and the farthest depth around the
 //             receiver show that no texel of the disc blocks, or that all do.
 // Source:     as SingleLoop.hlsl; Map/DepthRange.hlsl.
-// Inputs:     those of SingleLoop.hlsl. depthRanges: ranges of 4 x 4 texels, in FilterSingleLoopMinMax dilated by a radius
-//             of each cascade, in FilterSingleLoopMips with mip levels.
+// Inputs:     those of SingleLoop.hlsl. depthRanges: ranges of 4 x 4 texels, in FilterSingleLoopMinMax dilated by a
+//             radius of each cascade, in FilterSingleLoopMips with mip levels.
 // Cost:       MinMax: 1 fetch, 5 where the dilation is 0 and decides, else 33. Mips: 4, else 36 (32 where the disc has
 //             no level).
-// Guarantees: those of SingleLoop.hlsl. Mips: the same answer to the last bit. MinMax: the same answer wherever the disc
-//             is no wider than the dilation reaches (DilationReach); where it is wider, a range that decides is
+// Guarantees: those of SingleLoop.hlsl. Mips: the same answer to the last bit. MinMax: the same answer wherever the
+//             disc is no wider than the dilation reaches (DilationReach); where it is wider, a range that decides is
 //             believed for the whole disc, which is how the source defines this exit: penumbrae end there.
-// Use it:     Mips, where large areas are in full shadow or face the light. Not: to save work on lit slopes, whose upper
-//             side lies nearer to the light than the receiver: a range cannot tell it from a blocker.
+// Use it:     Mips, where large areas are in full shadow or face the light. Not: to save work on lit slopes, whose
+//             upper side lies nearer to the light than the receiver: a range cannot tell it from a blocker.
 #ifndef PENUMBRA_SINGLE_LOOP_EXITS_HLSL
 #define PENUMBRA_SINGLE_LOOP_EXITS_HLSL
 
 #include "../Map/DepthRange.hlsl"
 #include "SingleLoop.hlsl"
 
-// What floats lose of a receiver's plane, as a share of the terms that it is the sum of.
+// Floats lose this of a receiver's plane, as a share of the terms that it is the sum of.
 static const float kPlaneRounding = 1e-6;
-// Diagonal neighbours within a radius of 1 texel.
+// Each of the four taps lies this far along both axes, and so 1 texel from the receiver.
 static const float kFourTapTexels = 0.70710678;
 
-// 1, 0 or kUndecided for all taps within `reach` texels, whose texels' depths lie in the range. A tap that blocks is
-// nearer than the receiver itself, so ranges that are not decide alone; one that is may still lie below the plane.
+// The visibility 1, 0 or kUndecided of all taps within `reach` texels, whose texels' depths lie in the range. A tap
+// that blocks is nearer than the receiver itself, so a range that is not nearer decides alone; one that is may still
+// lie below the plane.
 float DecideByRange(float2 range, QuadReceiver receiver, float reach)
 {
     if (!(DepthGap(range.x, receiver.depth) > 0.0)) return 1.0;
@@ -33,7 +34,7 @@ float DecideByRange(float2 range, QuadReceiver receiver, float reach)
     return DepthGap(range.y, receiver.depth) > rise + margin ? 0.0 : kUndecided;
 }
 
-// Share of the four texels around the receiver that do not block.
+// The share of the four texels around the receiver that do not block.
 float FourTapVisibility(TEXTURE2D(shadowMap), QuadReceiver receiver)
 {
     float lit = 0.0;
@@ -47,8 +48,8 @@ float FourTapVisibility(TEXTURE2D(shadowMap), QuadReceiver receiver)
     return 0.25 * lit;
 }
 
-// The last of the source's exits, of a caller that knows the surface's normal: a surface that faces away from the light
-// and whose four taps are dark is not worth a loop, whose result would be multiplied by no light.
+// This is the last of the source's exits, for a caller that knows the surface's normal: a surface that faces away from
+// the light and whose four taps are dark is not worth a loop, whose result would be multiplied by no light.
 bool IsDarkFacingAway(float normalDotLight, float fourTapVisibility)
 {
     return normalDotLight <= 0.0 && fourTapVisibility < 0.0001;
@@ -79,7 +80,7 @@ float FilterSingleLoopMinMax(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap
     const int2 texel = BlockAt(loop.receiver.centre, 0, loop.receiver.bounds);
     const float2 range = LOAD_TEXTURE2D_LOD(depthRanges, texel, 0).xy;
     const float decided = DecideByRange(range, loop.receiver, min(loop.radius, reach));
-    // A range that reaches farther than the four taps says what they are.
+    // A range that reaches farther than the four taps holds their depths, too, so it decides for them.
     if (decided >= 0.0 && reach > 1.0) return decided;
     if (decided >= 0.0) return FourTapVisibility(shadowMap, loop.receiver);
     return RunSingleLoop(shadowMap, loop);

@@ -1,7 +1,7 @@
 // Penumbra: early exits of the single-loop soft shadow, from a map of depth planes.
 //
-// Computes:   what SingleLoop.hlsl computes, without its loop where the planes of the blocks around the receiver show that
-//             no texel of the disc blocks, or that all do.
+// Computes:   what SingleLoop.hlsl computes, without its loop where the planes of the blocks around the receiver show
+//             that no texel of the disc blocks, or that all do.
 // Source:     SingleLoopExits.hlsl, with Map/DepthPlanes.hlsl in place of ranges: a receiver on a lit slope is decided
 //             too, since the slope's own texels lie in a thin layer below the receiver's plane.
 // Inputs:     those of SingleLoop.hlsl; depthPlanes: of 4 x 4 texels, with mip levels.

@@ -15,7 +15,7 @@
 #include "../Core/ShadowBias.hlsl"
 #include "../Core/TentWeights.hlsl"
 
-// taps per axis: a compile-time 2, 3 or 4.
+// taps is the number of taps per axis, a compile-time 2, 3 or 4.
 float TentMean(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), CompareReceiver prepared, int taps)
 {
     const TentAxis across = TentFetches(prepared.centre.x, taps);
@@ -50,7 +50,7 @@ float TentOnPlane(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), ShadowRe
     return TentMean(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), prepared, taps);
 }
 
-// The bias that lifts every tap above the receiver's plane, at most one percent of the map's depth.
+// The bias lifts every tap above the receiver's plane, at most by one percent of the map's depth.
 float TentAdaptive(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), ShadowReceiver receiver, ShadowTile tile,
                    int taps)
 {

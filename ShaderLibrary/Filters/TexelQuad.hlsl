@@ -25,7 +25,8 @@
 #include "../Core/SpotLight.hlsl"
 #include "../Core/TileBounds.hlsl"
 
-// From a sample to the centre of the farthest texel of its quad, also where the tile's edge moves the quad.
+// The distance from a sample to the centre of the farthest texel of its quad, also where the tile's edge moves the
+// quad.
 static const float kSampleReachTexels = 2.25;
 
 struct QuadReceiver
@@ -35,8 +36,8 @@ struct QuadReceiver
     float2 centre;    // texel coordinates
     float depth;
     float2 gradient;  // stored depth per texel
-    bool inPerspective;  // whether awayFromAxis counts: of the sun's maps it costs nothing
-    float2 awayFromAxis; // Core/SpotLight.hlsl
+    bool inPerspective;  // whether awayFromAxis counts: with the sun's maps it costs nothing
+    float2 awayFromAxis; // direction that Core/SpotLight.hlsl explains
 };
 
 // The light's cone above the receiver. largestOffset 0 makes it a plain disc.
@@ -53,14 +54,14 @@ struct TexelQuad
     float4 abovePlane; // the same above the receiver's plane at the texel's centre
     float4 radius;     // from the receiver to the texel's centre, texels, as the light's disc has it
     float4 blocking;   // 1 where the texel hides light, else 0
-    float4 weight;     // bilinear, at the sample's position
+    float4 weight;     // bilinear weight at the sample's position
 };
 
 // What a blocker search finds.
 struct BlockerEstimate
 {
-    float gap;   // mean, stored depth
-    float count; // texels that block; 0: no estimate
+    float gap;   // mean gap, stored depth
+    float count; // number of texels that block; 0: no estimate
 };
 
 QuadReceiver PrepareQuads(ShadowReceiver receiver, ShadowTile tile)
@@ -76,7 +77,7 @@ QuadReceiver PrepareQuads(ShadowReceiver receiver, ShadowTile tile)
     return prepared;
 }
 
-// A point of the disc around the receiver, texels, in the map: stretched under a spot light.
+// The place in the map of a point of the disc around the receiver, texels: it is stretched under a spot light.
 float2 OffsetInMap(float2 offset, QuadReceiver receiver)
 {
     if (!receiver.inPerspective) return offset;
@@ -100,7 +101,8 @@ float4 TexelsInCone(float4 gap, float4 abovePlane, float4 radius, LightCone cone
 TexelQuad ReadQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone, float2 texels)
 {
     const float2 corner = ClampQuadCorner(texels, receiver.bounds);
-    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
+    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point,
+                                                                  corner * receiver.texelSize));
     const float2 away = corner - receiver.centre;
     const float4 x = away.x + float4(-0.5, 0.5, 0.5, -0.5);
     const float4 y = away.y + float4(0.5, 0.5, -0.5, -0.5);

@@ -1,42 +1,46 @@
 // Penumbra: shadow map ray tracing (SMRT) by the rules of Unreal Engine, for comparison.
 //
-// Computes:   the share of a few rays to the light's disc that pass the surfaces of the shadow map. A ray is sampled from
-//             the light's end to the receiver, at t = ((N - 1 - i + offset) / N)^2 for sample i of N and at 0:
+// Computes:   the share of a few rays to the light's disc that pass the surfaces of the shadow map. A ray is sampled
+//             from the light's end to the receiver, at t = ((N - 1 - i + offset) / N)^2 for sample i of N and at 0:
 //
-//                t = 1 \                  A surface above the ray by less than 1.05 of the ray's change of depth since the
-//                       \                 sample before is a hit: the ray has just passed through it. One farther above
-//                  ------\--- caster      is a caster that the ray passes behind: instead of it, the surface before it
-//                         \               counts, continued with its slope.
+//                t = 1 \                  A surface above the ray by less than 1.05 of the ray's change of depth since
+//                       \                 the sample before is a hit: the ray has just passed through it. One farther
+//                  ------\--- caster      above is a caster that the ray passes behind: instead of it, the surface
+//                         \               before it counts, continued with its slope.
 //                   t = 0  . receiver
 //
 // Source:     Unreal Engine 5's virtual shadow maps: the console variables r.Shadow.Virtual.SMRT.* and NormalBias with
-//             their descriptions and the defaults of 5.4 (7 rays, 8 samples per ray, ray length 1.5 times the distance to
-//             the camera, texel dither 2, largest extrapolated slope 5, in Unreal's centimetres, normal bias 0.5), and the
-//             rule of a hit as "Virtual Shadow Maps Deep Dive" (chay116/techblog, 2025) describes it.
+//             their descriptions and the defaults of 5.4 (7 rays, 8 samples per ray, ray length 1.5 times the distance
+//             to the camera, texel dither 2, largest extrapolated slope 5, in Unreal's centimetres, normal bias 0.5),
+//             and the rule of a hit as "Virtual Shadow Maps Deep Dive" (chay116/techblog, 2025) describes it.
 // Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
 //             UnrealSmrtParameters.
 // Cost:       rays (samplesPerRay + 1) fetches where no ray hits, fewer where rays end early: at most 63 by default.
-// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's plane
-//             at every ray (the plane of a surface along the light's rays passes the near plane); texels outside the tile
-//             are not read.
-// Use it:     for comparison with Unreal Engine; the renderer feature does not offer it. Not: with so few rays without the
-//             temporal filter that Unreal has after it.
+// Guarantees: [0, 1] for any input; exactly 1 without blockers; exactly 0 below a wall that is above the receiver's
+//             plane at every ray (the plane of a surface along the light's rays passes the near plane); texels outside
+//             the tile are not read.
+// Use it:     for comparison with Unreal Engine; the renderer feature does not offer it. Not: with so few rays without
+//             the temporal filter that Unreal has after it.
 //
 // What is different here:
-// - A cascade's tile takes the place of pages and clipmap levels. Samples outside the tile are omitted, where Unreal goes
+// - A cascade's tile takes the place of pages and clipmap levels. Samples outside the tile are omitted, where Unreal
+// goes
 //   on in a coarser level; that at the receiver is taken inside it.
-// - Filters do not know the distance to the camera, by which Unreal scales the ray's length and the normal bias: half the
-//   tile's width takes its place, as the width of a clipmap's level follows that distance. Rays twice as long change the
-//   error in penumbrae by -0.01, rays half as long by 0.03.
+// - Filters do not know the distance to the camera, by which Unreal scales the ray's length and the normal bias: half
+// the
+//   tile's width takes its place, as the width of a clipmap's level follows that distance. Rays twice as long change
+//   the error in penumbrae by -0.01, rays half as long by 0.03.
 // - Unreal first traces a short ray in the depth buffer, and reads blue noise. Neither is known to a filter: each pixel
 //   has one random number, of which the others are made.
 // - All rays are traced. Unreal stops early where all pixels of a wave agree (AdaptiveRayCount), for speed alone.
 // - The light's angular diameter a is Unreal's source angle. The disc's radius at a distance of 1 is tan(a/2), as
 //   everywhere here; in Unreal it is sin(a/2).
 // - A sample's time and that before it differ, so the slope is finite for any number of samples.
-// - Bias: Unreal draws casters without one. The tolerance takes its place, with the normal bias and, for the dither, twice
-//   the rise of the receiver's plane. They are meant for maps with a texel per pixel. Here casters are drawn with Unity's
-//   slope-scaled bias all the same: a cascade's texels are larger, and without it more lit surfaces shadow themselves.
+// - Bias: Unreal draws casters without one. The tolerance takes its place, with the normal bias and, for the dither,
+// twice
+//   the rise of the receiver's plane. They are meant for maps with a texel per pixel. Here casters are drawn with
+//   Unity's slope-scaled bias all the same: a cascade's texels are larger, and without it more lit surfaces shadow
+//   themselves.
 #ifndef PENUMBRA_UNREAL_SMRT_HLSL
 #define PENUMBRA_UNREAL_SMRT_HLSL
 
@@ -45,9 +49,9 @@
 #include "../Core/Disk.hlsl"
 #include "UnrealSmrtParameters.hlsl"
 
-static const float kSmrtTolerance = 1.05;        // of the ray's change of depth in a step
+static const float kSmrtTolerance = 1.05;        // share of the ray's change of depth in a step
 static const float kSmrtSmallestOffset = 0.0002; // metres along the normal
-static const float kSmrtDitherTexels = 0.5;      // per unit of its scale
+static const float kSmrtDitherTexels = 0.5;      // texels per unit of the dither's scale
 static const float kSmrtBiasOfDither = 2.0;
 
 // A ray from the receiver, for t from 0 to 1. Heights are stored depths, larger toward the light.
@@ -56,8 +60,8 @@ struct SmrtRay
     float2 start; // texels
     float2 along; // texels per t
     float height;
-    float rise;   // per t
-    float largestSlope; // height per t
+    float rise;   // change of height per t
+    float largestSlope; // largest change of height per t
 };
 
 // Two random numbers in [0, 1): element `index` of the R2 sequence (Roberts 2018), from a pixel's own start.
@@ -66,7 +70,7 @@ float2 SmrtRandom(float2 start, int index)
     return frac(start + float(index) * float2(0.754877669, 0.569840296));
 }
 
-// The unit square to the unit disk by concentric squares (Shirley and Chiu 1997).
+// Maps the unit square to the unit disk by concentric squares (Shirley and Chiu 1997).
 float2 SmrtDisk(float2 square)
 {
     const float2 s = 2.0 * square - 1.0;
@@ -79,7 +83,7 @@ float2 SmrtDisk(float2 square)
 
 bool SmrtHit(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, SmrtRay ray, int samples, float offset)
 {
-    bool known = false; // a surface, at `surface` when the ray was at `surfaceTime`
+    bool known = false; // whether there is a surface, at `surface` when the ray was at `surfaceTime`
     float surface = 0.0;
     float surfaceTime = 1.0;
     float slope = 0.0;
@@ -127,18 +131,18 @@ bool SmrtHit(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, S
     return hit;
 }
 
-// What all rays of a receiver share.
+// All rays of a receiver share these.
 struct SmrtBase
 {
-    QuadReceiver receiver; // moved along its normal
-    float rise;            // of a ray, stored depth
-    float dither;          // texels, of a ray's start, from side to side
+    QuadReceiver receiver; // receiver, moved along its normal
+    float rise;            // rise of a ray, stored depth
+    float dither;          // width of the dither of a ray's start from side to side, texels
 };
 
 SmrtBase SmrtBaseOf(ShadowReceiver receiver, ShadowTile tile, ConeScales scales, UnrealSmrtParameters parameters)
 {
     const QuadReceiver surface = PrepareQuads(receiver, tile);
-    // In place of the distance to the camera, metres.
+    // This length takes the place of the distance to the camera, metres.
     const float viewDistance = 0.5 * scales.largestRadius / max(scales.texelsPerMetre, 1e-6);
     const float away = max(BoundedOrLow(parameters.normalBias, 0.0, 1e3) * 1e-3 * viewDistance, kSmrtSmallestOffset);
     SmrtBase base;

@@ -7,8 +7,8 @@
 // Guarantees: [0, 1]; 1 where nothing in the filtered area lies before the receiver; 0 where the bound is at most
 //             `bleeding`. The smallest variance is that which rounding alone can leave: kRoundings roundings of the
 //             mean square in the map's format.
-// Use it:     for penumbrae of one width, at the cost of one fetch for any width. Not: where occluders overlap in depth,
-//             as foliage does: light leaks between them.
+// Use it:     for penumbrae of one width, at the cost of one fetch for any width. Not: where occluders overlap in
+//             depth, as foliage does: light leaks between them.
 #ifndef PENUMBRA_VARIANCE_HLSL
 #define PENUMBRA_VARIANCE_HLSL
 

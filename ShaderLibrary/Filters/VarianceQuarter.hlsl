@@ -1,8 +1,8 @@
 // Penumbra: variance shadow maps at a quarter of the shadow map's resolution.
 //
 // Computes:   what Variance.hlsl computes, from means over 4 x 4 texels in place of a Gaussian.
-// Source:     Donnelly and Lauritzen, "Variance Shadow Maps", I3D 2006; the size is that of the variance map in the frames
-//             that SingleLoop.hlsl names, where it serves volumetric light.
+// Source:     Donnelly and Lauritzen, "Variance Shadow Maps", I3D 2006; the size is that of the variance map in the
+//             frames that SingleLoop.hlsl names, where it serves volumetric light.
 // Inputs:     quarterMoments: of DepthRangePasses.hlsl; ShadowReceiver; ShadowTile of the shadow map.
 // Cost:       1 filtered fetch, of a map with a sixteenth of the texels.
 // Guarantees: those of Variance.hlsl.
@@ -13,8 +13,8 @@
 #include "Variance.hlsl"
 #include "../Map/DepthRange.hlsl"
 
-float FilterVarianceQuarter(TEXTURE2D(quarterMoments), SAMPLER(sampler_moments), ShadowReceiver receiver, ShadowTile tile,
-                            VarianceParameters parameters)
+float FilterVarianceQuarter(TEXTURE2D(quarterMoments), SAMPLER(sampler_moments), ShadowReceiver receiver,
+                            ShadowTile tile, VarianceParameters parameters)
 {
     ShadowTile quarter = tile;
     quarter.atlasTexelSize = float4(tile.atlasTexelSize.xy * kRangeBlock, tile.atlasTexelSize.zw / kRangeBlock);

@@ -1,14 +1,15 @@
 // Penumbra: variance soft shadow mapping on mip levels.
 //
-// Computes:   visibility of a disc light: mean blocker from two moments of the area that the farthest blocker's penumbra
-//             could cover, then Chebyshev's bound over the area that this blocker's penumbra covers.
-// Source:     Yang, Dong, Feng, Seidel, Kautz, "Variance Soft Shadow Mapping", Pacific Graphics 2010. Widths are those of
-//             Core/Penumbra.hlsl; means are those of Map/MapLevels.hlsl.
-// Inputs:     moments: two of depth, in numbers between 0 and 1, with mip levels; linear sampler; ShadowReceiver; ShadowTile.
+// Computes:   visibility of a disc light: mean blocker from two moments of the area that the farthest blocker's
+//             penumbra could cover, then Chebyshev's bound over the area that this blocker's penumbra covers.
+// Source:     Yang, Dong, Feng, Seidel, Kautz, "Variance Soft Shadow Mapping", Pacific Graphics 2010. Widths are those
+//             of Core/Penumbra.hlsl; means are those of Map/MapLevels.hlsl.
+// Inputs:     moments: two of depth, in numbers between 0 and 1, with mip levels; linear sampler; ShadowReceiver;
+//             ShadowTile.
 // Cost:       4 filtered fetches for each of 1 to `searches` searches; where one finds blockers, 4 more.
 // Guarantees: [0, 1] for any input; nothing outside of the tile counts.
-// Use it:     for wide penumbrae at a small cost, in 5.3 bytes per texel with 16 bits. Not: where occluders overlap in depth,
-//             as foliage does: light leaks between them.
+// Use it:     for wide penumbrae at a small cost, in 5.3 bytes per texel with 16 bits. Not: where occluders overlap in
+//             depth, as foliage does: light leaks between them.
 #ifndef PENUMBRA_VSSM_LEVELS_HLSL
 #define PENUMBRA_VSSM_LEVELS_HLSL
 
@@ -31,8 +32,8 @@ float2 LevelMoments(TEXTURE2D(moments), SAMPLER(sampler_moments), float2 texels,
     return DepthMomentsOf(SAMPLE_TEXTURE2D_LOD(moments, sampler_moments, texels / size, level).xy);
 }
 
-// The bound of the four taps' mean where that lies before the receiver; else of each tap by itself, those whose mean lies
-// behind counting as lit.
+// The bound of the four taps' mean where that mean lies before the receiver. Elsewhere each tap is bounded by itself,
+// and taps whose mean lies behind count as lit.
 VarianceTaps VarianceAround(TEXTURE2D(moments), SAMPLER(sampler_moments), PlaneReceiver plane, ShadowTile tile,
                             float deviation, float smallest)
 {

@@ -1,15 +1,15 @@
 // Penumbra: variance soft shadow mapping on summed-area tables.
 //
-// Computes:   visibility of a disc light: mean blocker from two moments of the area that the farthest blocker's penumbra
-//             could cover, then Chebyshev's bound over the area that this blocker's penumbra covers.
-// Source:     Yang, Dong, Feng, Seidel, Kautz, "Variance Soft Shadow Mapping", Pacific Graphics 2010. Widths are those of
-//             Core/Penumbra.hlsl.
+// Computes:   visibility of a disc light: mean blocker from two moments of the area that the farthest blocker's
+//             penumbra could cover, then Chebyshev's bound over the area that this blocker's penumbra covers.
+// Source:     Yang, Dong, Feng, Seidel, Kautz, "Variance Soft Shadow Mapping", Pacific Graphics 2010. Widths are those
+//             of Core/Penumbra.hlsl.
 // Inputs:     sums: of Shaders/SummedAreas.compute, of Map/DepthDigits.hlsl; ShadowReceiver; ShadowTile.
 // Cost:       4 fetches for each of 1 to `searches` searches; where one finds blockers, 16 more. 16 more each time that
 //             the mean of an area lies behind the receiver though it may hold blockers: it is then divided into 3 x 3.
 // Guarantees: [0, 1] for any input; nothing outside of the tile counts; areas are cut off at its border.
-// Use it:     for wide penumbrae, whose width does not change the cost. Not: where occluders overlap in depth, as foliage
-//             does: light leaks between them.
+// Use it:     for wide penumbrae, whose width does not change the cost. Not: where occluders overlap in depth, as
+//             foliage does: light leaks between them.
 #ifndef PENUMBRA_VSSM_SUMS_HLSL
 #define PENUMBRA_VSSM_SUMS_HLSL
 
@@ -26,12 +26,12 @@ static const float kLargestDepthReach = 0.5 * float(kLargestDepthBox) - 1.0;
 
 struct VarianceArea
 {
-    float2 moments;  // about the receiver's plane
-    float depth;     // of the plane in the area's middle
-    float smallest;  // variance
+    float2 moments;  // moments about the receiver's plane
+    float depth;     // depth of the plane in the area's middle
+    float smallest;  // smallest variance
 };
 
-// Moments of an area, less the variance that the receiver's plane has there by itself.
+// The moments of an area, less the variance that the receiver's plane has there by itself.
 VarianceArea AreaOfMoments(float2 moments, MapBox box, PlaneReceiver plane, float smallest)
 {
     VarianceArea area;
@@ -72,7 +72,7 @@ DividedArea Divide(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, Pla
     SumRow above = SumsBefore(sums, x, y.x, tileLow);
     int top = y.x;
     int3 bottoms = y.yzw;
-    // Rows are a loop, and columns are not: Unity's compiler takes seconds over nine cells.
+    // Only the rows are a loop, because Unity's compiler takes seconds over nine cells.
     UNITY_LOOP
     for (int row = 0; row < kCellsAlong; ++row)
     {
