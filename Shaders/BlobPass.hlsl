@@ -25,7 +25,8 @@ float4 _PenumbraBlobParameters0;
 float4 Blobs(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
-    const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, ViewOfThisEye(), ScreenPixel(input.positionCS));
+    const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, ViewOfThisEye(),
+                                                    ScreenPixel(input.positionCS));
     if (!surface.seen) return 1.0;
     const BlobParameters parameters = UnpackBlobParameters(_PenumbraBlobParameters0);
     const int count = min(max(_PenumbraBallCount, 0), kMostBalls);

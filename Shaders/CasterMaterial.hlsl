@@ -2,8 +2,8 @@
 //
 // Computes:   the alpha of its base map and colour.
 // Source:     URP's Lit and particle shaders name them so.
-// Inputs:     _BaseMap, _BaseMap_ST, _BaseColor, and of materials with alpha test _Cutoff: the material's own, as casters
-//             are drawn with another shader and keep their properties.
+// Inputs:     _BaseMap, _BaseMap_ST, _BaseColor, and of materials with alpha test _Cutoff: the material's own, as
+//             casters are drawn with another shader and keep their properties.
 // Cost:       1 fetch.
 // Guarantees: -
 // Use it:     in passes that draw casters, in the fragment program: the base map has mip levels.

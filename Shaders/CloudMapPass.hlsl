@@ -6,7 +6,8 @@
 //             _PenumbraCloudParameters0 and 1, of Far/CloudParameters.hlsl.
 // Cost:       no fetches.
 // Guarantees: [0, 1].
-// Use it:     before FarPass.hlsl with _PENUMBRA_CLOUDS. Not: where the sky has clouds of its own, which can be drawn into the map.
+// Use it:     before FarPass.hlsl with _PENUMBRA_CLOUDS. Not: where the sky has clouds of its own, which can be drawn
+//             into the map.
 #ifndef PENUMBRA_CLOUD_MAP_PASS_HLSL
 #define PENUMBRA_CLOUD_MAP_PASS_HLSL
 
@@ -18,8 +19,8 @@ float4 CloudMap(ScreenVaryings input) : SV_Target
     const CloudParameters parameters = UnpackCloudParameters(_PenumbraCloudParameters0, _PenumbraCloudParameters1);
     const CloudLayer layer = LayerOfClouds(parameters);
     const float2 place = layer.corner + layer.size * input.positionCS.xy / kCloudTexels;
-    const CloudCover cover = BoundedCloudCover(_PenumbraCloudWind.xy, parameters.cloudFeatureMetres, parameters.cloudCoverage,
-                                               parameters.cloudDensity);
+    const CloudCover cover = BoundedCloudCover(_PenumbraCloudWind.xy, parameters.cloudFeatureMetres,
+                                               parameters.cloudCoverage, parameters.cloudDensity);
     return CloudTransmittance(place, cover);
 }
 

@@ -22,7 +22,7 @@ float4 _PenumbraCloudWind;
 float4 _PenumbraCloudParameters0;
 float4 _PenumbraCloudParameters1;
 
-static const float kCloudTexels = 512.0; // of the map's side, as its graph declares it
+static const float kCloudTexels = 512.0; // texels of the map's side, as its graph declares it
 
 CloudLayer LayerOfClouds(CloudParameters parameters)
 {

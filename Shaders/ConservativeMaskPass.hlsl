@@ -1,16 +1,18 @@
 // Penumbra: a penumbra mask of the main light that misses no penumbra of the filter.
 //
-// Computes:   for each 4 x 4 pixels whether PCSS by angular diameter gives 1 at all of them, 0 at all of them, or may give
-//             anything, a quarter of the screen's size.
+// Computes:   for each 4 x 4 pixels whether PCSS by angular diameter gives 1 at all of them, 0 at all of them, or may
+//             give anything, a quarter of the screen's size.
 // Source:     Filters/PcssAngularDecision.hlsl.
-// Inputs:     those of ScreenPass.hlsl and Pipelines/Urp.hlsl; _PenumbraDepthPlanesTexture: of DepthPlanePasses.hlsl, with
-//             mip levels; _PenumbraPcssAngularParameters0 and 1.
+// Inputs:     those of ScreenPass.hlsl and Pipelines/Urp.hlsl; _PenumbraDepthPlanesTexture: of DepthPlanePasses.hlsl,
+//             with mip levels; _PenumbraPcssAngularParameters0 and 1.
 // Cost:       per block, 16 surfaces from the camera's depth (5 fetches each, up to 9 at edges) and the planes that
 //             Filters/PcssAngularDecision.hlsl reads; fewer where the first pixels are of different cascades.
-// Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart. Resolve
-//             gives the same picture with it as without, to the last bit where programs compute the same floats.
+// Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart.
+//             Resolve gives the same picture with it as without, to the last bit where programs compute the same
+//             floats.
 // Use it:     before Resolve with _PENUMBRA_PCSS; without a dilation, the light's cones are in it. Not:
-//             where raw depths cannot be gathered (OpenGL, WebGL), or without the keyword: there it says kMaskFilter everywhere.
+//             where raw depths cannot be gathered (OpenGL, WebGL), or without the keyword: there it says kMaskFilter
+//             everywhere.
 #ifndef PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL
 #define PENUMBRA_CONSERVATIVE_MASK_PASS_HLSL
 
@@ -33,7 +35,7 @@ float4 ConservativeMask(ScreenVaryings input) : SV_Target
 
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 
-// What is known of a block's pixels: those that the map covers, in one cascade, and whether others are lit without it.
+// The pixels of a block that the map covers, in one cascade, and whether the block's other pixels are lit without it.
 struct MaskBlock
 {
     ReceiverGroup group;
@@ -94,7 +96,8 @@ MaskBlock ReadMaskBlock(int2 index, ScreenView view)
         if (any(pixel >= int2(view.size.xy))) continue;
         const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);
         const PenumbraMainLight shadow = PreparePenumbraMainLightTap(surface.positionWS, surface.normalWS);
-        // There the filter reads the next cascade at some pixels, which may cover them where their own does not.
+        // In a border the filter reads the next cascade at some pixels. That one may cover them where their own does
+        // not.
         const bool inBorder = surface.seen && PenumbraMainLightInBorder(surface.positionWS, shadow.cascade);
         block.oneCascade = block.oneCascade && !inBorder;
         if (surface.seen && shadow.covered) block = JoinPixel(block, shadow);

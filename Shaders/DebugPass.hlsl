@@ -1,7 +1,7 @@
 // Penumbra: the debug views of the renderer feature, drawn over the camera's picture.
 //
-// Computes:   a colour for each pixel of the screen: the visibility that receivers read; which cascade covers it; how large a
-//             texel of the shadow map is there; how wide the penumbra is; where the mask lets the filter run.
+// Computes:   a colour for each pixel of the screen: the visibility that receivers read; which cascade covers it; how
+//             large a texel of the shadow map is there; how wide the penumbra is; where the mask lets the filter run.
 // Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, for every technique.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl as the frame's own passes had them; URP's
 //             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams: x 1 where there is a mask, y 1
@@ -14,7 +14,7 @@
 #ifndef PENUMBRA_DEBUG_PASS_HLSL
 #define PENUMBRA_DEBUG_PASS_HLSL
 
-// The technique whose blocker search determines the width.
+// The blocker search of this technique determines the width.
 #define _PENUMBRA_PCSS
 
 #include "ScreenPass.hlsl"
@@ -95,7 +95,7 @@ float4 DebugShadowTexels(ScreenVaryings input) : SV_Target
     return OnSurface(here, Shaded(here, chequer * TexelSizeColour(pixels)));
 }
 
-// Metres; 0 where nothing blocks, and on devices that cannot gather.
+// The width in metres; 0 where nothing blocks, and on devices that cannot gather.
 float WidthOfPenumbra(PenumbraMainLight shadow)
 {
 #if defined(PENUMBRA_READS_RAW_DEPTH)

@@ -3,9 +3,10 @@
 // Computes:   QuarterDepthBlocks  planes and spreads of every 4 x 4 texels of the shadow map
 //             EighthDepthBlocks   of 2 x 2 of these blocks, in maps of their own
 //             DepthBlocksMip      of 2 x 2 blocks of the level before, in these maps
-// Source:     Map/DepthBlocks.hlsl. The kernels FirstLevels and NextLevel of PenumbraFlagship.compute make the same numbers.
-// Inputs:     those of DepthRangePasses.hlsl; _PenumbraMip; _PenumbraSourcePlanes and _PenumbraSourceSpreads: the blocks
-//             of the level before.
+// Source:     Map/DepthBlocks.hlsl. The kernels FirstLevels and NextLevel of PenumbraFlagship.compute make the same
+//             numbers.
+// Inputs:     those of DepthRangePasses.hlsl; _PenumbraMip; _PenumbraSourcePlanes and _PenumbraSourceSpreads: the
+//             blocks of the level before.
 // Cost:       4 gathers; 8 loads.
 // Guarantees: those of DepthRangePasses.hlsl.
 // Use it:     as passes that run for each cascade, into four floats and four integers of 32 bits.
@@ -41,7 +42,7 @@ BlockTargets QuarterDepthBlocks(ScreenVaryings input)
     return TargetsOf(BlockOfTexels(depths));
 }
 
-// blockTexels: of the blocks that are read.
+// blockTexels is the width of the blocks that are read.
 BlockTargets JoinedBlocks(int2 pixel, float blockTexels)
 {
     DepthBlock parts[4];

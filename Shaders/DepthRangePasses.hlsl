@@ -5,8 +5,9 @@
 //             DepthRangeMip       of 2 x 2 texels of the level before
 //             QuarterVariance     mean and mean square of every 4 x 4 texels, centred depths
 // Source:     Map/DepthRange.hlsl, Map/DepthMoments.hlsl.
-// Inputs:     _MainLightShadowmapTexture, _PenumbraMainLightAtlasTexelSize; _PenumbraSourceTexture: the quarter-resolution
-//             ranges, or the level before; _PenumbraTile, _PenumbraCascade; _PenumbraDepthRangeParameters0.
+// Inputs:     _MainLightShadowmapTexture, _PenumbraMainLightAtlasTexelSize; _PenumbraSourceTexture: the
+//             quarter-resolution ranges, or the level before; _PenumbraTile, _PenumbraCascade;
+//             _PenumbraDepthRangeParameters0.
 // Cost:       4 gathers, or 1 load for each texel of the disc inside of the tile (197 for radius 8), or 4 loads.
 // Guarantees: nothing outside of the tile is read, where the tile's size is a multiple of 4 and, of a level, of the
 //             level's texels; NaN texels are farthest.

@@ -5,12 +5,14 @@
 //             ShadeSamples               the same filter at the surface of each sample, at marked pixels
 //             MeanOfSamples              what of both a target with one sample shows
 // Source:     Screen/SampleEdges.hlsl.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl, the maps of a filter that reads some; _PenumbraSampleNormals and
-//             _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the pipeline; _PenumbraSourceTexture: of MarkSurfaces what
-//             MarkSamples found; _PenumbraEdgeTexture: what MarkSurfaces found; _PenumbraPixelTexture and
-//             _PenumbraSampleTexture: of the two shading passes; _PenumbraEdgeParameters0, of Screen/EdgeParameters.hlsl.
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl, the maps of a filter that reads some; _PenumbraSampleNormals
+//             and _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the pipeline; _PenumbraSourceTexture: of
+//             MarkSurfaces what MarkSamples found; _PenumbraEdgeTexture: what MarkSurfaces found; _PenumbraPixelTexture
+//             and _PenumbraSampleTexture: of the two shading passes; _PenumbraEdgeParameters0, of
+//             Screen/EdgeParameters.hlsl.
 // Cost:       of MarkSamples 2 to 8 fetches; of MarkSurfaces 1, at pixels that MarkSamples found up to 16 more; of the
-//             shading passes 1 and those of ResolvePass.hlsl without a mask, ShadeSamples for each sample of marked pixels.
+//             shading passes 1 and those of ResolvePass.hlsl without a mask, ShadeSamples for each sample of marked
+//             pixels.
 // Guarantees: [0, 1]. A sample that sees the sky is lit.
 // Use it:     where lighting is shaded per sample at the same pixels. Not: where each pixel is lit once; then Resolve.
 #ifndef PENUMBRA_EDGE_PASSES_HLSL
@@ -83,7 +85,8 @@ float4 ShadePixels(ScreenVaryings input) : SV_Target
     {
         const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, ViewOfThisEye(), pixel);
         UNITY_BRANCH
-        if (surface.seen) visibility = PenumbraMainLightVisibility(surface.positionWS, surface.normalWS, input.positionCS.xy);
+        if (surface.seen)
+            visibility = PenumbraMainLightVisibility(surface.positionWS, surface.normalWS, input.positionCS.xy);
     }
     return visibility;
 }

@@ -1,7 +1,8 @@
 // Penumbra: the main light's visibility at each pixel of the screen, beyond the cascades too.
 //
-// Computes:   FarShadows       the cascades' visibility, handed over to that of the ground before the shadow distance; with
-//                              _PENUMBRA_CLOUDS times that of a layer of clouds. Without a keyword of the ground, all beyond is lit
+// Computes:   FarShadows       the cascades' visibility, handed over to that of the ground before the shadow distance;
+//                              with _PENUMBRA_CLOUDS times that of a layer of clouds. Without a keyword of the ground,
+//                              all beyond is lit
 //             FarShadowsAlone  that of the ground
 // Source:     Far/HorizonAngles.hlsl with _PENUMBRA_FAR_HORIZON, Far/HeightFieldTrace.hlsl with _PENUMBRA_FAR_HEIGHTS;
 //             Core/FarHandOver.hlsl; Far/CloudShadow.hlsl.
@@ -13,7 +14,8 @@
 //             _PenumbraGroundChannels         what the heights' red and green are multiplied with before they are added
 //             _PenumbraGroundHeightsTexture, or _PenumbraHorizonFirstTexture and _PenumbraHorizonSecondTexture
 //             _PenumbraFarShadowsParameters0, of Far/FarShadowsParameters.hlsl
-// Cost:       2 fetches where the cascades alone count, 1 more with clouds. Beyond their border 2 more with horizon angles, or as many as steps.
+// Cost:       2 fetches where the cascades alone count, 1 more with clouds. Beyond their border 2 more with horizon
+//             angles, or as many as steps.
 // Guarantees: [0, 1], 1 on the sky. As what it reads, it includes the shadow strength, and no fade by distance.
 // Use it:     after the pass that resolves the cascades. Receivers then must not fade at the shadow distance.
 #ifndef PENUMBRA_FAR_PASS_HLSL
@@ -52,11 +54,13 @@ float GroundVisibility(float3 positionWS, float2 pixel, FarShadowsParameters par
     ray.steps = parameters.heightSteps;
     ray.jitter = GradientNoise(pixel, uint(_PenumbraMainLightParams.z));
     return HeightFieldVisibility(TEXTURE2D_ARGS(_PenumbraGroundHeightsTexture, sampler_PenumbraLinearClamp),
-                                 _PenumbraGroundHeights.zw, positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w, ray, ground);
+                                 _PenumbraGroundHeights.zw, positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w,
+                                 ray, ground);
 #elif defined(_PENUMBRA_FAR_HORIZON)
     const GroundMap ground = BoundedGroundMap(_PenumbraGroundArea, _PenumbraGroundHeights.xy);
     return HorizonAnglesVisibility(_PenumbraHorizonFirstTexture,
-                                   TEXTURE2D_ARGS(_PenumbraHorizonSecondTexture, sampler_PenumbraLinearClamp), positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w, ground);
+                                   TEXTURE2D_ARGS(_PenumbraHorizonSecondTexture, sampler_PenumbraLinearClamp),
+                                   positionWS, _PenumbraTowardSun.xyz, _PenumbraTowardSun.w, ground);
 #else
     return 1.0;
 #endif
@@ -66,8 +70,8 @@ float CloudsAt(float3 positionWS)
 {
 #if defined(_PENUMBRA_CLOUDS)
     const CloudParameters parameters = UnpackCloudParameters(_PenumbraCloudParameters0, _PenumbraCloudParameters1);
-    return ApplyPenumbraStrength(CloudVisibility(TEXTURE2D_ARGS(_PenumbraCloudTexture, sampler_PenumbraLinearClamp), positionWS,
-                                                 _PenumbraTowardSun.xyz, LayerOfClouds(parameters)));
+    return ApplyPenumbraStrength(CloudVisibility(TEXTURE2D_ARGS(_PenumbraCloudTexture, sampler_PenumbraLinearClamp),
+                                                 positionWS, _PenumbraTowardSun.xyz, LayerOfClouds(parameters)));
 #else
     return 1.0;
 #endif

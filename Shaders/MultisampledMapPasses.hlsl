@@ -8,9 +8,11 @@
 // Inputs:     those of MapPasses.hlsl; _PenumbraSampleDepths: of CasterDepth; of ValueRows _PenumbraSourceTexture: of
 //             MeanOfDepths; _PenumbraMapSampleParameters0, of Filters/MapSampleParameters.hlsl; of CasterDepth URP's
 //             _ShadowBias and _LightDirection, _BaseMap, _BaseColor and _Cutoff.
-// Cost:       a draw of the casters for each cascade; as many fetches as samples; of the rows 1 + 2 ceil(2.5 deviation).
+// Cost:       a draw of the casters for each cascade; as many fetches as samples; of the rows 1 + 2 ceil(2.5
+//             deviation).
 // Guarantees: finite for any depth; nothing outside of the tile is read.
-// Use it:     in place of URP's shadow map, for filters of filtered maps. Not: for filters of depths, which have no mean.
+// Use it:     in place of URP's shadow map, for filters of filtered maps. Not: for filters of depths, which have no
+//             mean.
 #ifndef PENUMBRA_MULTISAMPLED_MAP_PASSES_HLSL
 #define PENUMBRA_MULTISAMPLED_MAP_PASSES_HLSL
 

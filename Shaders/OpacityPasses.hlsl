@@ -1,14 +1,16 @@
 // Penumbra: the maps of blended casters.
 //
-// Computes:   BlendedOpacity  1 less the product of what the casters transmit, by the blend state SrcAlpha OneMinusSrcAlpha:
-//                             with colour 1 each draw makes 1 - (1 - alpha) (1 - target) of the target
+// Computes:   BlendedOpacity  1 less the product of what the casters transmit, by the blend state SrcAlpha
+//                             OneMinusSrcAlpha: with colour 1 each draw makes 1 - (1 - alpha) (1 - target) of the
+//                             target
 //             BlendedDepth    their nearest depth
-// Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): an opacity mask beside the cascades. The depth is not in it.
-// Inputs:     _MainLightShadowmapTexture, of the target's size; CasterMaterial.hlsl; vertex colours, whose alpha particles
-//             fade with.
+// Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): an opacity mask beside the cascades. The depth is not
+//             in it.
+// Inputs:     _MainLightShadowmapTexture, of the target's size; CasterMaterial.hlsl; vertex colours, whose alpha
+//             particles fade with.
 // Cost:       2 fetches for each fragment.
-// Guarantees: the mask does not depend on the order of the casters. What lies behind a texel's opaque caster adds nothing to
-//             it. Opacities are in [0, 1], also of materials whose numbers make no sense.
+// Guarantees: the mask does not depend on the order of the casters. What lies behind a texel's opaque caster adds
+//             nothing to it. Opacities are in [0, 1], also of materials whose numbers make no sense.
 // Use it:     into one channel of 8 bits and a depth texture, for casters that the shadow map does not hold.
 #ifndef PENUMBRA_OPACITY_PASSES_HLSL
 #define PENUMBRA_OPACITY_PASSES_HLSL
@@ -19,7 +21,7 @@
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"
 
-// Half a step of 8 bits: what the mask does not hold has no depth.
+// This is half a step of 8 bits: what the mask does not hold has no depth.
 static const float kSmallestOpacity = 0.5 / 255.0;
 
 struct BlendedAttributes
@@ -36,7 +38,7 @@ struct BlendedVaryings
     float alpha : TEXCOORD1;
 };
 
-// Without a bias: no receiver is blended, and none shadows itself.
+// The casters have no bias, because no receiver is blended and none shadows itself.
 BlendedVaryings BlendedVertex(BlendedAttributes input)
 {
     BlendedVaryings output;

@@ -1,5 +1,5 @@
-// Shadows of balls that stand for objects, as `penumbra measure` runs them. Not of the renderer feature; the sample Blob Shadows
-// draws them.
+// Shadows of balls that stand for objects, as `penumbra measure` runs them. The renderer feature does not have them;
+// the sample Blob Shadows draws them.
 Shader "Hidden/Penumbra/Blobs"
 {
     SubShader

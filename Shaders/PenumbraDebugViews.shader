@@ -1,5 +1,5 @@
-// Debug views of the renderer feature, one pass per view. In the editor and in development builds only: release players
-// do not contain them.
+// Debug views of the renderer feature, one pass per view. Release players do not contain them: only the editor and
+// development builds do.
 Shader "Hidden/Penumbra/DebugViews"
 {
     SubShader

@@ -1,6 +1,6 @@
-// Shadows per sample at the edges of a multisampled picture, for pipelines that light it so. Not of the renderer feature:
-// when URP's screen-space shadows are drawn, its picture has no samples yet. OpenGL ES 3.1 has no multisampled textures for
-// two eyes at once.
+// Shadows per sample at the edges of a multisampled picture, for pipelines that light it per sample. The renderer
+// feature does not have them: when URP's screen-space shadows are drawn, its picture has no samples yet. OpenGL ES 3.1
+// has no multisampled textures for two eyes at once.
 Shader "Hidden/Penumbra/Edges"
 {
     SubShader

@@ -1,5 +1,5 @@
-// A variance map from a multisampled depth map of the casters, cascade by cascade. Not of the renderer feature, which has
-// URP's shadow map.
+// A variance map from a multisampled depth map of the casters, cascade by cascade. The renderer feature does not have
+// it, since it has URP's shadow map.
 Shader "Hidden/Penumbra/MultisampledMaps"
 {
     SubShader

@@ -1,5 +1,5 @@
-// Shadows flattened onto one plane, as `penumbra measure` runs them. Not of the renderer feature, which has URP's shadow map; the
-// sample Planar Shadows draws them with a stencil bit.
+// Shadows flattened onto one plane, as `penumbra measure` runs them. The renderer feature does not have them, since it
+// has URP's shadow map; the sample Planar Shadows draws them with a stencil bit.
 Shader "Hidden/Penumbra/Planar"
 {
     Properties

@@ -1,5 +1,6 @@
-// Hard shadows by stencil shadow volumes, at the precision of the picture: the casters' depth, the volumes of the casters,
-// and what is in none of them. Not of the renderer feature: the sample Shadow Volumes draws them in URP.
+// Hard shadows by stencil shadow volumes, at the precision of the picture: the casters' depth, the volumes of the
+// casters, and what is in none of them. The renderer feature does not have them; the sample Shadow Volumes draws them
+// in URP.
 Shader "Hidden/Penumbra/ShadowVolumes"
 {
     SubShader
@@ -23,10 +24,11 @@ Shader "Hidden/Penumbra/ShadowVolumes"
             ENDHLSL
         }
 
-        // A front face behind the depth ends a volume before it begins, as seen from infinity: one less. Walls and far caps
-        // beyond the far plane are clamped to it instead of clipped. A cap lies behind the triangle that it belongs to by a
-        // hundredth of a pixel's slope and a few steps of the depth, since rounding differs with a triangle's winding: from
-        // the lit side the triangle is then before its volume, from the other side inside of it.
+        // A front face behind the depth ends a volume before it begins, as seen from infinity, and so counts one less.
+        // Walls and far caps beyond the far plane are clamped to it instead of clipped. A cap lies behind the triangle
+        // that it belongs to by a hundredth of a pixel's slope and a few steps of the depth, since rounding differs
+        // with a triangle's winding: from the lit side the triangle is then before its volume, from the other side
+        // inside of it.
         Pass
         {
             Name "CountVolumes"

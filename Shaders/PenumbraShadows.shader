@@ -1,8 +1,8 @@
 // The passes of the Penumbra renderer feature. Each binds, calls the library and returns; a frame uses a few of them.
 // Attenuation is written to the red channel, with the shadow strength and without the distance fade. PCSS and other
-// filters gather or search for bits, hence target 4.5: below graphicsShaderLevel 45 they have no program, and the feature
-// draws Tent 7x7 instead. On OpenGL, OpenGL ES and WebGL, where raw reads of the shadow map are undefined, their programs
-// compute that tent.
+// filters gather or search for bits, hence target 4.5: below graphicsShaderLevel 45 they have no program, and the
+// feature draws Tent 7x7 instead. On OpenGL, OpenGL ES and WebGL, where raw reads of the shadow map are undefined,
+// their programs compute that tent.
 Shader "Hidden/Penumbra/Shadows"
 {
     SubShader
@@ -91,7 +91,8 @@ Shader "Hidden/Penumbra/Shadows"
             Name "ConservativeMask"
 
             HLSLPROGRAM
-            // No pass may need more than 3.5 without a keyword: on OpenGL ES 3.0 and WebGL 2 all of this SubShader's would be lost.
+            // No pass may need more than 3.5 without a keyword: on OpenGL ES 3.0 and WebGL 2 all passes of this
+            // SubShader would be lost.
             #pragma target 3.5
             #pragma target 4.5 _PENUMBRA_PCSS
             #pragma vertex ScreenTriangle

@@ -1,16 +1,18 @@
 // Penumbra: shadows flattened onto one plane.
 //
-// Computes:   PlanarShadow      the casters drawn flat onto the plane, where the camera sees the plane: how dark their shadow is,
-//                               which falls with the height of what casts it
+// Computes:   PlanarShadow      the casters drawn flat onto the plane, where the camera sees the plane: how dark their
+//                               shadow is, which falls with the height of what casts it
 //             PlanarVisibility  1 less it, over the screen
 // Source:     Blinn, "Me and my (fake) shadow" (1988); Core/PlanarShadow.hlsl.
-// Inputs:     _PenumbraPlane: its unit normal, and the distance that the normal times a point of it is; _PenumbraTowardSun: the
-//             direction towards the sun, unit; those of ScreenPass.hlsl; _BaseMap, _BaseColor and _Cutoff with _ALPHATEST_ON; of
-//             PlanarVisibility _PenumbraSourceTexture; _PenumbraPlanarParameters0, of PlanarParameters.hlsl.
+// Inputs:     _PenumbraPlane: its unit normal, and the distance that the normal times a point of it is;
+//             _PenumbraTowardSun: the direction towards the sun, unit; those of ScreenPass.hlsl; _BaseMap, _BaseColor
+//             and _Cutoff with _ALPHATEST_ON; of PlanarVisibility _PenumbraSourceTexture; _PenumbraPlanarParameters0,
+//             of PlanarParameters.hlsl.
 // Cost:       a draw of the casters, 1 fetch for each fragment; 1 for each pixel of the screen.
-// Guarantees: [0, 1]. Nothing but the plane receives: what is farther from it than planarToleranceMetres and a tenth of a pixel's
-//             width there is lit. What lies in the plane casts nothing, and so the ground may be a caster too.
-//             Drawn with the largest value kept, no pixel darkens twice. Triangles that reach below the plane are left out.
+// Guarantees: [0, 1]. Nothing but the plane receives: what is farther from it than planarToleranceMetres and a tenth of
+//             a pixel's width there is lit. What lies in the plane casts nothing, and so the ground may be a caster
+//             too. Drawn with the largest value kept, no pixel darkens twice. Triangles that reach below the plane are
+//             left out.
 // Use it:     for flat ground and a hard or fading shadow, without a shadow map. Not: for other receivers.
 #ifndef PENUMBRA_PLANAR_PASSES_HLSL
 #define PENUMBRA_PLANAR_PASSES_HLSL
@@ -79,7 +81,8 @@ float4 PlanarShadow(PlanarVaryings input) : SV_Target
 #if defined(_ALPHATEST_ON)
     clip(MaterialAlpha(input.uv) - _Cutoff);
 #endif
-    clip(CameraSeesPlane(int2(input.positionCS.xy), BoundedOrLow(parameters.planarToleranceMetres, 0.0, 1e3)) ? 1.0 : -1.0);
+    clip(CameraSeesPlane(int2(input.positionCS.xy),
+                         BoundedOrLow(parameters.planarToleranceMetres, 0.0, 1e3)) ? 1.0 : -1.0);
     return HeightFade(input.heightAndValid.x, parameters.planarFadeMetres);
 }
 

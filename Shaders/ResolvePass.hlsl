@@ -1,21 +1,22 @@
 // Penumbra: the main light's visibility at each pixel of the screen, or at every second one.
 //
-// Computes:   PenumbraMainLightVisibility where the camera sees a surface. With a mask, what it says, or one comparison, where it
-//             says that no penumbra is near. With visibility of every second pixel, what EdgeUpsample.hlsl makes of it, and the
-//             filter where that does not tell.
+// Computes:   PenumbraMainLightVisibility where the camera sees a surface. With a mask, what it says, or one
+//             comparison, where it says that no penumbra is near. With visibility of every second pixel, what
+//             EdgeUpsample.hlsl makes of it, and the filter where that does not tell.
 // Source:     Shadows.hlsl; Screen/EdgeUpsample.hlsl; see the technique's file.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; the maps of a filter that reads some. Target: the screen's size, or
-//             half of it rounded up.
-//             _PenumbraMaskTexture    of MaskPass.hlsl or ConservativeMaskPass.hlsl; where it is absent, _PenumbraMaskSize is 0
-//             _PenumbraSourceTexture  visibility at half the screen's size, rounded up, of this pass or a technique's own; where
-//                                     it is absent, _PenumbraSourceSize is 0
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; the maps of a filter that reads some. Target: the screen's
+//             size, or half of it rounded up.
+//             _PenumbraMaskTexture    of MaskPass.hlsl or ConservativeMaskPass.hlsl; where it is absent,
+//                                     _PenumbraMaskSize is 0
+//             _PenumbraSourceTexture  visibility at half the screen's size, rounded up, of this pass or a technique's
+//                                     own; where it is absent, _PenumbraSourceSize is 0
 // Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's. With a mask 1 more; where it skips the
-//             filter 1 in all, 3 with a comparison. From half resolution 1 to 4, up to 17 in penumbrae, and the technique's where
-//             neighbours differ widely.
-// Guarantees: [0, 1]; on the sky 1, or what all neighbours have. It includes the shadow strength, but not the distance fade,
-//             which receivers apply.
-// Use it:     as the pass of every technique that no kernels draw. One program does it all, and what is absent is not read: each
-//             keyword more would double what Unity compiles and ships.
+//             filter 1 in all, 3 with a comparison. From half resolution 1 to 4, up to 17 in penumbrae, and the
+//             technique's where neighbours differ widely.
+// Guarantees: [0, 1]; on the sky 1, or what all neighbours have. It includes the shadow strength, but not the distance
+//             fade, which receivers apply.
+// Use it:     as the pass of every technique that no kernels draw. One program does it all, and what is absent is not
+//             read: each keyword more would double what Unity compiles and ships.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL
 #define PENUMBRA_RESOLVE_PASS_HLSL
 
@@ -43,7 +44,7 @@ float OutsidePenumbrae(float mask, int2 pixel, ScreenView view)
     return ApplyPenumbraStrength(SingleTap(shadow));
 }
 
-// The mask tells the visibility, or a negative number stands for one that it does not know.
+// The visibility that the mask tells, or a negative number where it does not know.
 float VisibilityByMask(int2 pixel, ScreenView view)
 {
     float visibility = kNotKnown;
@@ -57,7 +58,7 @@ float VisibilityByMask(int2 pixel, ScreenView view)
     return visibility;
 }
 
-// Taps are of the picture at half resolution, where there is one.
+// taps are those of the picture at half resolution, where there is one.
 float FilteredVisibility(int2 pixel, float2 position, ScreenView view, bool upsamples, HalfTaps taps)
 {
     const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);

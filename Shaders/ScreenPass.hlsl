@@ -8,8 +8,8 @@
 //             _PenumbraSourceSize      of _PenumbraSourceTexture, the same
 //             _PenumbraSourceTexture   the output of the previous pass
 // Cost:       no fetches.
-// Guarantees: pixels are identified by SV_Position, so no pass depends on where the target's first row is. Each eye of a
-//             stereo target reads its own slice and matrix.
+// Guarantees: pixels are identified by SV_Position, so no pass depends on where the target's first row is. Each eye of
+//             a stereo target reads its own slice and matrix.
 // Use it:     with a procedural draw of 3 vertices. Not: in shaders of objects.
 #ifndef PENUMBRA_SCREEN_PASS_HLSL
 #define PENUMBRA_SCREEN_PASS_HLSL

@@ -3,11 +3,11 @@
 // Computes:   Screen/ScreenTrace.hlsl towards the main light at this pixel, multiplied into the source.
 // Source:     see there.
 // Inputs:     those of ScreenPass.hlsl; source: visibility with the shadow strength, of the screen's size;
-//             _PenumbraScreenTraceParameters0 and so on, of Screen/ScreenTraceParameters.hlsl; URP's _MainLightPosition and
-//             _MainLightShadowParams; _PenumbraMainLightParams of Pipelines/Urp.hlsl, z: the frame's index.
+//             _PenumbraScreenTraceParameters0 and so on, of Screen/ScreenTraceParameters.hlsl; URP's _MainLightPosition
+//             and _MainLightShadowParams; _PenumbraMainLightParams of Pipelines/Urp.hlsl, z: the frame's index.
 // Cost:       1 fetch of the source, and where it is not dark those of the trace.
-// Guarantees: [0, 1], 1 on the sky if the source is. Never lighter than the source, and no darker than the shadow strength
-//             allows.
+// Guarantees: [0, 1], 1 on the sky if the source is. Never lighter than the source, and no darker than the shadow
+//             strength allows.
 // Use it:     ScreenTrace after the last pass that makes a visibility, ScreenTraceAlone without one.
 #ifndef PENUMBRA_SCREEN_TRACE_PASS_HLSL
 #define PENUMBRA_SCREEN_TRACE_PASS_HLSL
@@ -29,7 +29,7 @@ float TracedVisibility(float2 positionCS)
                                                              _PenumbraScreenTraceParameters2));
 }
 
-// Of 1 - strength, all light that there is in full shadow, nothing is taken.
+// The trace takes nothing of 1 - strength, which is all the light that there is in full shadow.
 float4 ScreenTrace(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);

@@ -1,15 +1,16 @@
 // Penumbra: which pixels are lit or dark, decided for parts of 4 x 4 pixels at once.
 //
 // Computes:   clusters of a tile's parts, near each other in one cascade, which read the same blocks of the shadow map;
-//             and for the receivers of each part whether PCSS by angular diameter gives 1 at all of them, 0 at all of them,
-//             or may give anything.
+//             and for the receivers of each part whether PCSS by angular diameter gives 1 at all of them, 0 at all of
+//             them, or may give anything.
 // Source:     the decision of Filters/PcssAngularDecision.hlsl, over blocks in groupshared memory instead of a search.
 // Inputs:     PartReceivers of each thread; depthPlanes, of 4 x 4 texels, and coarsePlanes, of 8 x 8, with mip levels;
 //             PcssAngularParameters.
-// Cost:       for each of up to TILE_CLUSTERS clusters of a tile of 16 x 16 pixels up to 16 fetches for the first radius and 64
-//             for each of up to 3 more, each of which is what the blocks of the one before allow: a quarter of a fetch per
-//             pixel for 64. Each block that a part can reach is tested once for its 16 pixels.
-// Guarantees: those of PcssAngularDecision.hlsl. All threads of the group call the functions with barriers, in the same order.
+// Cost:       for each of up to TILE_CLUSTERS clusters of a tile of 16 x 16 pixels up to 16 fetches for the first
+//             radius and 64 for each of up to 3 more, each of which is what the blocks of the one before allow: a
+//             quarter of a fetch per pixel for 64. Each block that a part can reach is tested once for its 16 pixels.
+// Guarantees: those of PcssAngularDecision.hlsl. All threads of the group call the functions with barriers, in the same
+//             order.
 // Use it:     in kernels of 8 x 8 threads, one for each part of 2 x 2 tiles.
 #ifndef PENUMBRA_TILE_CLUSTERS_HLSL
 #define PENUMBRA_TILE_CLUSTERS_HLSL
@@ -19,48 +20,48 @@
 
 #define TILE_PIXELS 16
 #define PART_PIXELS 4
-// Parts of a tile, which 16 threads decide.
+// A tile has so many parts, which 16 threads decide.
 #define TILE_PARTS 16
-// Pixels of a part.
+// A part has so many pixels.
 #define PART_LANES 16
-// Tiles that a group decides, in a square.
+// A group decides so many tiles, in a square.
 #define GROUP_TILES 4
 #define GROUP_TILES_ACROSS 2
 #define GROUP_THREADS 64
-// What is left after these is decided by nobody.
+// Pixels that are left after so many clusters remain undecided.
 #define TILE_CLUSTERS 4
 #define MOST_BLOCKS_ACROSS 8
 #define MOST_RADII 4
 
-// How far a part's first receiver lies from that of its cluster, texels along each axis; and a receiver from the plane of its
-// part's first, in texels of its cascade along the light.
+// A part's first receiver lies at most so far from that of its cluster, texels along each axis. A receiver lies at most
+// so far from the plane of its part's first, in texels of its cascade along the light.
 static const float kClusterTexels = 24.0;
 static const float kPartDepthTexels = 4.0;
 static const int kFirstBlocksAcross = 4;
-// A radius that shrinks by less is not tried again.
+// A radius that shrinks to more than this share of the one before is not tried again.
 static const float kShrinks = 0.75;
 static const float kSmallestClusterRadius = 2.0;
 static const float kWidestHalf = 65504.0;
 
-// Receivers of a part's pixels in one cascade, near one plane.
+// The receivers of a part's pixels in one cascade, near one plane.
 struct PartReceivers
 {
     bool any;
-    uint pixels; // bit for each of the part's, row by row
+    uint pixels; // a bit for each of the part's pixels, row by row
     uint cascade;
     ReceiverGroup group;
     float2 low;  // texels
     float2 high;
 };
 
-// What is said of them; radius, texels: no blocker's penumbra exceeds it where visibility is kUndecided.
+// What is decided of a part's receivers. No blocker's penumbra exceeds radius, texels, where visibility is kUndecided.
 struct PartDecision
 {
     float visibility;
     float radius;
 };
 
-// Of each cluster of each tile.
+// Each cluster of each tile has one of these.
 groupshared uint clusterFirst[GROUP_TILES * TILE_CLUSTERS];
 groupshared float2 clusterCentre[GROUP_TILES * TILE_CLUSTERS];
 groupshared uint clusterCascade[GROUP_TILES * TILE_CLUSTERS];
@@ -74,9 +75,9 @@ groupshared float4 clusterBlocks[GROUP_TILES * MOST_BLOCKS_ACROSS * MOST_BLOCKS_
 struct PartThread
 {
     uint index;
-    uint tile; // of the group's
-    uint part; // of the tile's
-    int2 firstPixel; // of the group's square
+    uint tile; // number of the tile in the group
+    uint part; // number of the part in the tile
+    int2 firstPixel; // place in the group's square
 };
 
 PartThread PartThreadAt(uint2 place)
@@ -92,7 +93,7 @@ PartThread PartThreadAt(uint2 place)
     return thread;
 }
 
-// Counted in parts.
+// The part's place in its tile, counted in parts.
 int2 PartOfTile(uint part)
 {
     return int2(part % (TILE_PIXELS / PART_PIXELS), part / (TILE_PIXELS / PART_PIXELS));
@@ -103,7 +104,7 @@ int2 PixelOfPart(uint lane)
     return int2(lane % PART_PIXELS, lane / PART_PIXELS);
 }
 
-// A bit for each pixel of the part from this one on that the target has.
+// A bit for each of a part's pixels that lie in the target; firstPixel is the part's first.
 uint PixelsInTarget(int2 firstPixel, int2 size)
 {
     uint pixels = 0;
@@ -149,7 +150,7 @@ PartReceivers JoinReceiver(PartReceivers part, QuadReceiver receiver, int cascad
     return next;
 }
 
-// Before the group's first barrier.
+// Threads call it before the group's first barrier.
 void ResetClusters(uint thread)
 {
     PENUMBRA_LOOP
@@ -162,13 +163,13 @@ void ResetClusters(uint thread)
     clusterBottom[thread] = -2147483647;
 }
 
-// From the tile's middle: its edges see what else lies there.
+// Clusters begin with parts in the tile's middle, because the tile's edges see what else lies there.
 uint ClusterOrder(uint part)
 {
     return (part + TILE_PARTS / 2 + TILE_PIXELS / PART_PIXELS / 2) % TILE_PARTS;
 }
 
-// Whether the part is of its tile's next cluster: near the first of the parts that wait.
+// Whether the part belongs to its tile's next cluster, and so is near the first of the parts that wait.
 bool JoinCluster(PartReceivers part, PartThread thread, uint cluster)
 {
     const uint own = thread.tile * TILE_CLUSTERS + cluster;
@@ -194,9 +195,10 @@ bool JoinCluster(PartReceivers part, PartThread thread, uint cluster)
     return joins;
 }
 
-// tile, scales: of the cluster's cascade.
-PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool joins, ReceiverGroup group, TileBounds bounds,
-                        ConeScales scales, PcssAngularParameters parameters, PartThread thread, uint cluster)
+// bounds and scales are those of the cluster's cascade.
+PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool joins, ReceiverGroup group,
+                        TileBounds bounds, ConeScales scales, PcssAngularParameters parameters, PartThread thread,
+                        uint cluster)
 {
     const uint own = thread.tile * TILE_CLUSTERS + cluster;
     const float smallest = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
@@ -274,10 +276,10 @@ PartDecision DecidePart(TEXTURE2D(depthPlanes), TEXTURE2D(coarsePlanes), bool jo
     return decision;
 }
 
-// Of a tile in the list: where it lies, and a word for each part.
+// A tile in the list has a word for its place and one for each part.
 #define TILE_WORDS 17
 
-// 15 bits across, which are enough for 524,288 pixels, the eye, and 16 bits down.
+// The place has 15 bits across, which are enough for 524,288 pixels, one for the eye, and 16 down.
 uint PlaceOfTile(int2 pixel, uint eye)
 {
     const uint2 tile = uint2(pixel) / TILE_PIXELS;
@@ -294,10 +296,11 @@ uint EyeOfTile(uint place)
     return (place >> 15) & 1;
 }
 
-// A part's word: which of its pixels are undecided, and a radius, texels, that no blocker's penumbra there exceeds.
+// A part's word holds which of its pixels are undecided, and a radius, texels, that no blocker's penumbra there
+// exceeds.
 uint PackPart(uint undecided, float radius)
 {
-    // The smallest half that is no less, as far as halves go.
+    // This is the smallest half that is no less, as far as halves go.
     const uint stored = f32tof16(min(radius, kWidestHalf));
     return (undecided << 16) | (f16tof32(stored) < radius && stored < 0x7bffu ? stored + 1 : stored);
 }

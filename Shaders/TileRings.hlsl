@@ -1,23 +1,24 @@
 // Penumbra: the visibility of receivers that no window of TileWindows.hlsl takes, each by the 16 threads of a part.
 //
-// Computes:   what RingVisibility of Filters/DepthRingFilter.hlsl does for one receiver, whose cells the threads share; 16
-//             receivers of a tile at once. One thread alone would keep its group waiting for some 50 reads, one after the other.
+// Computes:   what RingVisibility of Filters/DepthRingFilter.hlsl does for one receiver, whose cells the threads share;
+//             16 receivers of a tile at once. One thread alone would keep its group waiting for some 50 reads, one
+//             after the other.
 // Source:     Penumbra's own.
 // Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel; the receivers, from
 //             PutRestReceiver.
-// Cost:       that of FilterDepthRings, less its decision: some 50 fetches for each receiver. No groupshared memory but what
-//             TileWindows.hlsl has, whose windows are lost.
+// Cost:       that of FilterDepthRings, less its decision: some 50 fetches for each receiver. No groupshared memory but
+//             what TileWindows.hlsl has, whose windows are lost.
 // Guarantees: [0, 1]; that of RingVisibility but for the order of the sums; the same threads add in the same order.
-// Use it:     in kernels of WINDOW_THREADS threads, all of which call RingVisibilityByPart; after the windows have been used, and
-//             a barrier.
+// Use it:     in kernels of WINDOW_THREADS threads, all of which call RingVisibilityByPart; after the windows have been
+//             used, and a barrier.
 #ifndef PENUMBRA_TILE_RINGS_HLSL
 #define PENUMBRA_TILE_RINGS_HLSL
 
 #include "TileWindows.hlsl"
 #include "../ShaderLibrary/Filters/DepthRingFilter.hlsl"
 
-// In windowSpreads: five words of each thread, as many of each part, and two of each part's receiver. In sharedDepths: five of
-// each of these.
+// windowSpreads holds five words of each thread, as many of each part, and two of each part's receiver. sharedDepths
+// holds five of each of these.
 #define REST_SUMS 5
 #define REST_TOTALS (REST_SUMS * WINDOW_THREADS)
 #define REST_RADII (REST_TOTALS + REST_SUMS * TILE_PARTS)
@@ -29,7 +30,7 @@ void PutNoReceiver(uint part)
     windowSpreads[REST_PLACES + part] = 0xffffu;
 }
 
-// radius, texels: no blocker's penumbra is wider. thread: of its pixel.
+// No blocker's penumbra is wider than radius, texels. thread is that of the receiver's pixel.
 void PutRestReceiver(QuadReceiver receiver, float radius, int cascade, uint thread, uint part)
 {
     const uint first = REST_FLOATS * part;
@@ -42,7 +43,7 @@ void PutRestReceiver(QuadReceiver receiver, float radius, int cascade, uint thre
     windowSpreads[REST_PLACES + part] = thread | (uint(cascade) << 16);
 }
 
-// WINDOW_THREADS or more: of none.
+// The thread whose pixel the part's receiver belongs to; WINDOW_THREADS or more where there is none.
 uint ThreadOfRest(uint part)
 {
     return windowSpreads[REST_PLACES + part] & 0xffffu;
@@ -68,7 +69,8 @@ void PutSum(float value, uint sum, uint thread)
     windowSpreads[sum * WINDOW_THREADS + thread] = asuint(value);
 }
 
-// Of all threads of the part; with all barriers that this needs, which all threads of the group pass.
+// Adds the numbers of all threads of the part. It has all barriers that this needs, which all threads of the group
+// pass.
 void AddSums(bool active, uint thread)
 {
     const uint sum = thread % PART_LANES;
@@ -99,7 +101,7 @@ void PutSearch(RingSearch search, uint thread)
     PutSum(search.low, 4, thread);
 }
 
-// With what the part's threads have found.
+// The search with what the part's threads have found.
 RingSearch SearchOfPart(RingSearch search, uint part)
 {
     RingSearch all = search;
@@ -149,7 +151,8 @@ float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXT
         if (penumbra.blocked && penumbra.readsBlock)
             block = SumRingBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), penumbra, share, receiver);
         if (penumbra.blocked && penumbra.readsDisc)
-            disc = SumRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, penumbra, share, receiver);
+            disc = SumRingDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), depthSpreads, coarseSpreads, penumbra, share,
+                               receiver);
         PutSum(block.x, 0, thread);
         PutSum(block.y, 1, thread);
         PutSum(disc.x, 2, thread);
@@ -158,7 +161,8 @@ float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXT
     AddSums(active, thread);
     float visibility = 1.0;
     if (penumbra.blocked && penumbra.readsBlock) visibility = LitShare(TotalOf(0, part), TotalOf(1, part));
-    if (penumbra.blocked && penumbra.readsDisc) visibility = min(visibility, LitShare(TotalOf(2, part), TotalOf(3, part)));
+    if (penumbra.blocked && penumbra.readsDisc)
+        visibility = min(visibility, LitShare(TotalOf(2, part), TotalOf(3, part)));
     return SanitizeVisibility(visibility);
 }
 

@@ -1,12 +1,12 @@
 // Penumbra: the surfaces that the camera sees at pixels of the target, from depths that a group of threads reads once.
 //
-// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel in a square of the screen, or of one pixel of the
-//             target alone, which at half resolution is every second one of the screen.
+// Computes:   ReadCameraSurface (Screen/CameraSurface.hlsl) of each pixel in a square of the screen, or of one pixel of
+//             the target alone, which at half resolution is every second one of the screen.
 // Source:     Screen/CameraSurface.hlsl.
 // Inputs:     _CameraDepthTexture; ScreenView; _PenumbraTargetSize; the square.
-// Cost:       of a square 100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to 9 are
-//             needed alone; at half resolution, where every fourth pixel is needed, 1.27. Of one pixel 2 gathers, and up to 4
-//             loads more at edges.
+// Cost:       of a square 100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to
+//             9 are needed alone; at half resolution, where every fourth pixel is needed, 1.27. Of one pixel 2 gathers,
+//             and up to 4 loads more at edges.
 // Guarantees: those of CameraSurface.hlsl, and the same values.
 // Use it:     in kernels, all threads of which call LoadScreenDepths.
 #ifndef PENUMBRA_TILE_SURFACES_HLSL
@@ -26,22 +26,24 @@ groupshared float sharedDepths[SHARED_DEPTHS];
 
 struct ScreenSquare
 {
-    int2 first; // pixel of the screen, of an even place
+    int2 first; // first pixel of the screen, with even coordinates
     int width;  // pixels, even, at most WIDEST_SQUARE; 0: the square is empty
 };
 
 float DepthInSquare(ScreenSquare square, int2 pixelOfSquare)
 {
-    return sharedDepths[(pixelOfSquare.y + SQUARE_APRON) * (square.width + 2 * SQUARE_APRON) + pixelOfSquare.x + SQUARE_APRON];
+    return sharedDepths[(pixelOfSquare.y + SQUARE_APRON) * (square.width + 2 * SQUARE_APRON) + pixelOfSquare.x +
+                        SQUARE_APRON];
 }
 
-// In the order of a gather's components: below left, below right, above right, above left, where rows go downwards.
+// The components of a gather are in the order below left, below right, above right, above left, where rows go
+// downwards.
 int2 GatheredTexel(int component)
 {
     return int2(component == 1 || component == 2 ? 1 : 0, component < 2 ? 1 : 0);
 }
 
-// Pixels of the screen to one of the target, along each axis: 1, or 2 at half resolution.
+// The number of the screen's pixels to one of the target, along each axis: 1, or 2 at half resolution.
 int TargetScale()
 {
     return ScreenScale(_PenumbraScreenSize.x, _PenumbraTargetSize.x);
@@ -53,7 +55,7 @@ int2 PixelOfScreen(int2 pixelOfTarget, ScreenView view)
     return FullPixel(pixelOfTarget, TargetScale(), int2(view.size.xy));
 }
 
-// For a pixel of the screen that shares no depths with its neighbours.
+// The surface at a pixel of the screen that shares no depths with its neighbours.
 CameraSurface SurfaceAt(int2 pixel, ScreenView view, SAMPLER(sampler_point))
 {
     const float4 low = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel) * view.size.zw);
@@ -87,7 +89,8 @@ void LoadScreenDepths(ScreenSquare square, uint thread, uint threads, ScreenView
     {
         const int2 quad = 2 * PlaceInRows(n, quads);
         const int2 pixel = square.first - SQUARE_APRON + quad;
-        const float4 depths = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point, float2(pixel + 1) * view.size.zw);
+        const float4 depths = GATHER_RED_TEXTURE2D_X(_CameraDepthTexture, sampler_point,
+                                                     float2(pixel + 1) * view.size.zw);
         UNITY_UNROLL
         for (int i = 0; i < 4; ++i)
         {
@@ -111,7 +114,7 @@ float DepthSlopeInSquare(ScreenSquare square, int2 pixelOfSquare, int2 direction
                            DepthInSquare(square, pixelOfSquare + 2 * direction));
 }
 
-// pixel: of the screen, in the square.
+// pixel is a pixel of the screen, in the square.
 CameraSurface SurfaceInSquare(ScreenSquare square, int2 pixel, ScreenView view)
 {
     const int2 pixelOfSquare = pixel - square.first;

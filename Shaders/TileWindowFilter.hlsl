@@ -1,11 +1,12 @@
 // Penumbra: the visibility of receivers from the windows around their cluster alone.
 //
-// Computes:   sums over the larger cells around one receiver of each part of 4 x 4 pixels; the visibility of each receiver.
-// Source:     Penumbra's own; the filter is that of Filters/PcssAngular.hlsl over every cell of Filters/DepthRings.hlsl in place
-//             of samples.
+// Computes:   sums over the larger cells around one receiver of each part of 4 x 4 pixels; the visibility of each
+//             receiver.
+// Source:     Penumbra's own; the filter is that of Filters/PcssAngular.hlsl over every cell of Filters/DepthRings.hlsl
+//             in place of samples.
 // Inputs:     TileWindows.hlsl, TileParts.hlsl.
-// Cost:       no fetches. In search of blockers some 36 texels for each receiver and 2 cells for each level, in the filter 16
-//             texels or 28 to 95 cells.
+// Cost:       no fetches. In search of blockers some 36 texels for each receiver and 2 cells for each level, in the
+//             filter 16 texels or 28 to 95 cells.
 // Guarantees: [0, 1]; no noise: the same map gives the same picture.
 // Use it:     in kernels of WINDOW_THREADS threads, all of which call SumRingsOfPart, after LoadWindows.
 #ifndef PENUMBRA_TILE_WINDOW_FILTER_HLSL
@@ -13,19 +14,19 @@
 
 #include "TileWindows.hlsl"
 
-// Cells each way that hold a ring of the search.
+// A ring of the search is held by so many cells each way.
 #define SEARCH_CELLS 9
-// Texels each way that kGroundReach can reach.
+// kGroundReach can reach so many texels each way.
 #define GROUND_TEXELS 7
 
-// Where penumbrae are wider, texels, the search needs no cells of one texel.
+// Where penumbrae are wider than this, texels, the search needs no cells of one texel.
 static const float kNearBlockerTexels = 12.0;
-// Sums of all threads of a part are whole numbers, so that their order does not matter: steps for 1, of area / r^2 and of
-// area / r, and the most that a thread adds.
+// Sums of all threads of a part are whole numbers, so that their order does not matter. These are the steps for 1, of
+// area / r^2 and of area / r, and the most that a thread adds.
 static const float2 kSumSteps = float2(1048576.0, 32768.0);
 static const float kLargestSum = 134217728.0;
 
-// The texels of the first ring.
+// Searches the texels of the first ring.
 RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
 {
     RingSearch search = BeginSearch(scales);
@@ -48,9 +49,9 @@ RingSearch SumTexels(QuadReceiver receiver, ConeScales scales, float radius)
     return search;
 }
 
-// Of a cell, where the receiver's ring has it. filled: with what the ring encloses.
-RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadReceiver receiver, float ground, ConeScales scales,
-                     float radius)
+// Adds a cell where the receiver's ring has it; if filled, also where the ring encloses it.
+RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadReceiver receiver, float ground,
+                     ConeScales scales, float radius)
 {
     const float width = PowerOfTwo(level);
     const DepthWindow window = levelWindows[level];
@@ -65,7 +66,7 @@ RingSums AddRingCell(RingSums sums, int level, int2 cell, bool filled, QuadRecei
     return AddBlockers(sums, blockers, distance, width, area, scales);
 }
 
-// The rings beyond the first, by one thread.
+// One thread sums the rings beyond the first.
 RingSums SumRings(RingSums sums, QuadReceiver receiver, float ground, ConeScales scales, float radius)
 {
     RingSums all = sums;
@@ -95,7 +96,7 @@ uint2 StepsOfSum(float2 sum)
     return uint2(min(sum * kSumSteps + 0.5, kLargestSum));
 }
 
-// The ground below the part's receiver, by all of its threads.
+// All threads of the part find the ground below its receiver.
 void FindGroundOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint lane)
 {
     const DepthWindow texels = levelWindows[0];
@@ -112,7 +113,8 @@ void FindGroundOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint 
     }
 }
 
-// Whether a texel within the first ring of any of the part's receivers makes a penumbra narrower than kNearBlockerTexels.
+// Whether a texel within the first ring of any of the part's receivers makes a penumbra narrower than
+// kNearBlockerTexels.
 void FindNearOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint lane)
 {
     const DepthWindow texels = levelWindows[0];
@@ -132,8 +134,8 @@ void FindNearOfPart(QuadReceiver receiver, ConeScales scales, uint part, uint la
     }
 }
 
-// The rings beyond the first around the part's receiver, by all of its threads; also the first, where no texel there makes a
-// narrow penumbra. own: any receiver of the same cascade.
+// All threads of the part sum the rings beyond the first around its receiver; also the first, where no texel there
+// makes a narrow penumbra. own is any receiver of the same cascade.
 void SumRingsOfPart(bool joins, QuadReceiver own, ConeScales scales, uint thread)
 {
     const uint part = thread / PART_LANES;
@@ -198,7 +200,7 @@ float FilterWindowBlock(QuadReceiver receiver, RingPenumbra penumbra)
     return LitShare(sums.x, sums.y);
 }
 
-// As FilterDisc of PcssAngular.hlsl, over every cell of the disc, of DiscLevel.
+// The filter of FilterDisc of PcssAngular.hlsl, over every cell of the disc, of DiscLevel.
 float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filterCells)
 {
     const int level = DiscLevel(penumbra.radius, filterCells);
@@ -227,7 +229,7 @@ float FilterWindowDisc(QuadReceiver receiver, RingPenumbra penumbra, float filte
     return LitShare(sums.x, sums.y);
 }
 
-// radius: of the search, texels.
+// radius is the search's, texels.
 float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, FlagshipParameters parameters, uint part)
 {
     const bool nearPart = IsNearPart(receiver, scales, part);
@@ -240,7 +242,8 @@ float WindowVisibility(QuadReceiver receiver, ConeScales scales, float radius, F
     if (!penumbra.blocked) return 1.0;
     float visibility = 1.0;
     if (penumbra.readsBlock) visibility = FilterWindowBlock(receiver, penumbra);
-    if (penumbra.readsDisc && visibility > 0.0) visibility = min(visibility, FilterWindowDisc(receiver, penumbra, FilterCells(parameters)));
+    if (penumbra.readsDisc && visibility > 0.0)
+        visibility = min(visibility, FilterWindowDisc(receiver, penumbra, FilterCells(parameters)));
     return SanitizeVisibility(visibility);
 }
 

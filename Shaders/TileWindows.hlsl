@@ -2,13 +2,13 @@
 //
 // Computes:   windows of texels and of larger cells around a cluster of receivers.
 // Source:     Penumbra's own; the cells are those of Filters/DepthRings.hlsl.
-// Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each texel;
-//             TileClusters.hlsl.
-// Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by the
-//             cluster. 16 KiB of groupshared memory, with what TileParts.hlsl has.
+// Inputs:     the shadow map; spreads and coarseSpreads, of the kernels FirstLevels and NextLevel, four cells in each
+//             texel; TileClusters.hlsl.
+// Cost:       a gather for each 2 x 2 texels of the first window, a fetch for each 2 x 2 cells of the others, shared by
+//             the cluster. 16 KiB of groupshared memory, with what TileParts.hlsl has.
 // Guarantees: reads no texel outside of the receivers' tile.
-// Use it:     in kernels of WINDOW_THREADS threads, all of which call the functions that load and join; neighbouring threads for
-//             the pixels of one part.
+// Use it:     in kernels of WINDOW_THREADS threads, all of which call the functions that load and join; neighbouring
+//             threads for the pixels of one part.
 #ifndef PENUMBRA_TILE_WINDOWS_HLSL
 #define PENUMBRA_TILE_WINDOWS_HLSL
 
@@ -17,22 +17,23 @@
 #include "../ShaderLibrary/Filters/DepthRingSums.hlsl"
 
 #define WINDOW_THREADS 256
-// What is left after these is filtered alone: each further cluster has a group wait about as long as for that.
+// Receivers that are left after so many clusters are filtered alone: a group waits about as long for each further
+// cluster as for that.
 #if !defined(WINDOW_CLUSTERS)
 #define WINDOW_CLUSTERS 2
 #endif
-// Texels of the first window each way; and cells of all others together: of the n-th level at most
-// ceil((2 kWindowReach + 1) / 2^n) + 2 kRingCells + 3 each way.
+// The first window has so many texels each way, and all others together have so many cells. The n-th level has at most
+// ceil((2 kWindowReach + 1) / 2^n) + 2 kRingCells + 3 cells each way.
 #if !defined(WINDOW_TEXELS)
 #define WINDOW_TEXELS 38
 #endif
 #if !defined(WINDOW_CELLS)
 #define WINDOW_CELLS 2251
 #endif
-// Of texels, and kMostRingLevels beyond them.
+// There is a level of texels, and kMostRingLevels of cells beyond it.
 #define WINDOW_LEVELS 9
 
-// How far from the cluster's first receiver, texels along each axis, a receiver may lie.
+// A receiver may lie this far from the cluster's first receiver, texels along each axis.
 static const float kWindowReach = 0.5 * (float(WINDOW_TEXELS) - 3.0) - kRingCells - 1.0;
 static const float kFewestFilterCells = 3.0;
 
@@ -40,12 +41,12 @@ struct DepthWindow
 {
     int2 low;  // first cell
     int2 size; // cells
-    int offset; // of its first cell among all
+    int offset; // offset of the window's first cell among all cells
 };
 
 groupshared uint windowSpreads[WINDOW_CELLS];
 groupshared DepthWindow levelWindows[WINDOW_LEVELS];
-// Of each cluster.
+// Each cluster has one of these.
 groupshared uint windowFirst[WINDOW_CLUSTERS];
 groupshared float2 windowCentre[WINDOW_CLUSTERS];
 groupshared uint windowCascade[WINDOW_CLUSTERS];
@@ -56,20 +57,20 @@ groupshared int windowRight[WINDOW_CLUSTERS];
 groupshared int windowBottom[WINDOW_CLUSTERS];
 groupshared uint windowRadius[WINDOW_CLUSTERS];
 
-// From the receiver to the edge of the filter's disc, cells; the windows have room for kRingCells.
+// The distance from the receiver to the edge of the filter's disc, cells; the windows have room for kRingCells.
 float FilterCells(FlagshipParameters parameters)
 {
     return min(max(float(parameters.filterCells), kFewestFilterCells), kRingCells);
 }
 
-// Receivers, in whole texels, and how far around them the windows reach.
+// The receivers' bounds, in whole texels, and how far around them the windows reach.
 struct WindowBounds
 {
     int2 low;
     int2 high;
     float radius; // texels
-    int levels;   // beyond the texels
-    float ringCells; // of filter and search, whichever has more
+    int levels;   // number of levels beyond the texels
+    float ringCells; // ring cells of filter or search, whichever has more
     TileBounds tile;
 };
 
@@ -86,7 +87,7 @@ DepthWindow WindowOf(WindowBounds bounds, int level)
     return window;
 }
 
-// Before the group's first barrier.
+// Threads call it before the group's first barrier.
 void ResetWindows(uint thread)
 {
     if (thread >= WINDOW_CLUSTERS) return;
@@ -98,13 +99,14 @@ void ResetWindows(uint thread)
     windowRadius[thread] = 0;
 }
 
-// From the tile's middle: its edges see what else lies there.
+// Clusters begin with threads in the tile's middle, because the tile's edges see what else lies there.
 uint WindowOrder(uint thread)
 {
     return (thread + WINDOW_THREADS / 2) % WINDOW_THREADS;
 }
 
-// Whether the receiver is of the next cluster: near the first of those that wait. radius: of its search, texels.
+// Whether the receiver belongs to the next cluster, and so is near the first of those that wait. radius is that of its
+// search, texels.
 bool JoinWindow(bool waits, QuadReceiver receiver, float radius, int cascade, uint thread, uint cluster)
 {
     const uint part = thread / PART_LANES;
@@ -144,7 +146,8 @@ WindowBounds BoundWindow(uint cluster, FlagshipParameters parameters)
     bounds.high = int2(windowRight[cluster], windowBottom[cluster]);
     bounds.radius = asfloat(windowRadius[cluster]);
     const float filterCells = FilterCells(parameters);
-    bounds.levels = max(RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels), DiscLevel(bounds.radius, filterCells));
+    bounds.levels = max(RingLevels(bounds.radius, kSearchRingCells, kMostRingLevels),
+                        DiscLevel(bounds.radius, filterCells));
     bounds.ringCells = max(filterCells, kSearchRingCells);
     bounds.tile = windowTile[cluster];
     return bounds;
@@ -202,14 +205,14 @@ void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint
     GroupMemoryBarrierWithGroupSync();
 }
 
-// Of a texel in the first window.
+// The depth of a texel in the first window.
 float DepthInWindow(DepthWindow texels, int2 texel)
 {
     const int2 at = texel - texels.low;
     return sharedDepths[at.y * texels.size.x + at.x];
 }
 
-// Of a cell in the window of a level beyond the texels.
+// The spread of a cell in the window of a level beyond the texels.
 DepthSpread SpreadInWindow(DepthWindow window, int2 cell)
 {
     const int2 at = cell - window.low;
@@ -221,7 +224,8 @@ bool IsInWindow(DepthWindow window, int2 cell)
     return all(cell >= window.low) && all(cell < window.low + window.size);
 }
 
-// The first and the last cell along an axis whose centres lie within a distance of a receiver; lengths in cells.
+// The first and the last cell along an axis whose centres lie within a distance of a receiver; all lengths are in
+// cells.
 int2 CellsAlong(float centre, float distance, int low, int size)
 {
     return int2(max(int(ceil(centre - distance - 0.5)), low), min(int(floor(centre + distance - 0.5)), low + size - 1));

@@ -32,7 +32,7 @@ float4x4 unity_MatrixVP;
 float4 _SunDirection;  // xyz: unit, world space, from a surface to the sun
 float4 _SunColor;      // rgb: linear
 float4 _Ambient;       // rgb: linear, equal from all directions
-float4 _SunCasterBias; // xy: metres along the light and against the normal, both <= 0; of the cascade being drawn
+float4 _SunCasterBias; // xy: metres along the light and against the normal, both <= 0, for the cascade being drawn
 
 float3 ObjectToWorld(float3 positionOS)
 {

@@ -67,7 +67,8 @@ float SunVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     if (!(receiver.shadowCoord.z > 0.0 && receiver.shadowCoord.z < 1.0)) return 1.0;
 
     return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(_SunShadowMap, sampler_SunLinearClampCompare),
-                             sampler_SunPointClamp, receiver, SunTile(cascade), UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0,
+                             sampler_SunPointClamp, receiver, SunTile(cascade),
+                             UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0,
                                                          _PenumbraPcssAngularParameters1));
 }
 

@@ -7,7 +7,7 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
 
-// Of the light whose shadow map is drawn; URP sets the one that the keyword selects.
+// The direction or position of the light whose shadow map is drawn; URP sets the one that the keyword selects.
 float3 _LightDirection;
 float3 _LightPosition;
 

@@ -23,7 +23,8 @@ Shader "Penumbra Samples/Forward Lit"
 
         Pass
         {
-            // "Only": URP's deferred path also draws it, after its G-buffer, and takes normals from DepthNormalsOnly.
+            // "Only" makes URP's deferred path draw it, too, after its G-buffer, and take normals from
+            // DepthNormalsOnly.
             Name "ForwardLit"
             Tags { "LightMode" = "UniversalForwardOnly" }
 
@@ -39,7 +40,7 @@ Shader "Penumbra Samples/Forward Lit"
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
-            // URP's keyword of Forward+, which has another name from 17.1 on. There the earlier one brings a warning.
+            // URP's keyword of Forward+ has another name from 17.1 on. There the earlier one brings a warning.
             #if UNITY_VERSION >= 60010000
             #pragma multi_compile_fragment _ _CLUSTER_LIGHT_LOOP
             #else

@@ -1,10 +1,11 @@
-// Forward shader sample: URP's physically based lighting, with the shadows of the main light and of spot lights from the
-// Penumbra library.
+// Forward shader sample: URP's physically based lighting, with the shadows of the main light and of spot lights from
+// the Penumbra library.
 //
-// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, URP's additional spot lights
-//             times PenumbraAdditionalLightVisibility, point lights without shadows, ambient light from probes, fog.
-// Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs; that of
-//             SpotShadows.hlsl, from the latter.
+// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, URP's additional spot
+//             lights times PenumbraAdditionalLightVisibility, point lights without shadows, ambient light from probes,
+//             fog.
+// Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs; that
+//             of SpotShadows.hlsl, from the latter.
 // Cost:       the material's technique in every pixel that faces the light, and PCSS for each spot light with a shadow
 //             that lights it. Unlike with the renderer feature, the
 //             work of overdrawn pixels is lost, and there is no mask and no denoising.
@@ -18,7 +19,7 @@
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/SpotShadows.hlsl"
 
-// The macros that URP sets for its Forward+ keyword: the first until 17.0, the second from 17.1 on.
+// These are the macros that URP sets for its Forward+ keyword: the first until 17.0, the second from 17.1 on.
 #if (defined(USE_FORWARD_PLUS) && USE_FORWARD_PLUS) || (defined(USE_CLUSTER_LIGHT_LOOP) && USE_CLUSTER_LIGHT_LOOP)
 #define SAMPLE_USES_CLUSTERS 1
 #else
@@ -58,7 +59,7 @@ Varyings ForwardVertex(Attributes input)
     return output;
 }
 
-// URP's distance fade is up to the library's caller.
+// The distance fade is not applied here, because URP leaves it to the library's caller.
 half MainLightVisibility(float3 positionWS, half3 normalWS, float2 pixel)
 {
 #if defined(MAIN_LIGHT_CALCULATE_SHADOWS)
@@ -69,7 +70,8 @@ half MainLightVisibility(float3 positionWS, half3 normalWS, float2 pixel)
 #endif
 }
 
-// index: as GetAdditionalLight takes it. Of clusters it is the light's own, else an object's list says which light it is.
+// index is what GetAdditionalLight takes. With clusters it is the light's own; otherwise an object's list says which
+// light it is.
 half SpotLightVisibility(uint index, InputData inputData, float2 pixel)
 {
 #if defined(ADDITIONAL_LIGHT_CALCULATE_SHADOWS)

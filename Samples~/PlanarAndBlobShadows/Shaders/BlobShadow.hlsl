@@ -13,7 +13,7 @@ float _HalfDiameter;
 float _FadeMetres;
 CBUFFER_END
 
-// Of the sun's height, 3 degrees: lower, the shadow leaves its square.
+// The sine of the sun's smallest height, 3 degrees: under a lower sun the shadow would leave its square.
 static const float kLowestSun = 0.05;
 
 // Half the side of the square's mesh, which is so large that the shadow lies within the bounds that Unity culls by.
@@ -33,7 +33,7 @@ struct BlobVaryings
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
-// The square around the shadow: of the ball's shadow on the ground and the penumbra around it the half length.
+// The square around the shadow: its half length holds the ball's shadow on the ground and the penumbra around that.
 BlobVaryings BlobVertex(BlobAttributes input)
 {
     BlobVaryings output;
@@ -54,7 +54,8 @@ BlobVaryings BlobVertex(BlobAttributes input)
 half4 BlobFragment(BlobVaryings input) : SV_Target
 {
     const float4 towardSun = float4(GetMainLight().direction, _HalfDiameter);
-    const float visibility = BlobVisibility(input.positionWS, float3(0.0, 1.0, 0.0), input.ball, towardSun, _FadeMetres);
+    const float visibility = BlobVisibility(input.positionWS, float3(0.0, 1.0, 0.0), input.ball, towardSun,
+                                            _FadeMetres);
     return half4(lerp(_ShadowColor.rgb, half3(1.0, 1.0, 1.0), half(visibility)), 1.0);
 }
 

@@ -1,4 +1,5 @@
-// Planar and blob shadows sample: the soft shadow of a ball on level ground, on a square that the vertex program lays there.
+// Planar and blob shadows sample: the soft shadow of a ball on level ground, on a square that the vertex program lays
+// there.
 Shader "Penumbra Samples/Blob Shadow"
 {
     Properties

@@ -11,7 +11,7 @@ float _GroundMetres;
 float _FadeMetres;
 CBUFFER_END
 
-// What lies in the ground casts nothing.
+// A caster's point that lies in the ground, or this near to it, casts nothing.
 static const float kInGroundMetres = 1e-3;
 
 struct PlanarAttributes

@@ -1,5 +1,5 @@
-// Planar and blob shadows sample: an object flattened onto level ground along the main light. A stencil bit keeps pixels from
-// being darkened twice where several triangles, or objects, cast onto them.
+// Planar and blob shadows sample: an object flattened onto level ground along the main light. A stencil bit keeps
+// pixels from being darkened twice where several triangles, or objects, cast onto them.
 Shader "Penumbra Samples/Planar Shadow"
 {
     Properties

@@ -1,5 +1,5 @@
-// Shadow volumes sample: counts in the stencil how many volumes each visible surface lies in, from behind it, so that the
-// camera may be inside of volumes. Drawn after all other opaque objects, which must have left 0 in the stencil.
+// Shadow volumes sample: counts in the stencil how many volumes each visible surface lies in, from behind it, so that
+// the camera may be inside of volumes. Drawn after all other opaque objects, which must have left 0 in the stencil.
 Shader "Penumbra Samples/Shadow Volume Count"
 {
     SubShader

@@ -20,7 +20,7 @@ struct Varyings
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
-// The same steps as those of URP's own shaders, so that a cap has the depth of the triangle that it lies on.
+// These are the steps of URP's own shaders, so that a cap has the depth of the triangle that it lies on.
 Varyings VolumeVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
