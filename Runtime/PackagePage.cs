@@ -18,7 +18,8 @@ namespace Penumbra
     {
         internal PackagePageAttribute(string page) : base(Address(page)) { }
 
-        // Empty where the sources are in a project's Assets folder: then there is no package and no documentation.
+        // The address is empty where the sources are in a project's Assets folder: then there is no package and no
+        // documentation.
         private static string Address(string page)
         {
 #if UNITY_EDITOR

@@ -22,11 +22,11 @@ namespace Penumbra
 
         internal const string ShaderName = "Hidden/Penumbra/Shadows";
 
-        /// <summary>Path of that shader in the package, as graphs refer to it.</summary>
+        /// <summary>Path of the feature's shader in the package, as graphs refer to it.</summary>
         internal const string ShaderFile = "Shaders/PenumbraShadows.shader";
 
 #if UNITY_EDITOR
-        // Keeps the variants of URP's shaders that read the screen-space texture in the player.
+        // The attribute keeps the variants of URP's shaders that read the screen-space texture in the player.
         [UnityEditor.ShaderKeywordFilter.SelectIf(true, keywordNames: ShadowKeywords.ScreenName)]
         private const bool RequiresScreenSpaceShadows = !UrpFrame.MetaQuest;
 #endif
@@ -60,24 +60,24 @@ namespace Penumbra
         /// <summary>The settings of this feature, without the overrides of Volumes.</summary>
         public PenumbraShadowsSettings Settings => settings;
 
-        /// <summary>Why the last camera was skipped and has URP's shadows; None if it was not.</summary>
+        /// <summary>The reason why the last camera was skipped and has URP's shadows; None if it was not.</summary>
         internal SkipReason LastSkip { get; private set; }
 
         /// <summary>The main light of the last camera that was no preview; null if it had none.</summary>
         internal Light MainLight { get; private set; }
 
-        /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
+        /// <summary>The message that says what is missing, with SkipReason.MissingPass.</summary>
         internal string MissingPass { get; private set; }
 
         /// <summary>
-        /// Why the last camera's options were replaced by others that this device can draw, as a message; null if they
-        /// were not.
+        /// The reason why the last camera's options were replaced by others that this device can draw, as a message;
+        /// null if they were not.
         /// </summary>
         internal string Replaced { get; private set; }
 
         /// <summary>
-        /// Why the last camera has no shadows of the ground beyond the cascades though they are on, as a message; else
-        /// null.
+        /// The reason why the last camera has no shadows of the ground beyond the cascades though they are on, as a
+        /// message; null if it has them or they are off.
         /// </summary>
         internal string MissingGround { get; private set; }
 
@@ -140,7 +140,7 @@ namespace Penumbra
             renderer.EnqueuePass(debugPass);
         }
 
-        // The feature's options, overridden by the project's default Volumes and those of the scene.
+        // The options are the feature's, overridden by the project's default Volumes and those of the scene.
         private ShadowOptions Options()
         {
             ShadowOptions options = settings.Options();

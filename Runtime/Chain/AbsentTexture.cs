@@ -3,12 +3,14 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>What is bound under the name of a texture that a pass does not have; no program reads it.</summary>
+    /// <summary>
+    /// The texture that is bound under the name of one that a pass does not have; no program reads it.
+    /// </summary>
     internal static class AbsentTexture
     {
         private static Texture2DArray ofBothEyes;
 
-        /// <summary>With both eyes in one draw, programs declare an array.</summary>
+        /// <summary>The texture for so many views: with both eyes in one draw, programs declare an array.</summary>
         internal static Texture For(int views)
         {
             if (views == 1) return Texture2D.blackTexture;

@@ -61,7 +61,7 @@ namespace Penumbra
             if (graph.mask != TechniqueGraph.None) Mask = placed[graph.mask];
         }
 
-        // The visibility so far, which the graph reads under a name of its own.
+        // The texture of the visibility so far, which the graph reads under a name of its own.
         private int Source(TechniqueGraph graph)
         {
             if (visibility == ShadowChain.None)
@@ -78,7 +78,7 @@ namespace Penumbra
         private static bool IsFiltered(TechniqueGraph graph, int texture) =>
             graph.filtersLinearly && graph.filterTextures.Any(binding => binding.index == texture);
 
-        // The texture is read in frames in which no pass writes it.
+        // Whether the texture is read in frames in which no pass writes it.
         private static bool IsKept(TechniqueGraph graph, int texture)
         {
             if (graph.textures[texture].previousOf != TechniqueGraph.None) return true;
@@ -130,7 +130,7 @@ namespace Penumbra
 
         private static int SizeProperty(string texture) => Shader.PropertyToID(SizeName(texture));
 
-        // _PenumbraSourceSize for _PenumbraSourceTexture.
+        // The name of a texture's size: that of _PenumbraSourceTexture is _PenumbraSourceSize.
         private static string SizeName(string texture)
         {
             const string ending = "Texture";
@@ -139,7 +139,7 @@ namespace Penumbra
                         : texture) + "Size";
         }
 
-        // A copy of each mip level that a pass reads while it draws the next level.
+        // The copies of the mip levels that a pass reads, each while it draws the next level.
         private int[] LevelCopies(in ChainTexture texture)
         {
             var copies = new int[(texture.mips == 0 ? MostLevels : texture.mips) - 1];
@@ -151,7 +151,7 @@ namespace Penumbra
             return copies;
         }
 
-        private const int MostLevels = 15;  // of 16384 texels
+        private const int MostLevels = 15;  // of a texture of 16384 texels
 
         internal void Finish()
         {

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Records a chain into a command buffer, the same with and without the render graph. Allocates when options
+    /// Records a chain into a command buffer, the same with and without the render graph. It allocates when options
     /// first need a chain, but not while it draws.
     /// </summary>
     internal sealed class ChainDraw : IDisposable
@@ -18,13 +18,13 @@ namespace Penumbra
         private PreparedChain current;
 
         /// <summary>
-        /// How often the editor has imported shaders: a chain that was prepared from earlier ones, which may have failed to
-        /// compile, is prepared again.
+        /// The number of times that the editor has imported shaders: a chain that was prepared from earlier ones, which
+        /// may have failed to compile, is prepared again.
         /// </summary>
         internal static int Imports { get; set; }
         private int importsBefore;
 
-        /// <summary>Its textures and steps; null before the first Prepare.</summary>
+        /// <summary>The current chain's textures and steps; null before the first Prepare.</summary>
         internal ShadowChain Chain => current?.chain;
 
         internal ChainDraw(Material material, PassAssets assets)
@@ -32,7 +32,9 @@ namespace Penumbra
             materials = new PassMaterials(material, assets);
         }
 
-        /// <summary>Why the current chain stands in for the one that was asked for; null if it does not.</summary>
+        /// <summary>
+        /// The reason why the current chain stands in for the one that was asked for; null if it does not.
+        /// </summary>
         internal string Replaces => current?.replaces;
 
         /// <summary>
@@ -64,13 +66,13 @@ namespace Penumbra
         /// <summary>The program of a step of the chain.</summary>
         internal ref readonly PassProgram Program(int step) => ref current.programs[step];
 
-        /// <summary>`slots` and `buffers` are in the chain's order.</summary>
+        /// <summary>Draws the chain; `slots` and `buffers` are in its order.</summary>
         /// <param name="casters">For chains that draw objects: the frame's casters and their lists.</param>
         internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers,
                            CasterFrame casters = null)
         {
 #if UNITY_EDITOR
-            // Until a program is compiled the editor would skip its draws, and the targets have no content of their own.
+            // Until a program is compiled the editor would skip its draws, and the targets would keep what they held.
             UnityEditor.ShaderUtil.SetAsyncCompilation(commands, false);
 #endif
             uniforms.Set(commands, frame);

@@ -10,7 +10,7 @@ namespace Penumbra
         private const int Mask = 1;
         private const int Half = 2;
         private const int Denoise = 4;
-        private const int Conservative = 8; // with Mask
+        private const int Conservative = 8; // only with Mask
         private const int SecondFormat = 16;
         private const int ContactShadows = 32;
         private const int Clouds = 64;
@@ -27,14 +27,14 @@ namespace Penumbra
             PenumbraShadowsGraphs.PcssMaskedHalfDenoised,
         };
 
-        // The same with a conservative mask, which all of them have: indexed without its bits.
+        // The screen-space passes with a conservative mask. All of them have it, so they are indexed without its bits.
         private static readonly TechniqueGraph[] ofScreenConservative =
         {
             PenumbraShadowsGraphs.PcssConservative, PenumbraShadowsGraphs.PcssConservativeHalf,
             PenumbraShadowsGraphs.PcssConservativeDenoised, PenumbraShadowsGraphs.PcssConservativeHalfDenoised,
         };
 
-        // By mode, without and with clouds; null: none.
+        // The graphs beyond the cascades by mode, without and with clouds; null stands for none.
         private static readonly TechniqueGraph[][] beyondCascades =
         {
             new[] { null, PenumbraFarGraphs.Clouds },
@@ -42,7 +42,7 @@ namespace Penumbra
             new[] { PenumbraFarGraphs.FarHorizon, PenumbraFarGraphs.FarHorizonClouds },
         };
 
-        // The cascades' visibility where nothing casts into them.
+        // This graph stands for the cascades' visibility where nothing casts into them.
         private static readonly TechniqueGraph lit = new TechniqueGraph
         {
             name = "lit",
@@ -51,7 +51,7 @@ namespace Penumbra
             visibility = 0,
         };
 
-        // Each reads the visibility of the graphs before it.
+        // Each of these graphs reads the visibility of the graphs before it.
         private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
         {
             if (options.HasContactShadows) yield return PenumbraScreenTraceGraphs.ScreenTrace;
@@ -61,7 +61,7 @@ namespace Penumbra
         private static TechniqueGraph BeyondCascades(in ShadowOptions options) =>
             beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0];
 
-        /// <summary>Those beyond the cascades alone. A device may be unable to draw any.</summary>
+        /// <summary>The graphs beyond the cascades alone. A device may be unable to draw any.</summary>
         internal static IReadOnlyList<TechniqueGraph> OverLit(in ShadowOptions options) =>
             options.DrawsBeyondCascades ? new[] { lit, BeyondCascades(options) } : new[] { lit };
 
@@ -71,7 +71,7 @@ namespace Penumbra
             .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
             .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
 
-        /// <summary>In the order in which they run.</summary>
+        /// <summary>The graphs that the options need, in the order in which they run.</summary>
         internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options) =>
             OfVisibility(options).Concat(OverVisibility(options)).ToArray();
 
@@ -85,7 +85,7 @@ namespace Penumbra
             return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
         }
 
-        /// <summary>Equal for options that need the same graphs and keywords.</summary>
+        /// <summary>A number that is equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) =>
             (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
             (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |

@@ -5,7 +5,10 @@ namespace Penumbra
     /// <summary>Shader keywords of chains: the techniques' and the graphs'.</summary>
     internal static class ChainKeywords
     {
-        /// <summary>Of kernels that can draw both eyes at once: they are drawn so.</summary>
+        /// <summary>
+        /// The keyword of kernels that can draw both eyes at once; where a kernel declares it, both eyes are drawn at
+        /// once.
+        /// </summary>
         internal const string BothEyes = "_PENUMBRA_BOTH_EYES";
 
         /// <summary>All keywords that a program of a chain may declare.</summary>
@@ -21,7 +24,7 @@ namespace Penumbra
             }
         }
 
-        /// <summary>Each keyword once; nulls are skipped.</summary>
+        /// <summary>The chain's keywords, each once; nulls are skipped.</summary>
         internal static List<string> Of(string technique, IEnumerable<TechniqueGraph> graphs)
         {
             var keywords = new List<string>();

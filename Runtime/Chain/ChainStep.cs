@@ -3,18 +3,18 @@ namespace Penumbra
     /// <summary>A texture or buffer of a step: an index into ShadowChain.Slots or ShadowChain.Buffers.</summary>
     internal struct ChainBinding
     {
-        /// <summary>The name's Shader.PropertyToID; 0 for render targets.</summary>
+        /// <summary>The Shader.PropertyToID of the name; 0 for render targets.</summary>
         internal int property;
 
-        /// <summary>For a texture that is read: the property that receives its size.</summary>
+        /// <summary>The property that receives the size of a texture that is read.</summary>
         internal int sizeProperty;
 
         internal bool isBuffer;
         internal int index;
 
         /// <summary>
-        /// For a texture whose mip levels the step generates: per level, the slot of the copy that it reads, since a
-        /// texture cannot be read while one of its levels is drawn. Null otherwise.
+        /// The copies of a texture whose mip levels the step generates: per level, the slot of the copy that it reads,
+        /// since a texture cannot be read while one of its levels is drawn. Null for other textures.
         /// </summary>
         internal int[] levels;
     }
@@ -32,7 +32,9 @@ namespace Penumbra
         internal GraphPass pass;
         internal ChainBinding[] reads;
 
-        /// <summary>The properties of the pass's absent textures, and those that receive their sizes, which are 0.</summary>
+        /// <summary>
+        /// The properties of the pass's absent textures, and those that receive their sizes, which are 0.
+        /// </summary>
         internal int[] absent;
         internal int[] absentSizes;
 
@@ -45,26 +47,26 @@ namespace Penumbra
         internal int threadsOf = ShadowChain.None;
         internal int indirect = ShadowChain.None;
 
-        /// <summary>Casters: the slot of their own depth texture; otherwise None.</summary>
+        /// <summary>The slot of the casters' own depth texture; None for other passes.</summary>
         internal int depth = ShadowChain.None;
 
         internal bool ByCascade => pass.runs == PassFrequency.Cascade;
 
         /// <summary>
-        /// The pass makes mip levels, of all cascades at once, of a texture whose first level is made per cascade: it has
-        /// nothing to do where no cascade was redrawn.
+        /// Whether the pass makes mip levels, of all cascades at once, of a texture whose first level is made per
+        /// cascade: it has nothing to do where no cascade was redrawn.
         /// </summary>
         internal bool followsCascades;
 
         /// <summary>
-        /// The kernel has no thread per texel and so may not write all texels, which are cleared first. Not for
-        /// passes per cascade, which must keep the other cascades' texels.
+        /// Whether the kernel has no thread per texel and so may not write all texels, which are cleared first. Passes
+        /// per cascade are not cleared, because they must keep the other cascades' texels.
         /// </summary>
         internal bool IsSparse => pass.kind == PassKind.Compute && threadsOf == ShadowChain.None && !ByCascade;
 
         /// <summary>
-        /// The first texture that it writes, or the depth texture of casters that write no other; None if it writes
-        /// only buffers.
+        /// The first texture that the step writes, or the depth texture of casters that write no other; None if it
+        /// writes only buffers.
         /// </summary>
         internal int Target
         {

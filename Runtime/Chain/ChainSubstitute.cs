@@ -1,11 +1,12 @@
 namespace Penumbra
 {
-    /// <summary>What is drawn instead where a device cannot run the passes that options need.</summary>
+    /// <summary>Selects what is drawn instead where a device cannot run the passes that options need.</summary>
     internal static class ChainSubstitute
     {
         /// <summary>
-        /// `instead`: the same options with what is drawn in the place of the technique's own passes, if that takes
-        /// samples, so that options without an effect on those passes have one on it: PCSS for the flagship. Else false.
+        /// Gives `instead`: the same options with what is drawn in the place of the technique's own passes, if that
+        /// takes samples, so that options without an effect on those passes have one on it: PCSS for the flagship.
+        /// Otherwise the result is false.
         /// </summary>
         internal static bool TryGetSampled(in ShadowOptions options, out ShadowOptions instead)
         {
@@ -14,13 +15,13 @@ namespace Penumbra
             return options.HasPasses && Has(options.technique) && instead.technique.TakesSamples();
         }
 
-        /// <summary>A filter of the shadow map alone stands in for the technique's passes.</summary>
+        /// <summary>Whether a filter of the shadow map alone stands in for the technique's passes.</summary>
         internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
 
         /// <summary>
-        /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the fallback of a
-        /// technique with passes, then no clouds, then a tent in the place of a filter that needs shader target 4.5. False
-        /// if these options have none.
+        /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the fallback of
+        /// a technique with passes, then no clouds, then a tent in the place of a filter that needs shader target 4.5.
+        /// False if these options have none.
         /// </summary>
         internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
         {

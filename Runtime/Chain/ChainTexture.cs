@@ -19,19 +19,19 @@ namespace Penumbra
         internal readonly int layers;
         internal readonly int samples;
 
-        /// <summary>Written by kernels.</summary>
+        /// <summary>Whether kernels write the texture.</summary>
         internal readonly bool randomWrite;
 
-        /// <summary>A depth format, which casters are tested against.</summary>
+        /// <summary>Whether the format is a depth format, which casters are tested against.</summary>
         internal readonly bool isDepth;
 
-        /// <summary>Read with interpolation between texels.</summary>
+        /// <summary>Whether the texture is read with interpolation between texels.</summary>
         internal readonly bool filtered;
 
-        /// <summary>Keeps its content between frames.</summary>
+        /// <summary>Whether the texture keeps its content between frames.</summary>
         internal readonly bool kept;
 
-        /// <summary>A copy of this mip level alone; 0: the whole texture.</summary>
+        /// <summary>The mip level that this is a copy of; 0 for a whole texture.</summary>
         internal readonly int level;
 
         internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept, bool isDepth = false,
@@ -65,12 +65,12 @@ namespace Penumbra
         internal static ChainTexture OfScreen(int divisor) =>
             new ChainTexture(new GraphTexture("", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor), false, false);
 
-        /// <summary>For a copy of one of its levels, counted from 0.</summary>
+        /// <summary>A copy of one of the texture's levels, counted from 0.</summary>
         internal ChainTexture CopyOf(int ofLevel) => new ChainTexture(this, ofLevel);
 
         /// <summary>
-        /// Textures that the pipeline cannot lend for a frame: those that are kept, and those with mip levels, which
-        /// URP's render graph textures do not have.
+        /// Whether the pipeline cannot lend the texture for a frame: it cannot lend those that are kept, nor those with
+        /// mip levels, which URP's render graph textures do not have.
         /// </summary>
         internal bool IsOwned => kept || mips != 1;
 

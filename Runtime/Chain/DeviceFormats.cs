@@ -7,8 +7,9 @@ namespace Penumbra
     internal static class DeviceFormats
     {
         /// <summary>
-        /// Only the format with one 8-bit channel, of visibility and masks, has replacements: all devices can render
-        /// to a format with four channels, and all that support compute shaders can write 32 bits.
+        /// The format of the texture on this device. Only the format with one 8-bit channel, of visibility and masks,
+        /// has replacements: all devices can render to a format with four channels, and all that support compute
+        /// shaders can write 32 bits.
         /// </summary>
         internal static GraphicsFormat Of(in ChainTexture texture)
         {

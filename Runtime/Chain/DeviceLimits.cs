@@ -5,14 +5,15 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Why a chain cannot run on this device, as a message. Mostly limits of WebGL and OpenGL ES; PreparedChain
-    /// checks the programs themselves.
+    /// Tells why a chain cannot run on this device, as a message. Most reasons are limits of WebGL and OpenGL ES;
+    /// PreparedChain checks the programs themselves.
     /// </summary>
     internal static class DeviceLimits
     {
         /// <summary>
-        /// OpenGL does not define raw reads of the shadow map. Shaders compute another filter there in the place of one
-        /// that reads it (TechniqueByKeyword.hlsl). WebGPU counts as OpenGL, because no frame was seen there yet.
+        /// Whether the device's interface is OpenGL, which does not define raw reads of the shadow map. Shaders compute
+        /// another filter there in the place of one that reads it (TechniqueByKeyword.hlsl). WebGPU counts as OpenGL,
+        /// because no frame was seen there yet.
         /// </summary>
         internal static bool IsOpenGl =>
 #if UNITY_6000_0_OR_NEWER
@@ -21,12 +22,12 @@ namespace Penumbra
             SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
             SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
 
-        /// <summary>Shader target 4.5, of SystemInfo.graphicsShaderLevel.</summary>
+        /// <summary>The value of SystemInfo.graphicsShaderLevel for shader target 4.5.</summary>
         internal const int Level45 = 45;
 
         /// <summary>
-        /// Why this device can run neither the options' passes before the filter, whatever they are, nor the filter; null
-        /// if it can.
+        /// The reason why this device can run neither the options' passes before the filter, whatever they are, nor the
+        /// filter; null if it can.
         /// </summary>
         internal static string Problem(in ShadowOptions options)
         {
@@ -37,7 +38,7 @@ namespace Penumbra
                        ? "it needs shader model 4.5" : null;
         }
 
-        /// <summary>Null if there is no problem.</summary>
+        /// <summary>The reason why this device cannot run the chain; null if it can.</summary>
         internal static string Problem(ShadowChain chain)
         {
             foreach (ChainTexture texture in chain.Slots)
@@ -90,7 +91,7 @@ namespace Penumbra
                        : null;
         }
 
-        /// <summary>The same for the size of a kernel's thread groups.</summary>
+        /// <summary>The reason why the device cannot run thread groups of the kernel's size; null if it can.</summary>
         internal static string Problem(GraphPass kernel, Vector3Int threads)
         {
             int all = threads.x * threads.y * threads.z;
@@ -103,7 +104,10 @@ namespace Penumbra
 
         private const string StereoRemedy = "; use XR's multi-pass mode, which draws one after the other";
 
-        /// <summary>Why the chain's textures cannot have both eyes at once, which are their slices then.</summary>
+        /// <summary>
+        /// The reason why the chain's textures cannot hold both eyes at once, which would be their slices; null if they
+        /// can.
+        /// </summary>
         internal static string StereoProblem(ShadowChain chain)
         {
             foreach (ChainTexture texture in chain.Slots)
@@ -113,8 +117,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Why the step cannot draw both eyes at once: raster passes are compiled for textures with two slices, kernels
-        /// only if their file declares a keyword for it.
+        /// The reason why the step cannot draw both eyes at once: raster passes are compiled for textures with two
+        /// slices, kernels only if their file declares a keyword for it. Null if it can.
         /// </summary>
         internal static string StereoProblem(ShadowChain chain, ChainStep step, ProgramAsset asset)
         {

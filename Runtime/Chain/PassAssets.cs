@@ -14,7 +14,9 @@ namespace Penumbra
     {
         private const string Folder = "Shaders";
 
-        /// <summary>The GUID of that folder, by which a package that was copied into Assets is found, too.</summary>
+        /// <summary>
+        /// The GUID of the package's folder, by which a package that was copied into Assets is found, too.
+        /// </summary>
         internal const string FolderGuid = "d547e543300383e817b83b7a554c305a";
 
         [Tooltip("Each asset's path in the package.")]
@@ -22,7 +24,7 @@ namespace Penumbra
         [Tooltip("In the order of the paths.")]
         [SerializeField] private List<Object> assets = new List<Object>();
 
-        /// <summary>In the editor: finds assets that are not stored yet. True if any was added.</summary>
+        /// <summary>Finds, in the editor, the assets that are not stored yet. True if any was added.</summary>
         internal bool Find(IEnumerable<TechniqueGraph> graphs)
         {
             bool changed = false;
@@ -34,7 +36,7 @@ namespace Penumbra
             return changed;
         }
 
-        /// <summary>Null if it is missing.</summary>
+        /// <summary>The asset at the path; null if it is missing.</summary>
         internal Object Of(string path)
         {
             int at = paths.IndexOf(path);
@@ -42,7 +44,7 @@ namespace Penumbra
         }
 
 #if UNITY_EDITOR
-        /// <summary>Where the project has the package's file `path`.</summary>
+        /// <summary>The place of the package's file `path` in the project.</summary>
         internal static string PathInProject(string path)
         {
             string folder = UnityEditor.AssetDatabase.GUIDToAssetPath(FolderGuid);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>The extents of a pass's steps: mip levels, a cascade's tile, thread groups.</summary>
+    /// <summary>Computes the extents of a pass's steps: mip levels, a cascade's tile, thread groups.</summary>
     internal static class PassGeometry
     {
         /// <summary>

@@ -51,7 +51,7 @@ namespace Penumbra
             return material;
         }
 
-        /// <summary>The feature disposes of its own material.</summary>
+        /// <summary>Releases the other materials; the feature disposes of its own.</summary>
         public void Dispose()
         {
             foreach (Material material in others.Values) CoreUtils.Destroy(material);

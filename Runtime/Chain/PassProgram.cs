@@ -40,8 +40,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// A pass of casters draws with their own materials and those materials' keywords. Null if the chain enables
-        /// no keyword that the pass declares.
+        /// The problem of a pass of casters, which draws with their own materials and those materials' keywords. Null
+        /// if the chain enables no keyword that the pass declares.
         /// </summary>
         internal string CasterProblem(GraphPass pass)
         {
@@ -52,8 +52,8 @@ namespace Penumbra
             return null;
         }
 
-        // Set by the command buffer, not on the asset, because another camera may select another technique before
-        // these commands are executed.
+        // The command buffer sets the keywords, and not the asset, because another camera may select another technique
+        // before these commands are executed.
         internal void SetKeywords(CommandBuffer commands)
         {
             for (int i = 0; i < keywords.Length; ++i)
@@ -62,7 +62,7 @@ namespace Penumbra
         }
     }
 
-    /// <summary>What a step runs.</summary>
+    /// <summary>The program that a step runs.</summary>
     internal readonly struct PassProgram
     {
         internal readonly ProgramAsset asset;

@@ -10,23 +10,27 @@ namespace Penumbra
     {
         private readonly ShadowOptions options;
 
-        /// <summary>Why this chain stands in for the one that was asked for, as a message; null if it does not.</summary>
+        /// <summary>
+        /// The reason why this chain stands in for the one that was asked for, as a message; null if it does not.
+        /// </summary>
         internal readonly string replaces;
 
         internal readonly ShadowChain chain;
         internal readonly ProgramAsset[] assets;
 
-        /// <summary>In the order of the chain's steps.</summary>
+        /// <summary>The programs in the order of the chain's steps.</summary>
         internal readonly PassProgram[] programs;
 
-        /// <summary>Preallocated array of the targets, for steps that draw into several; null for others.</summary>
+        /// <summary>
+        /// The preallocated array of a step's targets, for steps that draw into several; null for others.
+        /// </summary>
         internal readonly RenderTargetIdentifier[][] targets;
 
-        /// <summary>What is missing, as a message; null if nothing is.</summary>
+        /// <summary>The message that says what is missing; null if nothing is.</summary>
         internal readonly string problem;
 
-        /// <param name="options">Of which those that choose a chain count.</param>
-        /// <param name="bothEyes">It draws both eyes at once.</param>
+        /// <param name="options">Options, of which those that choose a chain count.</param>
+        /// <param name="bothEyes">Whether the chain draws both eyes at once.</param>
         /// <param name="overLit">See ChainDraw.Prepare.</param>
         internal PreparedChain(in ShadowOptions options, bool bothEyes, bool overLit, PassMaterials materials,
                                string replaces = null)

@@ -14,8 +14,8 @@ namespace Penumbra
     }
 
     /// <summary>
-    /// What a frame runs: the passes of one or more graphs, and the textures between them. Textures whose lifetimes
-    /// do not overlap share a slot. Slot 0 is the screen-space shadow texture that receivers read.
+    /// The chain that a frame runs: the passes of one or more graphs, and the textures between them. Textures whose
+    /// lifetimes do not overlap share a slot. Slot 0 is the screen-space shadow texture that receivers read.
     /// </summary>
     internal sealed class ShadowChain
     {
@@ -29,7 +29,7 @@ namespace Penumbra
         /// <summary>The names of the slots' textures.</summary>
         internal IReadOnlyList<string> SlotNames { get; }
 
-        /// <summary>Their `texture` is the index of a slot.</summary>
+        /// <summary>The chain's buffers, whose `texture` is the index of a slot.</summary>
         internal IReadOnlyList<GraphBuffer> Buffers { get; }
         internal IReadOnlyList<ChainGlobal> Globals { get; }
         internal IReadOnlyList<ChainHistory> Histories { get; }
@@ -42,14 +42,16 @@ namespace Penumbra
         /// <summary>The mask's slot; None without one.</summary>
         internal int Mask { get; }
 
-        /// <summary>A texture or buffer that is kept between frames has the size of the screen.</summary>
+        /// <summary>Whether a texture or buffer that is kept between frames has the size of the screen.</summary>
         internal bool KeepsScreen { get; }
 
-        /// <summary>The step's target has a slice per eye if two are drawn at once.</summary>
+        /// <summary>Whether the step's target has a slice per eye if two are drawn at once.</summary>
         internal bool IsOverScreen(ChainStep step) =>
             step.Target != None && Slots[step.Target].extent == GraphExtent.Screen;
 
-        /// <summary>A step draws objects of the scene; DrawsCascades: one of them does so per cascade.</summary>
+        /// <summary>
+        /// Whether a step draws objects of the scene; DrawsCascades tells whether one of them does so per cascade.
+        /// </summary>
         internal bool DrawsObjects { get; }
         internal bool DrawsCascades { get; }
 
@@ -57,7 +59,7 @@ namespace Penumbra
         internal static ShadowChain Of(in ShadowOptions options) =>
             new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
 
-        /// <summary>What these options draw beyond the cascades, where nothing casts into them.</summary>
+        /// <summary>The chain of what these options draw beyond the cascades, where nothing casts into them.</summary>
         internal static ShadowChain OverLit(in ShadowOptions options) => new ShadowChain(ChainGraphs.OverLit(options), null);
 
         /// <param name="graphs">In order; the last one outputs a visibility texture.</param>

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Records one step of a chain, once per mip level and per cascade that was redrawn. Lives on the stack.
+    /// Records one step of a chain, once per mip level and per cascade that was redrawn. It lives on the stack.
     /// </summary>
     internal readonly ref struct StepDraw
     {
@@ -79,8 +79,8 @@ namespace Penumbra
             }
             for (int i = 0; i < step.absentSizes.Length; ++i)
             {
-                // Bound under its name is what an earlier pass or frame has left there, which may be this step's target:
-                // OpenGL and WebGL refuse such a draw, even if the program does not read it.
+                // The texture of an earlier pass or frame may still be bound under this name, and it may be this step's
+                // target: OpenGL and WebGL refuse such a draw, even if the program does not read the texture.
                 commands.SetGlobalTexture(step.absent[i], AbsentTexture.For(frame.views));
                 commands.SetGlobalVector(step.absentSizes[i], Vector4.zero);
             }
@@ -94,7 +94,7 @@ namespace Penumbra
             commands.SetGlobalVector(FrameUniforms.Tile, new Vector4(tile.x, tile.y, tile.width, tile.height));
         }
 
-        // Where no caster is drawn, targets are 0 and the depth is the far plane's.
+        // Where no caster is drawn, the targets hold 0 and the depth the far plane's.
         private void DrawCasters(CommandBuffer commands, in ShadowFrame frame, int cascade)
         {
             BindReads(commands, 0);
@@ -140,7 +140,7 @@ namespace Penumbra
                                     1, null);
         }
 
-        // Loads the target where only a tile is drawn, so that the other cascades' tiles stay unchanged.
+        // The target is loaded where only a tile is drawn, so that the other cascades' tiles stay unchanged.
         private void SetTargets(CommandBuffer commands, int mip, int slice, bool load)
         {
             if (targets == null)
@@ -185,7 +185,8 @@ namespace Penumbra
             commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
         }
 
-        // Texels that the kernel does not write are 0 instead of the content of another frame. What it updates is kept.
+        // Texels that the kernel does not write are 0 instead of the content of another frame. Textures that it updates
+        // are kept.
         private void ClearTargets(CommandBuffer commands, int mip)
         {
             for (int i = 0; i < step.pass.writes.Length; ++i)

@@ -9,7 +9,10 @@ namespace Penumbra
         internal readonly int width;
         internal readonly int height;
 
-        /// <summary>Depth of a 3D texture; otherwise the layers, of the screen without layers one for each eye.</summary>
+        /// <summary>
+        /// The depth of a 3D texture; otherwise the number of layers, which for textures of the screen without layers
+        /// is one for each eye.
+        /// </summary>
         internal readonly int depth;
 
         private readonly bool isVolume;
@@ -23,13 +26,15 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// The whole texture: rounded up, so that it covers an extent that is not a multiple of the divisor.
+        /// The size of the whole texture, rounded up, so that it covers an extent that is not a multiple of the
+        /// divisor.
         /// </summary>
         internal static TextureSize Of(in ChainTexture texture, in ShadowFrame frame) =>
             Of(texture, frame, 1.0f, 1.0f);
 
         /// <summary>
-        /// The part of it that is drawn: dynamic resolution leaves part of the screen's textures unused.
+        /// The size of the part of the texture that is drawn: dynamic resolution leaves part of the screen's textures
+        /// unused.
         /// </summary>
         internal static TextureSize Drawn(in ChainTexture texture, in ShadowFrame frame) =>
             texture.extent == GraphExtent.Screen ? Of(texture, frame, frame.widthScale, frame.heightScale)

@@ -29,8 +29,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// `overlay`: where this camera has no image, the image of the camera below it remains visible. `upsideDown`:
-        /// the target's rows run in the opposite direction to those of the chain's textures.
+        /// Draws the view. With `overlay`, the image of the camera below remains visible where this camera has none.
+        /// `upsideDown` says that the target's rows run in the opposite direction to those of the chain's textures.
         /// </summary>
         internal void Draw(Commands commands, DebugView view, bool hasMask, bool overlay, bool upsideDown)
         {

@@ -3,7 +3,9 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>What a frame's far shadows and clouds are computed from; the uniforms of Shaders/FarPass.hlsl.</summary>
+    /// <summary>
+    /// The data from which a frame's far shadows and clouds are computed; the uniforms of Shaders/FarPass.hlsl.
+    /// </summary>
     internal struct FarFrame
     {
         internal static readonly int TowardSun = Shader.PropertyToID("_PenumbraTowardSun");
@@ -21,18 +23,18 @@ namespace Penumbra
         internal FarShadowsParameters parameters;
         internal CloudParameters clouds;
 
-        /// <summary>Towards the main light, world space, of length 1.</summary>
+        /// <summary>The direction towards the main light, world space, of length 1.</summary>
         internal Vector3 towardSun;
 
         /// <summary>URP's shadow distance, at most the far plane's.</summary>
         internal float distanceMetres;
 
         /// <summary>
-        /// The camera, around which the map of the clouds lies. XR's eyes share it, as they share the map.
+        /// The camera's position, around which the map of the clouds lies. XR's eyes share it, as they share the map.
         /// </summary>
         internal Vector3 centre;
 
-        /// <summary>How far the clouds have moved along x and z.</summary>
+        /// <summary>The way that the clouds have moved along x and z.</summary>
         internal Vector2 windMetres;
 
         internal static FarFrame Of(FarShadowsSettings settings, in ShadowSource source, Vector3 camera)
@@ -47,7 +49,7 @@ namespace Penumbra
             return far;
         }
 
-        // In double precision, as a game may run for days.
+        // The product is computed in double precision, because a game may run for days.
         private static float Moved(float metresPerSecond)
         {
             double metres = metresPerSecond * Time.timeAsDouble;

@@ -2,16 +2,18 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>What shaders are told of the ground: its place, and the textures of one mode.</summary>
+    /// <summary>The ground as shaders know it: its place, and the textures of one mode.</summary>
     internal struct FarGround
     {
         /// <summary>Corner and size, world x and z in metres.</summary>
         internal Vector4 area;
 
-        /// <summary>Metres of a stored 0 and of 1, and of heights the samples along x and z.</summary>
+        /// <summary>
+        /// The metres that stored 0 and 1 mean, and the number of samples of the heights along x and z.
+        /// </summary>
         internal Vector4 heights;
 
-        /// <summary>What the red and green of heights are multiplied with before they are added.</summary>
+        /// <summary>The factors of the heights' red and green, which are multiplied before they are added.</summary>
         internal Vector4 channels;
 
         internal Texture heightMap;

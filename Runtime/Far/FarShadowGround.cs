@@ -51,10 +51,12 @@ namespace Penumbra
 
         private Terrain own;
 
-        /// <summary>The Terrain that was assigned; null: that of this game object is used, if it has one.</summary>
+        /// <summary>
+        /// The Terrain that was assigned. If it is null, that of this game object is used, if it has one.
+        /// </summary>
         public Terrain Terrain { get => terrain; set => terrain = value; }
 
-        /// <summary>Without a Terrain: heights of `penumbra bake heightfield`.</summary>
+        /// <summary>The height map of `penumbra bake heightfield`, for ground without a Terrain.</summary>
         public Texture2D HeightMap { get => heightMap; set => heightMap = value; }
 
         /// <summary>The first picture of `penumbra bake horizon`.</summary>
@@ -63,13 +65,13 @@ namespace Penumbra
         /// <summary>The second picture of `penumbra bake horizon`.</summary>
         public Texture2D HorizonSecond { get => horizonSecond; set => horizonSecond = value; }
 
-        /// <summary>Without a Terrain: world x and z of the smallest corner.</summary>
+        /// <summary>The smallest corner's world x and z, for ground without a Terrain.</summary>
         public Vector2 CornerMetres { get => cornerMetres; set => cornerMetres = value; }
 
-        /// <summary>Without a Terrain: size along x and z.</summary>
+        /// <summary>The size along x and z, for ground without a Terrain.</summary>
         public Vector2 SizeMetres { get => sizeMetres; set => sizeMetres = value; }
 
-        /// <summary>Without a Terrain: world heights of a stored 0 and of 1.</summary>
+        /// <summary>The world heights that stored 0 and 1 mean, for ground without a Terrain.</summary>
         public Vector2 HeightsMetres { get => heightsMetres; set => heightsMetres = value; }
 
         private void OnEnable()
@@ -106,7 +108,7 @@ namespace Penumbra
             return problem;
         }
 
-        // Null, or what the mode needs and this has not.
+        // Returns null, or what the mode needs and this ground lacks.
         private string Lacks(FarShadowMode mode, out FarGround ground)
         {
             ground = default;
@@ -132,7 +134,7 @@ namespace Penumbra
             return heightsMetres.y > heightsMetres.x ? null : NoRange;
         }
 
-        // From the area's rectangle, level; 0 above it.
+        // The squared level distance from the area's rectangle; 0 over it.
         private static float SquaredDistance(Vector4 area, Vector3 position)
         {
             float x = Beside(position.x, area.x, area.z);

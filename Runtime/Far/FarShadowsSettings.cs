@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// Shadows beyond the cascades: of the ground (FarShadowGround), and of clouds. For every quality preset.
+    /// Shadows beyond the cascades: of the ground (FarShadowGround), and of clouds. They hold for every quality preset.
     /// </summary>
     [Serializable]
     public sealed class FarShadowsSettings
@@ -21,7 +21,7 @@ namespace Penumbra
         [Tooltip("The layer of clouds.")]
         public CloudParameters cloudLayer = CloudParameters.Default;
 
-        /// <summary>Along world x and z.</summary>
+        /// <summary>The clouds' speed along world x and z, metres per second.</summary>
         [Tooltip("Wind in metres per second, along world x and z, that moves the clouds. They follow the game's time " +
                  "(Time.time), and stand still in edit mode.")]
         public Vector2 windMetresPerSecond = new Vector2(8.0f, 0.0f);

@@ -4,10 +4,11 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// How a Terrain stores its heights. 32766 of 65535 is the full height (Unity's PaintContext.kNormalizedHeightScale),
-    /// in one channel of 16 bits or, with Vulkan and OpenGL ES, in two of 8: red the low byte, green the high one
-    /// (UnpackHeightmap of Unity's TerrainEngine.cginc and URP's terrain shaders). Both are linear, so that filtered
-    /// texels are filtered heights. The first and last samples lie on the terrain's edges. A Terrain has no rotation.
+    /// Reads how a Terrain stores its heights. 32766 of 65535 is the full height (Unity's
+    /// PaintContext.kNormalizedHeightScale), in one channel of 16 bits or, with Vulkan and OpenGL ES, in two of 8, of
+    /// which red has the low byte and green the high one (UnpackHeightmap of Unity's TerrainEngine.cginc and URP's
+    /// terrain shaders). Both are linear, so that filtered texels are filtered heights. The first and last samples lie
+    /// on the terrain's edges. A Terrain has no rotation.
     /// </summary>
     internal static class TerrainHeights
     {

@@ -17,9 +17,9 @@ namespace Penumbra
     /// feature's pass until transparents are drawn, which read URP's shadow map and get URP's values back. URP sets the
     /// vector anew for every camera.
     ///
-    /// With Distance Shadowmask that fade leads to the baked shadow (MixRealtimeAndBakedShadows), which would be lost. So
-    /// opaque surfaces have the smaller of both meanwhile, as with Shadowmask: a keyword of URP, which disables it before every
-    /// camera.
+    /// With Distance Shadowmask that fade leads to the baked shadow (MixRealtimeAndBakedShadows), which would be lost.
+    /// So opaque surfaces have the smaller of both meanwhile, as with Shadowmask: a keyword of URP, which disables it
+    /// before every camera.
     /// </summary>
     internal static class ReceiverFade
     {
@@ -31,8 +31,8 @@ namespace Penumbra
         private static bool created;
 
         /// <summary>
-        /// Opaque surfaces do not fade, if this frame draws far shadows. Before the chain, which reads the light's strength,
-        /// that URP leaves out of the vector beside an empty map.
+        /// Stops the fade of opaque surfaces, if this frame draws far shadows. It comes before the chain, which reads
+        /// the light's strength: beside an empty map URP leaves the strength out of the vector.
         /// </summary>
         internal static void Stop(CommandBuffer commands, in ShadowFrame frame)
         {
@@ -44,7 +44,7 @@ namespace Penumbra
             commands.SetKeyword(mixing, true);
         }
 
-        /// <summary>What URP has set.</summary>
+        /// <summary>Restores what URP has set.</summary>
         internal static void Restore(RasterCommands commands, in ShadowFrame frame)
         {
             if (!frame.options.DrawsBeyondCascades) return;
@@ -61,7 +61,7 @@ namespace Penumbra
         {
             float squared = distanceMetres * distanceMetres;
             float soft = supportsSoftShadows && light.shadows == LightShadows.Soft ? SoftQuality(light) : 0.0f;
-            // ShadowUtils.GetScaleAndBiasForLinearDistanceFade
+            // This is ShadowUtils.GetScaleAndBiasForLinearDistanceFade.
             if (border < 0.0001f) return new Vector4(light.shadowStrength, soft, 1000.0f, -1000.0f * squared);
             float begin = (1.0f - border) * (1.0f - border) * squared;
             return new Vector4(light.shadowStrength, soft, 1.0f / (squared - begin), -begin / (squared - begin));
@@ -71,7 +71,7 @@ namespace Penumbra
         internal static Vector4 OfEmptyMap(Light light, bool supportsSoftShadows, float distanceMetres, float border)
         {
 #if UNITY_6000_5_OR_NEWER
-            // 17.5 passes the distance where its square is expected.
+            // URP 17.5 passes the distance where its square is expected.
             return OfUrp(light, supportsSoftShadows, Mathf.Sqrt(distanceMetres), border);
 #elif UNITY_6000_0_OR_NEWER
             return new Vector4(0.0f, 0.0f, 1.0f, 0.0f);
@@ -80,7 +80,7 @@ namespace Penumbra
 #endif
         }
 
-        // ShadowUtils.SoftShadowQualityToShaderProperty
+        // This is ShadowUtils.SoftShadowQualityToShaderProperty.
         private static float SoftQuality(Light light)
         {
             if (!light.TryGetComponent(out UniversalAdditionalLightData data)) return 1.0f;

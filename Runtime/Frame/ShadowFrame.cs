@@ -4,7 +4,7 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// The data from which one camera's shadow is computed. Set for every camera and frame without allocating.
+    /// The data from which one camera's shadow is computed. They are set for every camera and frame without allocating.
     /// </summary>
     internal struct ShadowFrame
     {
@@ -15,21 +15,21 @@ namespace Penumbra
         internal FarFrame far;
 
         /// <summary>
-        /// _MainLightShadowParams of this camera: what the light has, and what URP has set. See ReceiverFade.
+        /// This camera's _MainLightShadowParams: what the light has, and what URP has set. See ReceiverFade.
         /// </summary>
         internal Vector4 receivers;
         internal Vector4 urpReceivers;
 
-        /// <summary>Distance Shadowmask: receivers fade to the light's baked shadow.</summary>
+        /// <summary>Whether receivers fade to the light's baked shadow (Distance Shadowmask).</summary>
         internal bool fadesToBaked;
 
-        /// <summary>URP has an empty shadow map: see FrameGate.WithoutMap.</summary>
+        /// <summary>Whether URP has an empty shadow map: see FrameGate.WithoutMap.</summary>
         internal bool overLit;
 
-        /// <summary>An overlay camera, which draws over the image of another camera.</summary>
+        /// <summary>Whether this is an overlay camera, which draws over the image of another camera.</summary>
         internal bool overlay;
 
-        /// <summary>A face of a reflection probe.</summary>
+        /// <summary>Whether the camera draws a face of a reflection probe.</summary>
         internal bool isProbe;
 
         /// <summary>Size of the camera's target in pixels, before dynamic resolution.</summary>
@@ -41,7 +41,8 @@ namespace Penumbra
         internal float heightScale;
 
         /// <summary>
-        /// (uv, stored camera depth, 1) to world, per eye; both equal unless both eyes are drawn at once.
+        /// The matrix from (uv, stored camera depth, 1) to world, per eye; both are equal unless both eyes are drawn at
+        /// once.
         /// </summary>
         internal Matrix4x4 screenToWorld0;
         internal Matrix4x4 screenToWorld1;
@@ -59,11 +60,13 @@ namespace Penumbra
         internal int updatedCascades;
 
         /// <summary>
-        /// The textures and buffers that the chain keeps for this camera between frames have no content yet.
+        /// Whether the textures and buffers that the chain keeps for this camera between frames have no content yet.
         /// </summary>
         internal bool storeIsEmpty;
 
-        /// <summary>There is no previous frame, so textures of the previous frame have no content.</summary>
+        /// <summary>
+        /// Whether there is no previous frame, so that textures of the previous frame have no content.
+        /// </summary>
         internal bool historiesAreEmpty;
 
         internal bool UpdatesAny => storeIsEmpty || updatedCascades != 0;

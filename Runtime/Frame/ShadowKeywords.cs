@@ -30,7 +30,7 @@ namespace Penumbra
         private GlobalKeyword screen;
         private bool created;
 
-        /// <summary>The screen keyword is on and has not been disabled yet.</summary>
+        /// <summary>Whether the screen keyword is on and has not been disabled yet.</summary>
         internal bool IsOpen { get; private set; }
 
         internal void Open(CommandBuffer commands)
@@ -43,8 +43,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Restores what URP's shadow pass has set: one of the two keywords, by the number of cascades; with an empty map the
-        /// one without cascades.
+        /// Restores what URP's shadow pass has set: one of the two keywords, by the number of cascades; with an empty
+        /// map, the one without cascades.
         /// </summary>
         internal void Restore(RasterCommands commands, int cascadeCount)
         {
@@ -55,9 +55,7 @@ namespace Penumbra
             IsOpen = false;
         }
 
-        /// <summary>
-        /// Before a camera: disables the keyword if the previous camera left it on. True if it did.
-        /// </summary>
+        /// <summary>Disables the keyword, before a camera, if the previous camera left it on. True if it did.</summary>
         internal bool Close(CommandBuffer commands)
         {
             if (!IsOpen) return false;

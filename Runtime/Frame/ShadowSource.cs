@@ -3,29 +3,29 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// What the pipeline knows of the main light's shadow for one camera, independent of URP's version. Expensive
+    /// The pipeline's knowledge of the main light's shadow for one camera, independent of URP's version. Expensive
     /// values are read last and only if everything else allows a shadow: see UrpFrame.
     /// </summary>
     internal struct ShadowSource
     {
         internal CameraType cameraType;
 
-        /// <summary>The camera draws only depth, into a texture.</summary>
+        /// <summary>Whether the camera draws only depth, into a texture.</summary>
         internal bool depthOnly;
 
-        /// <summary>Scene view with its lighting switched off.</summary>
+        /// <summary>Whether the camera is a scene view with its lighting switched off.</summary>
         internal bool sceneLightingOff;
 
-        /// <summary>URP's receivers do not read the screen-space texture: see UrpFrame.MetaQuest.</summary>
+        /// <summary>Whether URP's receivers do not read the screen-space texture: see UrpFrame.MetaQuest.</summary>
         internal bool metaQuest;
 
         /// <summary>Number of views drawn at once.</summary>
         internal int views;
 
-        /// <summary>The asset, the quality level and the device allow main light shadows.</summary>
+        /// <summary>Whether the asset, the quality level and the device allow main light shadows.</summary>
         internal bool supported;
 
-        /// <summary>-1 without a main light.</summary>
+        /// <summary>The index of the main light; -1 without one.</summary>
         internal int mainLightIndex;
 
         /// <summary>The main light; null without one, or without shadows of it in the asset.</summary>
@@ -33,21 +33,21 @@ namespace Penumbra
 
         internal LightShadows lightShadows;
 
-        /// <summary>Towards the main light, world space, of length 1.</summary>
+        /// <summary>The direction towards the main light, world space, of length 1.</summary>
         internal Vector3 towardLight;
 
         /// <summary>URP's _MainLightShadowParams, with a shadow map and with an empty one: see ReceiverFade.</summary>
         internal Vector4 receivers;
         internal Vector4 emptyReceivers;
 
-        /// <summary>Distance Shadowmask: receivers fade to the light's baked shadow.</summary>
+        /// <summary>Whether receivers fade to the light's baked shadow (Distance Shadowmask).</summary>
         internal bool fadesToBaked;
         internal float distanceMetres;
 
-        /// <summary>Something casts a shadow into this camera's cascades.</summary>
+        /// <summary>Whether something casts a shadow into this camera's cascades.</summary>
         internal bool hasCasters;
 
-        /// <summary>The engine has computed the light's matrices for every cascade.</summary>
+        /// <summary>Whether the engine has computed the light's matrices for every cascade.</summary>
         internal bool hasCascades;
 
         internal int cascadeCount;
@@ -56,10 +56,10 @@ namespace Penumbra
         internal int mapWidth;
     }
 
-    /// <summary>Why Penumbra skips a camera, which then has URP's own shadows.</summary>
+    /// <summary>The reason why Penumbra skips a camera, which then has URP's own shadows.</summary>
     internal enum SkipReason
     {
-        /// <summary>Not skipped.</summary>
+        /// <summary>The camera is not skipped.</summary>
         None,
         PreviewCamera,
         DepthOnlyCamera,
@@ -74,7 +74,9 @@ namespace Penumbra
         InvalidCascade,
         MissingShader,
 
-        /// <summary>The shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
+        /// <summary>
+        /// The shader or another asset of the technique's graph is missing: see PenumbraShadows.MissingPass.
+        /// </summary>
         MissingPass,
         CompatibilityMode,
         MetaQuest,
@@ -83,8 +85,8 @@ namespace Penumbra
     internal static class FrameGate
     {
         /// <summary>
-        /// URP's own conditions for main light shadows, and the feature's settings for kinds of cameras. In any other case
-        /// URP's keywords must stay as they are.
+        /// The reason to skip the camera, by URP's own conditions for main light shadows and the feature's settings for
+        /// kinds of cameras. Where there is one, URP's keywords must stay as they are.
         /// </summary>
         internal static SkipReason Reason(in ShadowSource source, PenumbraShadowsSettings settings)
         {
@@ -102,8 +104,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Why URP draws no shadow map, but binds an empty one with stale matrices: nothing casts into the cascades. Only
-        /// what lies beyond them can be drawn then.
+        /// The reason why URP draws no shadow map, but binds an empty one with stale matrices: nothing casts into the
+        /// cascades. Only shadows beyond them can be drawn then.
         /// </summary>
         internal static SkipReason WithoutMap(in ShadowSource source)
         {

@@ -15,10 +15,10 @@ namespace Penumbra
     internal static class UrpFrame
     {
         /// <summary>
-        /// With the build profile Meta Quest, URP 17.5's MainLightRealtimeShadow (ShaderLibrary/Shadows.hlsl) returns 1
-        /// where the shadow coordinate is outside 0 to 1, before it reads the screen-space texture. Forward receivers
-        /// pass the screen-space coordinate before its division by w, so almost all of them would be lit. URP 17.3
-        /// has no such check. 17.4 has not been examined and is treated like 17.5.
+        /// Whether this is the build profile Meta Quest. With it, URP 17.5's MainLightRealtimeShadow
+        /// (ShaderLibrary/Shadows.hlsl) returns 1 where the shadow coordinate is outside 0 to 1, before it reads the
+        /// screen-space texture. Forward receivers pass the screen-space coordinate before its division by w, so almost
+        /// all of them would be lit. URP 17.3 has no such check. 17.4 has not been examined and is treated like 17.5.
         /// </summary>
 #if UNITY_META_QUEST && UNITY_6000_4_OR_NEWER
         internal const bool MetaQuest = true;
@@ -82,7 +82,9 @@ namespace Penumbra
             return true;
         }
 
-        /// <summary>What is known when URP asks the feature for its passes; TrySetCamera adds the rest.</summary>
+        /// <summary>
+        /// The part of the frame that is known when URP asks the feature for its passes; TrySetCamera adds the rest.
+        /// </summary>
         internal static ShadowFrame Frame(in ShadowSource source, in ShadowOptions options, NoiseMode noise)
         {
             ShadowFrame frame = default;
@@ -137,15 +139,16 @@ namespace Penumbra
 
 #if !UNITY_6000_0_OR_NEWER
         /// <summary>
-        /// This camera draws a G-buffer. URP 14 has no public property for that, but only deferred renderers do not
-        /// support multisampling. Overlay cameras and wireframe use forward rendering even in a deferred renderer.
+        /// Whether this camera draws a G-buffer. URP 14 has no public property for that, but only deferred renderers do
+        /// not support multisampling. Overlay cameras and wireframe use forward rendering even in a deferred renderer.
         /// </summary>
         internal static bool IsDeferred(ScriptableRenderer renderer, in CameraData camera) =>
             !renderer.supportedRenderingFeatures.msaa && camera.renderType == CameraRenderType.Base && !GL.wireframe;
 #endif
 
         /// <summary>
-        /// Unity 6 with the render graph disabled, which some versions still allow: the feature draws nothing then.
+        /// Whether this is Unity 6 with the render graph disabled, which some versions still allow: the feature draws
+        /// nothing then.
         /// </summary>
         internal static bool InCompatibilityMode()
         {
@@ -158,7 +161,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Descriptor of a chain's texture; textures of the screen have the camera's layout of eyes.
+        /// The descriptor of a chain's texture; textures of the screen have the camera's layout of eyes.
         /// </summary>
         internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainTexture texture,
                                                         in ShadowFrame frame)
@@ -180,7 +183,7 @@ namespace Penumbra
             return target;
         }
 
-        // Shared by both eyes.
+        // Both eyes share these slices.
         private static void SetSlices(ref RenderTextureDescriptor target, in ChainTexture texture, int slices)
         {
             target.volumeDepth = slices;

@@ -5,9 +5,9 @@ namespace Penumbra
 {
     /// <summary>
     /// The apparent size of the light: the full angle a of its disc, and tan(a/2), which shaders use. A blocker at
-    /// distance gap in front of a receiver has a penumbra of radius tan(a/2) * gap; an edge goes from dark to lit
-    /// over twice that radius.
-    /// <para>Input in degrees; tangents are unitless. Both conversions are computed in double and rounded
+    /// distance gap in front of a receiver has a penumbra of radius tan(a/2) * gap; an edge goes from dark to lit over
+    /// twice that radius.
+    /// <para>Angles come in degrees; tangents are unitless. Both conversions are computed in double and rounded
     /// once.</para>
     /// </summary>
     public static class AngularDiameter
@@ -28,7 +28,8 @@ namespace Penumbra
             tanHalf > 0.0f ? (float)(Math.Atan(tanHalf) * 360.0 / Math.PI) : 0.0f;
 
         /// <summary>
-        /// Null if the angle is in range; otherwise an inspector message: what is wrong and how to fix it.
+        /// The problem of an angle that is not in range, as an inspector message: what is wrong and how to fix it. Null
+        /// if the angle is in range.
         /// </summary>
         public static string Problem(float degrees)
         {

@@ -33,7 +33,7 @@ namespace Penumbra
             depthPerMetre = 0.0;
         }
 
-        /// <summary>False: the matrix projects into no tile, and its receivers are lit.</summary>
+        /// <summary>Whether the matrix projects into a tile; where it does not, its receivers are lit.</summary>
         public bool IsMapped => uvPerMetre > 0.0;
 
         /// <summary>Tile UV per metre across the light: |row0| / tile width.</summary>

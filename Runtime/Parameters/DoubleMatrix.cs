@@ -38,9 +38,10 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// By Laplace's expansion over the first two columns: with pq the 2 x 2 minor of rows p and q in columns 0, 1
-        /// and PQ the same in columns 2, 3, the determinant is 01 23' - 02 13' + 03 12' + 12 03' - 13 02' + 23 01'.
-        /// False for a matrix that is singular within double precision, and for one that is not finite.
+        /// Inverts the matrix by Laplace's expansion over the first two columns: with pq the 2 x 2 minor of rows p and
+        /// q in columns 0, 1 and PQ the same in columns 2, 3, the determinant is 01 23' - 02 13' + 03 12' + 12 03' - 13
+        /// 02' + 23 01'. The result is false for a matrix that is singular within double precision, and for one that is
+        /// not finite.
         /// </summary>
         public bool TryInvert(out DoubleMatrix inverse)
         {
@@ -50,7 +51,7 @@ namespace Penumbra
                               left.R12 * right.R03 - left.R13 * right.R02 + left.R23 * right.R01;
             var magnitude = left.A01 * right.A23 + left.A02 * right.A13 + left.A03 * right.A12 +
                             left.A12 * right.A03 + left.A13 * right.A02 + left.A23 * right.A01;
-            // Written so that NaN counts as singular, too.
+            // The condition is written so that NaN counts as singular, too.
             if (!(Math.Abs(determinant) > SingularRoundings * magnitude && magnitude < double.PositiveInfinity))
             {
                 inverse = default;
@@ -62,7 +63,7 @@ namespace Penumbra
             return true;
         }
 
-        /// <summary>Rounded to floats; false, with the identity, if an entry does not fit a float.</summary>
+        /// <summary>Rounds the matrix to floats; false, with the identity, if an entry does not fit a float.</summary>
         public bool TryRound(out Matrix4x4 matrix)
         {
             var fits = Fits(Column0) && Fits(Column1) && Fits(Column2) && Fits(Column3);

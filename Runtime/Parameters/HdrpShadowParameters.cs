@@ -16,7 +16,7 @@ namespace Penumbra
     /// </summary>
     public readonly struct HdrpShadowParameters
     {
-        // Uniform over the area; HDRP allows no lower value.
+        // At 1, samples are uniform over the area; HDRP allows no lower value.
         private const float SmallestClump = 1.0f;
         private const float LargestClump = 8.0f;
         private const float LongestMetres = 1e6f;

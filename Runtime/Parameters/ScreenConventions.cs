@@ -1,19 +1,20 @@
 namespace Penumbra
 {
     /// <summary>
-    /// How a device stores the screen, as SystemInfo and GL.GetGPUProjectionMatrix describe it: the conventions
-    /// needed to convert a texel and its stored depth to clip space.
+    /// The way in which a device stores the screen, as SystemInfo and GL.GetGPUProjectionMatrix describe it: the
+    /// conventions needed to convert a texel and its stored depth to clip space.
     /// </summary>
     public readonly struct ScreenConventions
     {
         /// <summary>
-        /// Texel row 0 is the top of clip space, y = +1 (SystemInfo.graphicsUVStartsAtTop: Direct3D, Metal, Vulkan);
-        /// false: it is the bottom, y = -1 (OpenGL).
+        /// Whether texel row 0 is the top of clip space, y = +1 (SystemInfo.graphicsUVStartsAtTop: Direct3D, Metal,
+        /// Vulkan); otherwise it is the bottom, y = -1 (OpenGL).
         /// </summary>
         public readonly bool UvStartsAtTop;
 
         /// <summary>
-        /// Clip space's depth is 0 to 1 and stored unchanged; false: it is -1 to 1, stored as (z + 1) / 2 (OpenGL).
+        /// Whether clip space's depth is 0 to 1 and stored unchanged; otherwise it is -1 to 1, stored as (z + 1) / 2
+        /// (OpenGL).
         /// </summary>
         public readonly bool DepthIsZeroToOne;
 

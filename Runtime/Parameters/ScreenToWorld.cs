@@ -38,7 +38,7 @@ namespace Penumbra
             return false;
         }
 
-        // Right-multiplies by N: clip x = 2u - 1, y = 2v - 1 or its negative, z = depth or 2 depth - 1.
+        // The result is right-multiplied by N: clip x = 2u - 1, y = 2v - 1 or its negative, z = depth or 2 depth - 1.
         private static DoubleMatrix FromScreen(in DoubleMatrix clip, ScreenConventions conventions)
         {
             var up = conventions.UvStartsAtTop ? -1.0 : 1.0;

@@ -28,7 +28,7 @@ namespace Penumbra
                                         SoftShadowKernel kernel) =>
             OfTexel(scales.TexelSizeInDouble, depthBias, normalBias, kernel);
 
-        /// <summary>From the light's projection: its frustum is 2 / m00 metres wide.</summary>
+        /// <summary>The bias from the light's projection, whose frustum is 2 / m00 metres wide.</summary>
         /// <param name="lightProjection">Light view to clip, in any depth convention.</param>
         public static Vector2 OfProjection(in Matrix4x4 lightProjection, int tileResolution, float depthBias,
                                            float normalBias, SoftShadowKernel kernel) =>
@@ -40,7 +40,7 @@ namespace Penumbra
             return new Vector2(Toward(depthBias * radius), Toward(normalBias * radius));
         }
 
-        // Subtracted from 0, so that no bias is 0 and not -0.
+        // The value is subtracted from 0, so that no bias is 0 and not -0.
         private static float Toward(double metres) => Bounded.FitsFloat(metres) ? (float)(0.0 - metres) : 0.0f;
     }
 }

@@ -19,13 +19,13 @@ namespace Penumbra
         /// cascades.</summary>
         public readonly Vector4 MainLightParams;
 
-        /// <summary>Of the technique _PENUMBRA_PCSS.</summary>
+        /// <summary>Parameters of the technique _PENUMBRA_PCSS.</summary>
         public readonly PcssAngularParameters PcssAngular;
 
-        /// <summary>Of the technique _PENUMBRA_PCSS_POISSON.</summary>
+        /// <summary>Parameters of the technique _PENUMBRA_PCSS_POISSON.</summary>
         public readonly PcssClassicParameters PcssClassic;
 
-        /// <summary>Of the technique _PENUMBRA_PCSS_HDRP.</summary>
+        /// <summary>Parameters of the technique _PENUMBRA_PCSS_HDRP.</summary>
         public readonly PcssHdrpParameters PcssHdrp;
 
         /// <param name="frameIndex">Changes the noise pattern. Static if always 0; increase it for temporal

@@ -11,7 +11,7 @@ namespace Penumbra
         public float AngularDiameterDegrees;
 
         /// <summary>
-        /// Fetches of the blocker search, 1 to 64; for PCSS (Poisson) also of the filter, up to 128.
+        /// Fetches of the blocker search, 1 to 64; PCSS (Poisson) has as many in the filter, and allows up to 128.
         /// </summary>
         public int BlockerSamples;
 
@@ -19,8 +19,8 @@ namespace Penumbra
         public int FilterSamples;
 
         /// <summary>
-        /// Radial distribution of the search samples, 0 to 8: 0 equally many per octave of radius, 1 uniform over the
-        /// area, 2 density 1/r. At least 1 in PCSS (HDRP).
+        /// Radial distribution of the search samples, 0 to 8: 0 puts equally many into each octave of radius, 1 spreads
+        /// them uniformly over the area, 2 has a density of 1/r. PCSS (HDRP) takes at least 1.
         /// </summary>
         public float BlockerClump;
 
@@ -42,17 +42,17 @@ namespace Penumbra
         public float CascadeBorder;
 
         /// <summary>
-        /// HDRP: angular diameter of the blocker search, degrees, 0 to 90; not less than the light's.
+        /// Angular diameter of the blocker search of PCSS (HDRP), degrees, 0 to 90; not less than the light's.
         /// </summary>
         public float HdrpSearchDegrees;
 
         /// <summary>
-        /// HDRP: angular diameter of the cone below the smallest filter radius, degrees, 0 to 90; not less than the
-        /// search's.
+        /// Angular diameter of the cone below the smallest filter radius of PCSS (HDRP), degrees, 0 to 90; not less
+        /// than the search's.
         /// </summary>
         public float HdrpMinFilterDegrees;
 
-        /// <summary>The sun, with PCSS and the sun's angular diameter.</summary>
+        /// <summary>Parameters for the sun: PCSS with the sun's angular diameter.</summary>
         public static SoftShadowParameters Default => new SoftShadowParameters
         {
             AngularDiameterDegrees = AngularDiameter.SunDegrees,

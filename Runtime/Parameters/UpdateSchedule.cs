@@ -5,8 +5,8 @@ namespace Penumbra
     /// may be drawn less often, with a map that is older by what the sun and the casters have moved since. Each cascade
     /// keeps the matrices with which it was drawn. Phases are chosen so that no frame draws more cascades than it must:
     /// with periods 1, 2, 4 and 4 every frame draws two of four.
-    /// <para>Periods are powers of two from 1 to 64, in frames; others are rounded down, and clamped. In the first frame and
-    /// after a cut of the camera, draw all cascades, whatever is due. The error of old maps is in
+    /// <para>Periods are powers of two from 1 to 64, in frames; others are rounded down, and clamped. In the first
+    /// frame and after a cut of the camera, draw all cascades, whatever is due. The error of old maps is in
     /// Documentation~/cascades.md.</para>
     /// </summary>
     public readonly struct UpdateSchedule
@@ -24,7 +24,7 @@ namespace Penumbra
             this.periods = default;
             phases = default;
             for (var i = 0; i < Cascades; ++i) this.periods = this.periods.With(i, PowerOfTwo(periods[i]));
-            // The shortest first: a longer period always fits into a gap that shorter ones left.
+            // The shortest periods come first: a longer period always fits into a gap that shorter ones left.
             var load = new int[LongestPeriod];
             for (var period = 1; period <= LongestPeriod; period *= 2)
                 for (var i = 0; i < Cascades; ++i)
@@ -36,13 +36,15 @@ namespace Penumbra
                 }
         }
 
-        /// <summary>Frames from one update of the cascade to the next; 1 of a cascade that the schedule lacks.</summary>
+        /// <summary>
+        /// Frames from one update of the cascade to the next; 1 for a cascade that the schedule lacks.
+        /// </summary>
         public int Period(int cascade) => IsScheduled(cascade) ? periods[cascade] : 1;
 
         /// <summary>Frame of the first update, below the period.</summary>
         public int Phase(int cascade) => IsScheduled(cascade) ? phases[cascade] : 0;
 
-        /// <summary>Frames since the last update, 0 when due.</summary>
+        /// <summary>Frames since the last update; 0 when an update is due.</summary>
         public int Age(int cascade, int frame)
         {
             var period = Period(cascade);
@@ -70,7 +72,7 @@ namespace Penumbra
             return power;
         }
 
-        // The phase at which the fewest of the cascades so far are due in any frame; of several the first.
+        // The phase at which the fewest of the cascades so far are due in any frame; the first of several.
         private static int LeastLoaded(int[] load, int period)
         {
             var best = 0;
@@ -87,7 +89,7 @@ namespace Penumbra
             return best;
         }
 
-        // Four numbers without an array, so that a schedule is copied as a value.
+        // The four numbers need no array, so that a schedule is copied as a value.
         private readonly struct CascadeCounts
         {
             private readonly int first;

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// What a chain keeps for one camera between frames: textures with persistent content or that the pipeline cannot
+    /// The store of one camera's content between frames: textures with persistent content or that the pipeline cannot
     /// lend, and buffers.
     /// </summary>
     internal sealed class CameraStore : IDisposable
@@ -22,15 +22,15 @@ namespace Penumbra
         private float filledHeightScale;
 
         /// <summary>
-        /// In the order of the chain's slots; null where the pipeline lends a texture for each frame.
+        /// The textures in the order of the chain's slots; null where the pipeline lends a texture for each frame.
         /// </summary>
         internal RTHandle[] Textures { get; private set; } = Array.Empty<RTHandle>();
 
-        /// <summary>In the order of the chain's buffers.</summary>
+        /// <summary>The buffers in the order of the chain's.</summary>
         internal GraphicsBuffer[] Buffers { get; private set; } = Array.Empty<GraphicsBuffer>();
 
         /// <summary>
-        /// Allocates what is missing or has another size. Sets in the frame whether the content is missing.
+        /// Allocates what is missing or has another size, and sets in the frame whether the content is missing.
         /// </summary>
         internal void Prepare(ShadowChain forChain, in RenderTextureDescriptor target, ref ShadowFrame frame)
         {
@@ -53,7 +53,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// The whole chain has been recorded: the current content becomes the history of the next frame.
+        /// Records that the whole chain has been recorded: the current content becomes the history of the next frame.
         /// </summary>
         internal void SetFilled(in ShadowFrame frame)
         {

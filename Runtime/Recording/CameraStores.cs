@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// A store for each camera, and for each eye if they are drawn one after the other. Released when the camera has
-    /// not drawn for a number of frames.
+    /// A store for each camera, and for each eye if they are drawn one after the other. It is released when the camera
+    /// has not drawn for a number of frames.
     /// </summary>
     internal sealed class CameraStores : IDisposable
     {

@@ -20,14 +20,14 @@ namespace Penumbra
         private static readonly ShaderTagId casters = new ShaderTagId("ShadowCaster");
         private static readonly ShaderTagId opaques = new ShaderTagId("DepthOnly");
 
-        // Transparent materials have neither; these are the passes that URP draws them with.
+        // Transparent materials have neither pass; these are the passes that URP draws them with.
         private static readonly ShaderTagId[] blended =
         {
             new ShaderTagId("UniversalForward"), new ShaderTagId("UniversalForwardOnly"),
             new ShaderTagId("SRPDefaultUnlit"),
         };
 
-        /// <summary>`frame.camera`, `seen` and `light` must be set.</summary>
+        /// <summary>Culls the casters; `frame.camera`, `seen` and `light` must be set.</summary>
         internal static void Cull(ScriptableRenderContext context, CasterFrame frame, int lightIndex,
                                   FrameShadows shadows, in ShadowFrame shadow)
         {
@@ -55,8 +55,8 @@ namespace Penumbra
                                     ref CasterView view)
         {
             if (!camera.TryGetCullingParameters(out ScriptableCullingParameters parameters)) return false;
-            // Keeps the camera's layers and levels of detail. No occlusion culling, which would be from the camera's
-            // view, and no lights, which are not needed.
+            // The casters keep the camera's layers and levels of detail. There is no occlusion culling, which would be
+            // from the camera's view, and there are no lights, which are not needed.
             parameters.cullingOptions = CullingOptions.ForceEvenIfCameraIsNotActive;
             parameters.isOrthographic = true;
             parameters.cullingMatrix = view.projection * view.view;
@@ -89,7 +89,7 @@ namespace Penumbra
             new RendererListParams(results, Drawing(camera, tag, SortingCriteria.CommonOpaque, program),
                                    new FilteringSettings(queues));
 
-        // Overrides the shader and not the material, to keep each object's properties for alpha clipping and
+        // The shader is overridden and not the material, to keep each object's properties for alpha clipping and
         // displacement.
         private static DrawingSettings Drawing(Camera camera, ShaderTagId tag, SortingCriteria sorting,
                                                in PassProgram program) =>

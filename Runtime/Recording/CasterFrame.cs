@@ -11,16 +11,17 @@ namespace Penumbra
         internal Matrix4x4 view;
         internal Matrix4x4 projection;
 
-        /// <summary>As in URP's shadow map: depth bias, normal bias, in metres.</summary>
+        /// <summary>The bias of URP's shadow map: depth bias, normal bias, in metres.</summary>
         internal Vector4 bias;
 
-        /// <summary>Valid if isCulled; otherwise nothing is drawn.</summary>
+        /// <summary>The culled casters, valid if isCulled; otherwise nothing is drawn.</summary>
         internal CullingResults casters;
         internal bool isCulled;
     }
 
     /// <summary>
-    /// What passes draw the casters of one frame with. One per recording pass, reused without allocating.
+    /// The data with which passes draw the casters of one frame. Each recording pass has one, reused without
+    /// allocating.
     /// </summary>
     internal sealed class CasterFrame
     {
@@ -35,12 +36,15 @@ namespace Penumbra
         internal CullingResults seen;
         internal VisibleLight light;
 
-        /// <summary>Null if the pipeline does not give access to it.</summary>
+        /// <summary>URP's shadow map; null if the pipeline does not give access to it.</summary>
         internal RTHandle shadowMap;
 
         private RendererList[] lists = Array.Empty<RendererList>();
 
-        /// <summary>A step that draws what the camera sees has one list, stored as that of cascade 0.</summary>
+        /// <summary>
+        /// The index of a step's list for a cascade. A step that draws what the camera sees has one list, stored as
+        /// that of cascade 0.
+        /// </summary>
         internal static int IndexOf(int step, int cascade) => step * MostCascades + cascade;
 
         internal void MakeRoom(int steps)
@@ -52,7 +56,9 @@ namespace Penumbra
 
         internal void Draw(CommandBuffer commands, int step) => commands.DrawRendererList(lists[IndexOf(step, 0)]);
 
-        /// <summary>As seen from the light. Programs read URP's _ShadowBias and _LightDirection.</summary>
+        /// <summary>
+        /// Draws the casters as seen from the light. Programs read URP's _ShadowBias and _LightDirection.
+        /// </summary>
         internal void DrawCascade(CommandBuffer commands, int step, int cascade)
         {
             CasterView view = cascades[cascade];

@@ -4,7 +4,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>URP 14: draws a debug view over the camera's image.</summary>
+    /// <summary>Draws a debug view over the camera's image, in URP 14.</summary>
     internal sealed class ClassicDebugPass : ScriptableRenderPass
     {
         private readonly ClassicShadowPass shadows;
@@ -15,8 +15,8 @@ namespace Penumbra
             this.shadows = shadows;
             renderPassEvent = RenderPassEvent.BeforeRenderingPostProcessing;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
-            // Renders to a texture instead of the back buffer, whose rows run in the opposite direction on some
-            // devices.
+            // This makes the camera render to a texture instead of the back buffer, whose rows run in the opposite
+            // direction on some devices.
             ConfigureInput(ScriptableRenderPassInput.Color);
         }
 

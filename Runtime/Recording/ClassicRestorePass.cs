@@ -5,7 +5,8 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// URP 14: switches transparents back to URP's own shadow map, as the screen-space texture does not contain them.
+    /// Switches transparents back to URP's own shadow map, in URP 14, as the screen-space texture does not contain
+    /// them.
     /// </summary>
     internal sealed class ClassicRestorePass : ScriptableRenderPass
     {

@@ -5,14 +5,14 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>URP 14: draws the chain and makes receivers read its texture.</summary>
+    /// <summary>Draws the chain and makes receivers read its texture, in URP 14.</summary>
     internal sealed class ClassicShadowPass : ScriptableRenderPass
     {
         private readonly CameraStores stores = new CameraStores();
 
         // Textures that no camera owns are shared by all cameras with the same size and chain, each of which redraws
-        // them. Keyed, so that alternating cameras do not reallocate; released after a few frames, so that resizing a
-        // window leaves no unused ones.
+        // them. They have keys, so that alternating cameras do not reallocate; they are released after a few frames, so
+        // that resizing a window leaves no unused ones.
         private const int SharedIdleFrames = 8;
         private readonly RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures> shared =
             new RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures>(SharedIdleFrames);
@@ -67,7 +67,8 @@ namespace Penumbra
             ofSize.MakeRoom(chain.Slots.Count);
             for (int i = 0; i < chain.Slots.Count; ++i)
                 slots[i] = chain.Slots[i].IsOwned ? store.Textures[i] : Shared(ofSize, i, target);
-            // Tells the renderer what the last draw leaves bound; otherwise it would not bind its own targets again.
+            // This tells the renderer what the last draw leaves bound; otherwise it would not bind its own targets
+            // again.
             ConfigureTarget(slots[ShadowChain.Output]);
             ConfigureClear(ClearFlag.None, Color.white);
         }

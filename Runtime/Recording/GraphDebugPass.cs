@@ -5,7 +5,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>Unity 6: draws a debug view over the camera's image.</summary>
+    /// <summary>Draws a debug view over the camera's image, in Unity 6.</summary>
     internal sealed class GraphDebugPass : ScriptableRenderPass
     {
         private sealed class PassData
@@ -27,8 +27,8 @@ namespace Penumbra
             renderPassEvent = RenderPassEvent.AfterRenderingTransparents;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
 #if !UNITY_6000_5_OR_NEWER
-            // Renders to a texture instead of the back buffer, whose rows run in the opposite direction on some
-            // devices. Later versions report the direction, and their Tile-Only Mode has only the back buffer.
+            // The camera then renders to a texture instead of the back buffer, whose rows run in the opposite direction
+            // on some devices. Later versions report the direction, and their Tile-Only Mode has only the back buffer.
             requiresIntermediateTexture = true;
 #endif
         }

@@ -6,9 +6,9 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: switches transparents back to URP's own shadow map, as the screen-space texture does not contain
-    /// them. It draws nothing, but runs between two draws of the camera: as a raster pass on the camera's colour it
-    /// stays in their native render pass. Any other kind of pass would make a tile-based GPU store and reload the
+    /// Switches transparents back to URP's own shadow map, in Unity 6, as the screen-space texture does not contain
+    /// them. The pass draws nothing, but runs between two draws of the camera: as a raster pass on the camera's colour
+    /// it stays in their native render pass. Any other kind of pass would make a tile-based GPU store and reload the
     /// image, and URP's Tile-Only Mode throws an exception for it.
     /// </summary>
     internal sealed class GraphRestorePass : ScriptableRenderPass

@@ -7,11 +7,11 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: draws the chain and makes receivers read its texture. One unsafe pass, because its draws change
-    /// render targets, which a raster pass cannot. So it must not run between two draws of the camera: it runs right
-    /// after the depth prepass, before anything is drawn to the camera's colour, including XR's occlusion mesh. One
-    /// event works for every rendering path: a depth request there gives all of them a full depth prepass, and
-    /// deferred keeps its G-buffer and lighting in one native pass.
+    /// Draws the chain and makes receivers read its texture, in Unity 6. It is one unsafe pass, because its draws
+    /// change render targets, which a raster pass cannot do. So it must not run between two draws of the camera: it
+    /// runs right after the depth prepass, before anything is drawn to the camera's colour, including XR's occlusion
+    /// mesh. One event works for every rendering path: a depth request there gives all of them a full depth prepass,
+    /// and deferred keeps its G-buffer and lighting in one native pass.
     /// </summary>
     internal sealed class GraphShadowPass : ScriptableRenderPass
     {
@@ -26,7 +26,7 @@ namespace Penumbra
             internal RendererListHandle[] lists = new RendererListHandle[0];
             internal TextureHandle shadowMap;
 
-            // Used in turn by cameras with different chains, so the arrays only grow.
+            // Cameras with different chains use these arrays in turn, so the arrays only grow.
             internal void MakeRoom(int slotCount, int listCount)
             {
                 if (lists.Length < listCount) lists = new RendererListHandle[listCount];
@@ -60,7 +60,8 @@ namespace Penumbra
             RenderPipelineManager.endCameraRendering += End;
         }
 
-        // Recording has no context to cull with; beginCameraRendering has one, which is valid until the camera ends.
+        // Recording has no context to cull with. The event beginCameraRendering has one, which is valid until the
+        // camera ends.
         private void Begin(ScriptableRenderContext ofCamera, Camera camera)
         {
             context = ofCamera;
@@ -105,7 +106,7 @@ namespace Penumbra
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],
                                                   FrameUniforms.ScreenSpaceShadowmap);
-                // Otherwise the graph would give their memory to later passes.
+                // Without this the graph would give the textures' memory to later passes.
                 for (int i = 0; i < draw.Chain.Globals.Count; ++i)
                 {
                     ChainBinding texture = draw.Chain.Globals[i].texture;

@@ -16,7 +16,7 @@ namespace Penumbra
 
         private Slot[] slots = Array.Empty<Slot>();
 
-        /// <summary>Null if not allocated.</summary>
+        /// <summary>The slot's texture; null if not allocated.</summary>
         internal RTHandle this[int slot] => slots[slot].texture;
 
         internal void MakeRoom(int count)
@@ -25,7 +25,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// True if the slot's texture has no content: it is new, or the device has lost the content.
+        /// Allocates the slot's texture. True if it has no content: it is new, or the device has lost the content.
         /// </summary>
         internal bool Allocate(int index, in RenderTextureDescriptor descriptor, string name)
         {

@@ -12,7 +12,7 @@ namespace Penumbra
         /// <summary>Widest penumbra in metres, full width.</summary>
         public readonly float softnessCapMetres;
 
-        /// <summary>One sentence.</summary>
+        /// <summary>The look's description, one sentence.</summary>
         public readonly string description;
 
         internal LookValues(string title, float angularDiameterDegrees, float softnessCapMetres, string description)

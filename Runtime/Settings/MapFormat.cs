@@ -8,7 +8,9 @@ namespace Penumbra
         [InspectorName("32 bits")]
         Bits32 = 0,
 
-        /// <summary>Half of the memory and bandwidth; more light bleeding, or more fading at contacts.</summary>
+        /// <summary>
+        /// This format needs half of the memory and bandwidth, and has more light bleeding or more fading at contacts.
+        /// </summary>
         [InspectorName("16 bits")]
         Bits16 = 1,
     }

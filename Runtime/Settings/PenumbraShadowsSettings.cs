@@ -26,7 +26,8 @@ namespace Penumbra
         public ShadowOptions custom = ShadowPresets.Options(QualityPreset.Medium);
 
         /// <summary>
-        /// Per-frame noise is only right where something averages frames: temporal antialiasing or an upscaler.
+        /// The noise of the samples. Per-frame noise is only right where something averages frames: temporal
+        /// antialiasing or an upscaler.
         /// </summary>
         [Tooltip("Static: the noise of the samples stays the same. Per Frame: a new pattern every frame, for temporal " +
                  "antialiasing or an upscaler to average; without one, penumbrae flicker.")]
@@ -43,12 +44,12 @@ namespace Penumbra
         [Range(OptionTable.CascadeBlend.Min, OptionTable.CascadeBlend.Max)]
         public float cascadeBlend;
 
-        /// <summary>Length of the rays of contact shadows, for every preset; 0: none.</summary>
+        /// <summary>Length of the rays of contact shadows, for every preset; at 0 there are none.</summary>
         [Tooltip(OptionTable.ContactShadowMetres.Tooltip)]
         [Range(OptionTable.ContactShadowMetres.Min, OptionTable.ContactShadowMetres.Max)]
         public float contactShadowMetres;
 
-        /// <summary>Samples along each of these rays.</summary>
+        /// <summary>Samples along each ray of contact shadows.</summary>
         [Tooltip(OptionTable.ContactShadowSteps.Tooltip)]
         [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
         public int contactShadowSteps = ScreenTraceParameters.Default.traceSteps;

@@ -6,8 +6,8 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Overrides the feature's options by place and priority. What is not overridden keeps the feature's value. A
-    /// preset is applied first, then the single options.
+    /// Overrides the feature's options by place and priority. Options that it does not override keep the feature's
+    /// value. A preset is applied first, then the single options.
     /// </summary>
     [Serializable]
     [PackagePage("installation.md")]

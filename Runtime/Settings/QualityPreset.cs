@@ -11,20 +11,22 @@ namespace Penumbra
         High,
         Ultra,
 
-        /// <summary>The best that the shadow map allows, for comparison; not for games.</summary>
+        /// <summary>The best picture that the shadow map allows, for comparison; not for games.</summary>
         Reference,
 
-        /// <summary>Every option set by hand.</summary>
+        /// <summary>The options are set by hand, each of them.</summary>
         Custom,
     }
 
     /// <summary>Whether the noise that rotates each pixel's sample disk changes per frame.</summary>
     public enum NoiseMode
     {
-        /// <summary>The pattern is fixed on the screen. The right choice unless something averages frames.</summary>
+        /// <summary>
+        /// The pattern is fixed on the screen. This is the right choice unless something averages frames.
+        /// </summary>
         Static,
 
-        /// <summary>A new pattern every frame, for temporal antialiasing or upscaling to average.</summary>
+        /// <summary>The pattern is new in every frame, for temporal antialiasing or upscaling to average.</summary>
         PerFrame,
     }
 }

@@ -8,7 +8,7 @@ namespace Penumbra
     /// </summary>
     public static class ShadowLooks
     {
-        /// <summary>Throws ArgumentOutOfRangeException for Custom, which has no values.</summary>
+        /// <summary>The look's values. Throws ArgumentOutOfRangeException for Custom, which has none.</summary>
         public static LookValues Values(ShadowLook look)
         {
             if (look < 0 || look >= ShadowLook.Custom)

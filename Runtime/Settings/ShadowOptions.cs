@@ -5,7 +5,7 @@ namespace Penumbra
 {
     /// <summary>
     /// All options of how a frame's shadow is computed. Lengths are metres, angles degrees, counts texture fetches.
-    /// Presets fill it (ShadowPresets); the Volume overrides single values.
+    /// Presets fill them (ShadowPresets); the Volume overrides single values.
     /// </summary>
     [Serializable]
     public struct ShadowOptions : IEquatable<ShadowOptions>
@@ -39,14 +39,14 @@ namespace Penumbra
         public float softnessCapMetres;
 
         /// <summary>
-        /// Smallest filter radius in shadow-map texels, 0 to 8: hides the shadow map's texels at contacts.
+        /// Smallest filter radius in shadow-map texels, 0 to 8. It hides the shadow map's texels at contacts.
         /// </summary>
         [Tooltip(OptionTable.MinFilterTexels.Tooltip)]
         [Range(OptionTable.MinFilterTexels.Min, OptionTable.MinFilterTexels.Max)]
         public float minFilterTexels;
 
         /// <summary>
-        /// Visibility up to which all is dark, 0 to 0.95: hides light that filtered maps let through.
+        /// Visibility up to which all is dark, 0 to 0.95. It hides light that filtered maps let through.
         /// </summary>
         [Tooltip(OptionTable.LightBleeding.Tooltip)]
         [Range(OptionTable.LightBleeding.Min, OptionTable.LightBleeding.Max)]
@@ -57,7 +57,7 @@ namespace Penumbra
         [Range(OptionTable.MapBlurTexels.Min, OptionTable.MapBlurTexels.Max)]
         public float mapBlurTexels;
 
-        /// <summary>Of filtered maps, where the technique has both.</summary>
+        /// <summary>Format of filtered maps, where the technique has both.</summary>
         [Tooltip(OptionTable.MapFormat.Tooltip)]
         public MapFormat mapFormat;
 
@@ -66,7 +66,7 @@ namespace Penumbra
         [Range(OptionTable.Rays.Min, OptionTable.Rays.Max)]
         public int rays;
 
-        /// <summary>Samples along each of them, 1 to 64.</summary>
+        /// <summary>Samples along each ray of SMRT, 1 to 64.</summary>
         [Tooltip(OptionTable.SamplesPerRay.Tooltip)]
         [Range(OptionTable.SamplesPerRay.Min, OptionTable.SamplesPerRay.Max)]
         public int samplesPerRay;
@@ -77,27 +77,29 @@ namespace Penumbra
         public float discRadiusMetres;
 
         /// <summary>
-        /// Of the flagship: cells of the shadow map from the middle of a wide penumbra's filter to its edge, 3 to 5.
+        /// Cells of the shadow map from the middle of the flagship's filter of a wide penumbra to its edge, 3 to 5.
         /// </summary>
         [Tooltip(OptionTable.FilterCells.Tooltip)]
         [Range(OptionTable.FilterCells.Min, OptionTable.FilterCells.Max)]
         public int filterCells;
 
-        /// <summary>Full filter only where the mask finds a penumbra; a single shadow map test elsewhere.</summary>
+        /// <summary>
+        /// Whether the full filter runs only where the mask finds a penumbra, with a single shadow map test elsewhere.
+        /// </summary>
         [Tooltip(OptionTable.Mask.Tooltip)]
         public bool mask;
 
         /// <summary>
-        /// The mask is made from bounds of the shadow map's depths and misses no penumbra; for PCSS.
+        /// Whether the mask is made from bounds of the shadow map's depths and misses no penumbra; for PCSS.
         /// </summary>
         [Tooltip(OptionTable.ConservativeMask.Tooltip)]
         public bool conservativeMask;
 
-        /// <summary>Filters a quarter of the pixels and reconstructs the rest along edges.</summary>
+        /// <summary>Whether a quarter of the pixels is filtered and the rest is reconstructed along edges.</summary>
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public bool halfResolution;
 
-        /// <summary>Blurs the noise of the samples without crossing edges.</summary>
+        /// <summary>Whether the noise of the samples is blurred without crossing edges.</summary>
         [Tooltip(OptionTable.Denoise.Tooltip)]
         public bool denoise;
 
@@ -114,7 +116,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Border in which a cascade is dithered with the next, share of its split sphere's radius, 0 to 0.5; set by
+        /// Border in which a cascade is dithered with the next, a share of its split sphere's radius, 0 to 0.5; set by
         /// the feature and the Volume, by no preset.
         /// </summary>
         [Tooltip(OptionTable.CascadeBlend.Tooltip)]
@@ -122,13 +124,14 @@ namespace Penumbra
         [NonSerialized] public float cascadeBlend;
 
         /// <summary>
-        /// Length of the rays of contact shadows, 0 to 2; 0: none. Set by the feature and the Volume, by no preset.
+        /// Length of the rays of contact shadows, 0 to 2; at 0 there are none. Set by the feature and the Volume, by no
+        /// preset.
         /// </summary>
         [Tooltip(OptionTable.ContactShadowMetres.Tooltip)]
         [Range(OptionTable.ContactShadowMetres.Min, OptionTable.ContactShadowMetres.Max)]
         [NonSerialized] public float contactShadowMetres;
 
-        /// <summary>Samples along each of these rays, 1 to 64; set with their length.</summary>
+        /// <summary>Samples along each ray of contact shadows, 1 to 64; set with their length.</summary>
         [Tooltip(OptionTable.ContactShadowSteps.Tooltip)]
         [Range(OptionTable.ContactShadowSteps.Min, OptionTable.ContactShadowSteps.Max)]
         [NonSerialized] public int contactShadowSteps;
@@ -139,7 +142,9 @@ namespace Penumbra
         /// <summary>Shadows of a layer of clouds, near and far; set by the feature, by no preset.</summary>
         [NonSerialized] public bool clouds;
 
-        /// <summary>Drawn over the image; set by the feature and the Volume, by no preset.</summary>
+        /// <summary>
+        /// The debug view that is drawn over the image; set by the feature and the Volume, by no preset.
+        /// </summary>
         [NonSerialized] public DebugView debugView;
 
         public bool Equals(ShadowOptions other) =>
@@ -197,25 +202,33 @@ namespace Penumbra
             return options;
         }
 
-        /// <summary>A pass hands the cascades over to what is beyond them, so that nothing fades there.</summary>
+        /// <summary>
+        /// Whether a pass hands the cascades over to what is beyond them, so that nothing fades there.
+        /// </summary>
         internal bool DrawsBeyondCascades => farShadows != FarShadowMode.Off || clouds;
 
         /// <summary>
-        /// The technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
+        /// Whether the technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
         /// </summary>
         internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
 
-        /// <summary>A mask costs as much as a filter without samples.</summary>
+        /// <summary>
+        /// Whether there is a mask; for a filter without samples it would cost as much as the filter.
+        /// </summary>
         internal bool HasMask => mask && SamplesPenumbrae;
 
-        /// <summary>The conservative mask decides by the cones of PCSS's filter, of no other's.</summary>
+        /// <summary>
+        /// Whether the conservative mask can be used: it decides by the cones of PCSS's filter, of no other's.
+        /// </summary>
         internal bool CanMaskConservatively => HasMask && technique == ShadowTechnique.Pcss;
 
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
 
         internal bool HasContactShadows => contactShadowMetres > 0.0f;
 
-        /// <summary>Of the pass of contact shadows; what no option sets is as the study measures it.</summary>
+        /// <summary>
+        /// The parameters of the pass of contact shadows; those that no option sets are as the study measures them.
+        /// </summary>
         internal ScreenTraceParameters ContactShadows()
         {
             ScreenTraceParameters parameters = ScreenTraceParameters.Default;
@@ -225,29 +238,33 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// The technique has passes of its own: they make maps from the shadow map before its filter, or draw the
-        /// visibility.
+        /// Whether the technique has passes of its own: they make maps from the shadow map before its filter, or draw
+        /// the visibility.
         /// </summary>
         internal bool HasPasses => TechniqueTable.Graphs[(int)technique].Length > 0;
 
-        /// <summary>These passes draw the visibility, in place of the feature's own over the screen.</summary>
+        /// <summary>
+        /// Whether the technique's passes draw the visibility, in place of the feature's own over the screen.
+        /// </summary>
         internal bool DrawsVisibility =>
             HasPasses && TechniqueTable.Graphs[(int)technique][0].visibility != TechniqueGraph.None;
 
-        /// <summary>The technique's passes, or the feature's with its filter, can draw at half resolution.</summary>
+        /// <summary>
+        /// Whether the technique's passes, or the feature's with its filter, can draw at half resolution.
+        /// </summary>
         internal bool CanHalveResolution => !DrawsVisibility || TechniqueTable.HalfGraphs[(int)technique] != null;
 
         internal bool HalvesResolution => halfResolution && CanHalveResolution;
 
-        /// <summary>Of a technique with passes of its own.</summary>
+        /// <summary>The graph of a technique with passes of its own.</summary>
         internal TechniqueGraph OwnGraph => DrawsVisibility && HalvesResolution
                                                 ? TechniqueTable.HalfGraphs[(int)technique]
                                                 : TechniqueTable.Graphs[(int)technique][GraphIndex];
 
-        /// <summary>The technique has maps of either format.</summary>
+        /// <summary>Whether the technique has maps of either format.</summary>
         internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;
 
-        /// <summary>Of the technique's graphs and parameters, by the format of its maps.</summary>
+        /// <summary>The index among the technique's graphs and parameters, by the format of its maps.</summary>
         internal int GraphIndex => HasMapFormats && mapFormat == MapFormat.Bits16 ? 1 : 0;
 
         /// <summary>

@@ -1,15 +1,15 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The options of each preset (PresetTable). The numbers of samples and the mask of a preset that draws the flagship
-    /// are for PCSS, which stands in for it on devices that cannot run it. The presets' cost and error are listed in
-    /// Documentation~/presets.md and in the feature's inspector.
+    /// Has the options of each preset (PresetTable). The numbers of samples and the mask of a preset that draws the
+    /// flagship are for PCSS, which stands in for it on devices that cannot run it. The presets' cost and error are
+    /// listed in Documentation~/presets.md and in the feature's inspector.
     /// </summary>
     public static class ShadowPresets
     {
         /// <summary>
-        /// Custom has no options of its own: it starts as Medium. None has contact shadows; their steps are those that
-        /// the study measures.
+        /// The preset's options. Custom has none of its own: it starts as Medium. No preset has contact shadows; their
+        /// steps are those that the study measures.
         /// </summary>
         public static ShadowOptions Options(QualityPreset preset)
         {

@@ -5,10 +5,10 @@ namespace Penumbra
     /// </summary>
     internal readonly struct GraphBinding
     {
-        /// <summary>Null for render targets, which have no name.</summary>
+        /// <summary>The program's name for it; null for render targets, which have no name.</summary>
         internal readonly string property;
 
-        /// <summary>The index is one of the graph's buffers; otherwise of its textures.</summary>
+        /// <summary>Whether the index is one of the graph's buffers; otherwise it is one of its textures.</summary>
         internal readonly bool isBuffer;
         internal readonly int index;
 

@@ -13,7 +13,7 @@ namespace Penumbra
 
         internal readonly int divisor;
 
-        /// <summary>The first three words are the thread group counts of an indirect dispatch.</summary>
+        /// <summary>Whether the first three words are the thread group counts of an indirect dispatch.</summary>
         internal readonly bool indirect;
 
         internal GraphBuffer(string name, int words = 0, int wordsPerTexel = 0, int texture = TechniqueGraph.None,
@@ -27,7 +27,7 @@ namespace Penumbra
             this.indirect = indirect;
         }
 
-        /// <summary>How many blocks cover that many texels.</summary>
+        /// <summary>The number of blocks that cover that many texels.</summary>
         internal int Blocks(int texels)
         {
             return (texels + divisor - 1) / divisor;

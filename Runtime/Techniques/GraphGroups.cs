@@ -8,11 +8,11 @@ namespace Penumbra
         internal readonly int y;
         internal readonly int z;
 
-        /// <summary>One thread per texel of this texture, or per block of divisor x divisor of them.</summary>
+        /// <summary>The texture with one thread per texel, or per block of divisor x divisor of them.</summary>
         internal readonly int texelsOf;
         internal readonly int divisor;
 
-        /// <summary>Indirect dispatch with the counts in this buffer.</summary>
+        /// <summary>The buffer with the counts of an indirect dispatch.</summary>
         internal readonly int indirect;
 
         private GraphGroups(int x, int y, int z, int texelsOf, int indirect, int divisor = 1)

@@ -13,17 +13,17 @@ namespace Penumbra
         /// <summary>A kernel of a compute shader.</summary>
         Compute,
 
-        /// <summary>Fills its target with 1, without a program. Of no manifest.</summary>
+        /// <summary>The target is filled with 1, without a program. No manifest has such a pass.</summary>
         Lit,
     }
 
     /// <summary>How often a pass runs, from seldom to often.</summary>
     internal enum PassFrequency
     {
-        /// <summary>Once, until the textures that it writes are lost.</summary>
+        /// <summary>The pass runs once, until the textures that it writes are lost.</summary>
         Bake,
 
-        /// <summary>Once per cascade that was redrawn.</summary>
+        /// <summary>The pass runs once per cascade that was redrawn.</summary>
         Cascade,
 
         Frame,
@@ -44,30 +44,32 @@ namespace Penumbra
         internal GraphBinding[] reads = Array.Empty<GraphBinding>();
 
         /// <summary>
-        /// Textures that its program declares and this pass does not bind: their sizes are 0, by which the program knows
-        /// that it has none.
+        /// Textures that its program declares and this pass does not bind: their sizes are 0, by which the program
+        /// knows that it has none.
         /// </summary>
         internal string[] absent = Array.Empty<string>();
 
-        /// <summary>In the order of its render targets, for a pass that draws.</summary>
+        /// <summary>
+        /// The textures and buffers that the pass writes; for a pass that draws, in the order of its render targets.
+        /// </summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
 
-        /// <summary>Kernels: what another pass has written before, and this one changes.</summary>
+        /// <summary>The textures and buffers that another pass has written before and a kernel changes.</summary>
         internal GraphBinding[] updates = Array.Empty<GraphBinding>();
 
-        /// <summary>Casters: the depth texture that they are tested against and write to; -1: none.</summary>
+        /// <summary>The depth texture that casters are tested against and write to; -1 without one.</summary>
         internal int depth = -1;
 
-        /// <summary>Casters: they are tested against the shadow map.</summary>
+        /// <summary>Whether casters are tested against the shadow map.</summary>
         internal bool testsShadowMap;
 
-        /// <summary>Casters: those that blend, in place of those that the shadow map holds.</summary>
+        /// <summary>Whether casters are those that blend, in place of those that the shadow map holds.</summary>
         internal bool blended;
 
-        /// <summary>Runs once per mip level except the first, reading the previous level.</summary>
+        /// <summary>Whether the pass runs once per mip level except the first, reading the previous level.</summary>
         internal bool eachMip;
 
-        /// <summary>Kernels: the thread group counts.</summary>
+        /// <summary>The thread group counts of a kernel.</summary>
         internal GraphGroups groups;
 
         internal bool Writes(bool isBuffer, int index) =>

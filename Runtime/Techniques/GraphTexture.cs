@@ -14,7 +14,7 @@ namespace Penumbra
         /// <summary>A cascade's tile of the map, with a layer per cascade.</summary>
         Tile,
 
-        /// <summary>Its own width and height.</summary>
+        /// <summary>The texture's own width and height.</summary>
         Fixed,
     }
 
@@ -28,7 +28,7 @@ namespace Penumbra
         /// <summary>Texels of the extent per texel of this texture, along each axis.</summary>
         internal readonly int divisor;
 
-        /// <summary>Fixed extents only; a depth above 1 makes a 3D texture.</summary>
+        /// <summary>Width of a texture with fixed extent; a depth above 1 makes a 3D texture.</summary>
         internal readonly int width;
         internal readonly int height;
         internal readonly int depth;
@@ -40,7 +40,8 @@ namespace Penumbra
         internal readonly int samples;
 
         /// <summary>
-        /// The texture whose content of the previous frame this one has, 0 in the first frame; None: passes write it.
+        /// The texture whose content of the previous frame this one has, 0 in the first frame; None where passes write
+        /// it.
         /// </summary>
         internal readonly int previousOf;
 

@@ -15,26 +15,27 @@ namespace Penumbra
         internal GraphTexture[] textures = Array.Empty<GraphTexture>();
         internal GraphBuffer[] buffers = Array.Empty<GraphBuffer>();
 
-        /// <summary>In the order in which they run.</summary>
+        /// <summary>The passes in the order in which they run.</summary>
         internal GraphPass[] passes;
 
-        /// <summary>Enabled in every program that declares them.</summary>
+        /// <summary>The keywords that are enabled in every program that declares them.</summary>
         internal string[] keywords = Array.Empty<string>();
 
         /// <summary>
-        /// The textures that the filter at the graph's end reads, or filters of shaders that draw after the passes, with
-        /// the names that the screen-space passes use.
+        /// The textures that the filter at the graph's end reads, or filters of shaders that draw after the passes,
+        /// with the names that the screen-space passes use.
         /// </summary>
         internal GraphBinding[] filterTextures = Array.Empty<GraphBinding>();
 
-        /// <summary>The filter interpolates between their texels.</summary>
+        /// <summary>Whether the filter interpolates between the texels of these textures.</summary>
         internal bool filtersLinearly;
 
         /// <summary>The texture that contains the result; None if a filter computes it.</summary>
         internal int visibility = None;
 
         /// <summary>
-        /// The texture that no pass writes: the visibility of the graphs before this one. None if it needs none.
+        /// The texture that no pass writes: it holds the visibility of the graphs before this one. None if the graph
+        /// needs none.
         /// </summary>
         internal int source = None;
 
