@@ -6,12 +6,12 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>What the editor's compiler has refused of the shaders of some passes.</summary>
+    /// <summary>Lists what the editor's compiler has refused of the shaders of some passes.</summary>
     internal static class ShaderErrors
     {
         private const int MostSaid = 3;
 
-        /// <summary>"file, line: message" of a few errors; null if there are none.</summary>
+        /// <summary>The message "file, line: message" of a few errors; null if there are none.</summary>
         internal static string Of(IEnumerable<GraphPass> passes)
         {
             string[] errors = passes.Select(pass => pass.asset).Distinct().SelectMany(Of).Distinct().ToArray();

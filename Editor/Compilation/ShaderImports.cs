@@ -4,12 +4,12 @@ using UnityEditor;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Tells chains that shaders were imported, as after an edit or an update of a package: those that include a changed
-    /// file are imported again, too.
+    /// Tells chains that shaders were imported, as after an edit or an update of a package: those that include a
+    /// changed file are imported again, too.
     /// </summary>
     internal sealed class ShaderImports : AssetPostprocessor
     {
-        // Unity calls it by its name.
+        // Unity calls this method by its name.
         internal static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
                                                     string[] movedFromAssetPaths)
         {

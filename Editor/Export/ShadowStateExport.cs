@@ -7,7 +7,8 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Window > Rendering > Export Penumbra Shadow State: exports the last frame's, to reproduce it offline.
+    /// Exports the last frame's shadow state, to reproduce it offline: Window > Rendering > Export Penumbra Shadow
+    /// State.
     /// </summary>
     internal static class ShadowStateExport
     {
@@ -50,7 +51,7 @@ namespace Penumbra.Editor
         private static string SoftQuality(int quality) =>
             quality == 1 ? "low" : quality == 2 ? "medium" : quality == 3 ? "high" : "off";
 
-        // With one cascade URP keeps those of an earlier frame.
+        // With one cascade URP keeps the spheres of an earlier frame.
         private static Vector4[] Spheres(int cascades)
         {
             if (cascades < 2) return new Vector4[0];

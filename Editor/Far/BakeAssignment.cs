@@ -8,7 +8,8 @@ namespace Penumbra.Editor
     internal static class BakeAssignment
     {
         /// <summary>
-        /// Returns null, or why the component stays as it was, as a message with its remedy.
+        /// Assigns the bake. Returns null, or the reason why the component stays as it was, as a message with its
+        /// remedy.
         /// </summary>
         internal static string Assign(TextAsset file, FarShadowGround ground)
         {

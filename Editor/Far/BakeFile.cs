@@ -25,14 +25,16 @@ namespace Penumbra.Editor
 
         internal bool HasHeights => kind == HeightField;
 
-        /// <summary>Names of files in the same folder: one of heights, two of horizon angles.</summary>
+        /// <summary>Names of the pictures, files in the same folder: one of heights, two of horizon angles.</summary>
         internal IReadOnlyList<string> Pictures => HasHeights ? new[] { picture } : pictures;
 
         internal Vector2 Corner => Pair(corner_metres);
         internal Vector2 Size => Pair(size_metres);
         internal Vector2 Heights => Pair(heights_metres);
 
-        /// <summary>Returns null, or why the text is no such file, as a message with its remedy.</summary>
+        /// <summary>
+        /// Reads the file. Returns null, or the reason why the text is no such file, as a message with its remedy.
+        /// </summary>
         internal static string Read(string json, out BakeFile bake)
         {
             try
@@ -64,7 +66,7 @@ namespace Penumbra.Editor
             return null;
         }
 
-        // A plain name: nothing outside of the folder is read.
+        // Every picture has a plain name, so that nothing outside of the folder is read.
         private static bool IsNamed(IReadOnlyList<string> names)
         {
             foreach (string name in names)

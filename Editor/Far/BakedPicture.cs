@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>A picture of 16 bits a channel, imported so that its numbers arrive in shaders as they were baked.</summary>
+    /// <summary>
+    /// Imports a picture of 16 bits a channel so that its numbers arrive in shaders as they were baked.
+    /// </summary>
     internal static class BakedPicture
     {
         private const int LargestSide = 16384;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The component's fields, and one that takes the JSON file of a bake and fills them.</summary>
+    /// <summary>Draws the component's fields, and one that takes the JSON file of a bake and fills them.</summary>
     [CustomEditor(typeof(FarShadowGround))]
     internal sealed class FarShadowGroundEditor : UnityEditor.Editor
     {

@@ -4,7 +4,7 @@ using UnityEditor.Rendering;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The messages of an inspector, those that can be acted on with a button.</summary>
+    /// <summary>Draws the messages of an inspector, those that can be acted on with a button.</summary>
     internal static class AdviceBox
     {
         internal static void Show(IEnumerable<Advice> found)

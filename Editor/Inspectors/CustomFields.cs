@@ -3,8 +3,8 @@ using UnityEditor;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The options of the preset Custom. Written through the serialized object, as in LookFields, so that one undo
-    /// reverts both the choice of Custom and its values.
+    /// Changes the options of the preset Custom. They are written through the serialized object, as in LookFields, so
+    /// that one undo reverts both the choice of Custom and its values.
     /// </summary>
     internal static class CustomFields
     {
@@ -23,8 +23,8 @@ namespace Penumbra.Editor
 
         /// <summary>
         /// If the technique of Custom has just changed, its own options become those that it is measured with, as the
-        /// same number means something else to another technique; and so do those of what stands in for its passes, which
-        /// the inspector does not show. The look stays.
+        /// same number means something else to another technique; and so do those of what stands in for its passes,
+        /// which the inspector does not show. The look stays.
         /// </summary>
         /// <param name="edited">The feature's settings before they are applied.</param>
         /// <param name="inForce">The feature's current settings.</param>

@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The fields of FarShadowsSettings that have an effect.</summary>
+    /// <summary>Selects the fields of FarShadowsSettings that have an effect.</summary>
     internal static class FarShadowsFields
     {
         internal static void Show(SerializedProperty settings)

@@ -13,48 +13,53 @@ namespace Penumbra.Editor
         internal bool shaderFound;
         internal bool debugShaderFound;
 
-        /// <summary>What does not compile of the technique's passes, by file and line; null if all does.</summary>
+        /// <summary>
+        /// The errors, by file and line, of shaders of the technique's passes that do not compile; null if all do.
+        /// </summary>
         internal string shaderErrors;
         internal bool compatibilityMode;
         internal bool mainLightShadows;
 
-        /// <summary>Those that URP gives the main light; 0 without one.</summary>
+        /// <summary>The biases that URP gives the main light; 0 without one.</summary>
         internal float depthBias;
         internal float normalBias;
 
-        /// <summary>URP's own Screen Space Shadows feature is active in the same renderer.</summary>
+        /// <summary>Whether URP's own Screen Space Shadows feature is active in the same renderer.</summary>
         internal bool urpScreenSpaceShadows;
 
         internal bool depthPriming;
         internal bool deferred;
 
-        /// <summary>The renderer uses Tile-Only Mode of URP 17.5, which keeps the image in tile memory.</summary>
+        /// <summary>
+        /// Whether the renderer uses Tile-Only Mode of URP 17.5, which keeps the image in tile memory.
+        /// </summary>
         internal bool tileOnly;
 
         /// <summary>Bit mask of the opaque layers that the depth prepass excludes.</summary>
         internal int layersWithoutDepth;
 
-        /// <summary>The editor uses OpenGL or OpenGL ES.</summary>
+        /// <summary>Whether the editor uses OpenGL or OpenGL ES.</summary>
         internal bool openGl;
         internal PenumbraShadowsSettings settings;
 
-        /// <summary>Why the last camera was skipped.</summary>
+        /// <summary>The reason why the last camera was skipped.</summary>
         internal SkipReason lastSkip;
 
-        /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
+        /// <summary>The message that says what is missing, with SkipReason.MissingPass.</summary>
         internal string missingPass;
 
         /// <summary>
-        /// Why the last camera's options were replaced, as a message, or null; and the options before and after.
+        /// The reason why the last camera's options were replaced, as a message, or null; and the options before and
+        /// after.
         /// </summary>
         internal string replaced;
         internal ShadowOptions asked;
 
-        /// <summary>Why the last camera has no shadows of the ground, as a message, or null.</summary>
+        /// <summary>The reason why the last camera has no shadows of the ground, as a message, or null.</summary>
         internal string missingGround;
         internal ShadowOptions drawn;
 
-        /// <summary>The technique has passes that draw the casters per cascade.</summary>
+        /// <summary>Whether the technique has passes that draw the casters per cascade.</summary>
         internal bool drawsCascades;
 
         internal FeatureFixes fixes;
@@ -65,7 +70,7 @@ namespace Penumbra.Editor
         internal readonly MessageType type;
         internal readonly string text;
 
-        /// <summary>What a button beside the text does; null for none.</summary>
+        /// <summary>The action of a button beside the text; null for no button.</summary>
         internal readonly Action action;
         internal readonly string button;
 
@@ -78,7 +83,7 @@ namespace Penumbra.Editor
         }
     }
 
-    /// <summary>What prevents the feature from working, most severe first, each with a remedy.</summary>
+    /// <summary>Lists what prevents the feature from working, most severe first, each with a remedy.</summary>
     internal static class FeatureAdvice
     {
         internal static List<Advice> For(in FeatureState state)
@@ -126,7 +131,7 @@ namespace Penumbra.Editor
             if (state.layersWithoutDepth != 0)
                 Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
                                          "(Renderer > Filtering).", state.fixes.prepassLayers);
-            // Made for this: nothing is to be mended.
+            // A preset is made for this, so nothing is to be mended.
             bool isOfPreset = state.settings.preset != QualityPreset.Custom &&
                               state.asked.technique == ShadowPresets.Options(state.settings.preset).technique;
             if (state.replaced != null && isOfPreset)
@@ -184,11 +189,12 @@ namespace Penumbra.Editor
                        ? "the same with maps of 16 bits" : "the same with the mask of four comparisons";
         }
 
-        // On OpenGL, shaders compute another filter in the place of one that reads the shadow map: see DeviceLimits.IsOpenGl.
+        // On OpenGL, shaders compute another filter in the place of one that reads the shadow map: see
+        // DeviceLimits.IsOpenGl.
         private static ShadowTechnique Computed(in FeatureState state) =>
             state.openGl ? TechniqueTable.Fallbacks[(int)state.drawn.technique] : state.drawn.technique;
 
-        // Null if nothing was skipped, if skipping is intended, or if another message already explains it.
+        // Returns null if nothing was skipped, if skipping is intended, or if another message already explains it.
         private static string Skipped(in FeatureState state)
         {
             switch (state.lastSkip)

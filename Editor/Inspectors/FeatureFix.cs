@@ -7,8 +7,8 @@ using Object = UnityEngine.Object;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The Fix buttons of the feature's inspector. Each fix can be undone, and changes nothing but what its message names.
-    /// A fix is null where there is nothing to fix, or where the project's author has to decide.
+    /// The Fix buttons of the feature's inspector. Each fix can be undone, and changes nothing but what its message
+    /// names. A fix is null where there is nothing to fix, or where the project's author has to decide.
     /// </summary>
     internal struct FeatureFixes
     {
@@ -35,8 +35,8 @@ namespace Penumbra.Editor
         internal static void CastShadows(Light light) => Change(() => light.shadows = LightShadows.Soft, light);
 
         /// <summary>
-        /// A normal bias of 0 for this light alone: point and spot lights, which keep URP's filter, may need that of the
-        /// asset.
+        /// Sets a normal bias of 0 for this light alone: point and spot lights, which keep URP's filter, may need that
+        /// of the asset.
         /// </summary>
         internal static void SetBias(Light light, float depth)
         {
@@ -57,8 +57,8 @@ namespace Penumbra.Editor
             Change(() => renderer.depthPrimingMode = DepthPrimingMode.Disabled, renderer);
 
         /// <summary>
-        /// Null unless it is clear where the component belongs: on the only Terrain, which has none, not even a disabled
-        /// one.
+        /// The fix that adds the component where it belongs: to the only Terrain, if that has none, not even a disabled
+        /// one. Null where it is not clear where it belongs.
         /// </summary>
         internal static Action AddGround()
         {

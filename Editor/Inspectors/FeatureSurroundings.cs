@@ -39,7 +39,7 @@ namespace Penumbra.Editor
             return state;
         }
 
-        // As URP chooses between the light's biases and the asset's.
+        // URP chooses between the light's biases and the asset's in this way.
         private static void ReadLight(Light light, UniversalRenderPipelineAsset asset, ref FeatureState state)
         {
             bool own = light.TryGetComponent(out UniversalAdditionalLightData data) && !data.usePipelineSettings;
@@ -80,7 +80,9 @@ namespace Penumbra.Editor
             if (state.depthPriming) state.fixes.depthPriming = () => FeatureFix.DisableDepthPriming(universal);
         }
 
-        /// <summary>Also true for a renderer type that is not URP's own, as it may be deferred.</summary>
+        /// <summary>
+        /// Whether the renderer may be deferred; also true for a renderer type that is not URP's own.
+        /// </summary>
         internal static bool IsDeferred(ScriptableRendererData renderer) =>
             !(renderer is UniversalRendererData universal) || (universal.renderingMode != RenderingMode.Forward &&
                                                                universal.renderingMode != RenderingMode.ForwardPlus);

@@ -3,8 +3,8 @@ using UnityEditor;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The two properties that a look sets. Written through the serialized object, like every inspector field, so
-    /// that one undo reverts both and prefabs and multiple selections work.
+    /// The two properties that a look sets. They are written through the serialized object, like every inspector field,
+    /// so that one undo reverts both and prefabs and multiple selections work.
     /// </summary>
     internal sealed class LookFields
     {
@@ -29,10 +29,10 @@ namespace Penumbra.Editor
         }
     }
 
-    /// <summary>The same for a Volume, where each value has an override state.</summary>
+    /// <summary>The two properties of a look in a Volume, where each value has an override state.</summary>
     internal sealed class LookOverride
     {
-        // The serialized names of VolumeParameter's value and override state.
+        // These are the serialized names of VolumeParameter's value and override state.
         private const string Value = "m_Value";
         private const string Overrides = "m_OverrideState";
 
@@ -49,7 +49,10 @@ namespace Penumbra.Editor
             overridesMetres = metres.FindPropertyRelative(Overrides);
         }
 
-        /// <summary>Null if the Volume overrides neither value; Custom if it overrides only one.</summary>
+        /// <summary>
+        /// The look of the overridden values; null if the Volume overrides neither value, Custom if it overrides only
+        /// one.
+        /// </summary>
         internal ShadowLook? Look
         {
             get

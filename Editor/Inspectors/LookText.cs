@@ -9,10 +9,10 @@ namespace Penumbra.Editor
     {
         internal static readonly GUIContent Label = new GUIContent(OptionTable.Look.Label, OptionTable.Look.Tooltip);
 
-        /// <summary>In ShadowLook's order, Custom included.</summary>
+        /// <summary>The names in ShadowLook's order, Custom included.</summary>
         internal static readonly string[] Names = LookTable.Rows.Select(look => look.title).Append("Custom").ToArray();
 
-        /// <summary>The same with a first entry for a Volume that does not override the look.</summary>
+        /// <summary>The names with a first entry for a Volume that does not override the look.</summary>
         internal static readonly string[] NamesInVolume = Names.Prepend("As the feature").ToArray();
 
         /// <summary>

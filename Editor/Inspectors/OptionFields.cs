@@ -17,8 +17,8 @@ namespace Penumbra.Editor
             OptionTable.AngularDiameterDegrees.Tooltip,
             options => options.technique.WidensWithDisc(), volume => volume.angularDiameterDegrees);
 
-        // With half resolution, pixels whose neighbours differ widely are filtered: with what replaces passes that draw the
-        // visibility themselves.
+        // With half resolution, pixels whose neighbours differ widely are filtered. Where passes draw the visibility
+        // themselves, they are filtered with what replaces those passes.
         private static bool Filters(in ShadowOptions options, string option) =>
             options.technique.Takes(option) || options.DrawsVisibility && options.HalvesResolution &&
             TechniqueTable.Fallbacks[(int)options.technique].Takes(option);
@@ -91,12 +91,12 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.denoise), OptionTable.Denoise.Label, OptionTable.Denoise.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.denoise);
 
-        /// <summary>Not part of any preset.</summary>
+        /// <summary>The field is not part of any preset.</summary>
         internal static readonly OptionField CascadeBlend = new OptionField(
             nameof(ShadowOptions.cascadeBlend), OptionTable.CascadeBlend.Label, OptionTable.CascadeBlend.Tooltip,
             options => true, volume => volume.cascadeBlend);
 
-        /// <summary>Not part of any preset.</summary>
+        /// <summary>The field is not part of any preset.</summary>
         internal static readonly OptionField ContactShadows = new OptionField(
             nameof(ShadowOptions.contactShadowMetres), OptionTable.ContactShadowMetres.Label,
             OptionTable.ContactShadowMetres.Tooltip,
@@ -107,7 +107,7 @@ namespace Penumbra.Editor
             OptionTable.ContactShadowSteps.Tooltip,
             options => options.HasContactShadows, volume => volume.contactShadowSteps);
 
-        /// <summary>Not part of any preset, nor of Volumes.</summary>
+        /// <summary>The field is not part of any preset, nor of Volumes.</summary>
         internal static readonly OptionField FarShadows = new OptionField(
             nameof(ShadowOptions.farShadows), OptionTable.FarShadows.Label, OptionTable.FarShadows.Tooltip,
             options => true, null);
@@ -115,7 +115,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField Clouds = new OptionField(
             nameof(ShadowOptions.clouds), OptionTable.Clouds.Label, OptionTable.Clouds.Tooltip, options => true, null);
 
-        /// <summary>Not part of any preset; set by the feature unless a Volume overrides it.</summary>
+        /// <summary>The field is not part of any preset; the feature sets it unless a Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
             nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,
             options => true, volume => volume.debugView);

@@ -3,7 +3,7 @@ using UnityEditor;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The preset with its cost and error, then the look, then the single options that have an effect.
+    /// Shows the preset with its cost and error, then the look, then the single options that have an effect.
     /// </summary>
     [CustomEditor(typeof(PenumbraShadows))]
     internal sealed class PenumbraShadowsEditor : UnityEditor.Editor

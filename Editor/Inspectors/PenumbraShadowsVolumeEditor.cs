@@ -6,7 +6,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The preset with its options and figures, then the single options that have an effect.</summary>
+    /// <summary>Shows the preset with its options and figures, then the single options that have an effect.</summary>
     [CustomEditor(typeof(PenumbraShadowsVolume))]
     internal sealed class PenumbraShadowsVolumeEditor : VolumeComponentEditor
     {
@@ -69,7 +69,7 @@ namespace Penumbra.Editor
         private VolumeState State()
         {
             renderers = renderers ?? FeaturesInProject.Renderers();
-            renderers.RemoveAll(renderer => renderer == null);  // deleted since
+            renderers.RemoveAll(renderer => renderer == null);  // these were deleted since
             VolumeState state = default;
             state.volume = (PenumbraShadowsVolume)target;
             state.features = new List<PenumbraShadowsSettings>(FeaturesInProject.Settings(renderers));

@@ -2,9 +2,7 @@ using System.Globalization;
 
 namespace Penumbra.Editor
 {
-    /// <summary>
-    /// Text that describes a preset's options, and its figures measured under the light of the nearest size.
-    /// </summary>
+    /// <summary>Describes a preset's options, and its figures measured under the light of the nearest size.</summary>
     internal static class PresetText
     {
         internal static string Describe(in ShadowOptions options)
@@ -18,7 +16,7 @@ namespace Penumbra.Editor
                        : text + ".";
         }
 
-        // Without what stands in for it on some devices.
+        // The text leaves out the technique that stands in for it on some devices.
         private static string DescribeOne(in ShadowOptions options)
         {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
@@ -28,7 +26,9 @@ namespace Penumbra.Editor
             return text;
         }
 
-        /// <summary>"Error 0.08 in penumbrae, 35.3 fetches per pixel, measured under 2 degrees."</summary>
+        /// <summary>
+        /// A text such as "Error 0.08 in penumbrae, 35.3 fetches per pixel, measured under 2 degrees."
+        /// </summary>
         internal static string Figures(QualityPreset preset, float degrees)
         {
             PresetFigure figure = Nearest(PresetFigures.Rows[(int)preset], degrees);
@@ -37,7 +37,7 @@ namespace Penumbra.Editor
                                  figure.penumbraRmse, figure.fetches, figure.lightDegrees);
         }
 
-        // The nearest by ratio: a light of 1 degree is nearer to 0.53 than to 2.
+        // The nearest figure is that by ratio: a light of 1 degree is nearer to 0.53 than to 2.
         private static PresetFigure Nearest(PresetFigure[] figures, float degrees)
         {
             PresetFigure nearest = figures[0];
@@ -49,7 +49,8 @@ namespace Penumbra.Editor
         private static float Ratio(float a, float b) => a > b ? a / System.Math.Max(b, 1e-3f) : b / a;
 
         /// <summary>
-        /// "PCSS at 0 degrees": the technique's name, with a note if the light's size makes shadows hard.
+        /// A text such as "PCSS at 0 degrees": the technique's name, with a note if the light's size makes shadows
+        /// hard.
         /// </summary>
         internal static string Technique(ShadowOptions options) =>
             TechniqueName.Of(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");

@@ -14,18 +14,19 @@ namespace Penumbra.Editor
         internal IReadOnlyList<PenumbraShadowsSettings> features;
 
         /// <summary>
-        /// The Volume is in the project's default profile (Unity 6), where every parameter is overridden.
+        /// Whether the Volume is in the project's default profile (Unity 6), where every parameter is overridden.
         /// </summary>
         internal bool defaultProfile;
     }
 
     /// <summary>
-    /// Which options a Volume's inspector shows, and its messages, most severe first, each with a remedy.
+    /// Tells which options a Volume's inspector shows, and has its messages, most severe first, each with a remedy.
     /// </summary>
     internal static class VolumeAdvice
     {
         /// <summary>
-        /// An overridden option without effect is still shown, so that its override can be cleared.
+        /// Whether the inspector shows the option. An overridden option without effect is still shown, so that its
+        /// override can be cleared.
         /// </summary>
         internal static bool Shows(OptionField option, PenumbraShadowsVolume volume) =>
             option.IsInVolume &&
@@ -104,8 +105,9 @@ namespace Penumbra.Editor
             return instead;
         }
 
-        // Everything but the technique that a Volume does not override can have any value; with these options all fields
-        // of the technique have an effect. Of the techniques it is the one that most options have an effect on.
+        // Everything but the technique that a Volume does not override can have any value; with these options all
+        // fields of the technique have an effect. Where the technique is not overridden either, it is the one on which
+        // most options have an effect.
         private static ShadowOptions Decided(PenumbraShadowsVolume volume)
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
@@ -113,7 +115,7 @@ namespace Penumbra.Editor
             return volume.Over(options);
         }
 
-        // The same for every technique that the Volume leaves to the feature.
+        // The options with every technique that the Volume leaves to the feature.
         private static IEnumerable<ShadowOptions> Possible(PenumbraShadowsVolume volume)
         {
             ShadowOptions options = Decided(volume);

@@ -12,7 +12,7 @@ namespace Penumbra.Editor
     /// </summary>
     internal static class PrepassLayers
     {
-        // Serialized names: the mask exists in URP 17.3 and 17.5, but not in 17.0.
+        // These are serialized names: the mask exists in URP 17.3 and 17.5, but not in 17.0.
         private const string Prepass = "m_PrepassLayerMask";
         private const string Opaque = "m_OpaqueLayerMask";
 

@@ -20,11 +20,11 @@ namespace Penumbra.Editor
         private const string Pipeline = "UniversalPipeline";
         private const int LastOpaqueQueue = 2500;
 
-        // Light modes that URP draws forward even in a deferred renderer. A pass without the tag counts as
+        // URP draws these light modes forward even in a deferred renderer. A pass without the tag counts as
         // SRPDefaultUnlit.
         private static readonly string[] ForwardOnlyModes = { "UniversalForwardOnly", "SRPDefaultUnlit", "" };
 
-        // Clipping that Lit's passes would not reproduce, since they clip by Lit's own texture and threshold.
+        // Lit's passes would not reproduce such clipping, since they clip by Lit's own texture and threshold.
         private static readonly Regex Cut = new Regex(@"\b(clip|AlphaDiscard|AlphaClip)\s*\(|\bdiscard\b");
 
         /// <summary>
@@ -40,8 +40,8 @@ namespace Penumbra.Editor
             return lacking.ToList();
         }
 
-        // Shaders without materials, which draw over the screen, or over another shader's image, like further layers
-        // of terrains.
+        // Such shaders have no materials: they draw over the screen, or over another shader's image, like further
+        // layers of terrains.
         private static bool IsHidden(string text) =>
             ShaderCopy.Name(text)?.StartsWith("Hidden/", StringComparison.Ordinal) == true;
 

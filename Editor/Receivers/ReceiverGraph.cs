@@ -13,7 +13,7 @@ namespace Penumbra.Editor
         private const string Lit = "UnityEditor.Rendering.Universal.ShaderGraph.UniversalLitSubTarget";
         private const string Keyword = "UnityEditor.ShaderGraph.ShaderKeyword";
 
-        // The values of KeywordType.Enum and KeywordDefinition.Predefined in Shader Graph 14 and 17.
+        // These are the values of KeywordType.Enum and KeywordDefinition.Predefined in Shader Graph 14 and 17.
         private const string Enumeration = "1";
         private const string Predefined = "2";
 

@@ -4,13 +4,15 @@ using System.Linq;
 
 namespace Penumbra.Editor
 {
-    /// <summary>How a shader receives the main light's shadow.</summary>
+    /// <summary>The way in which a shader receives the main light's shadow.</summary>
     public enum ReceiverKind
     {
-        /// <summary>Declares none of these keywords: no shadow, or an include file declares them.</summary>
+        /// <summary>
+        /// The shader declares none of these keywords: it has no shadow, or an include file declares them.
+        /// </summary>
         None,
 
-        /// <summary>Declares the screen keyword, so that it can read the screen-space texture.</summary>
+        /// <summary>The shader declares the screen keyword, so that it can read the screen-space texture.</summary>
         Complete,
 
         /// <summary>
@@ -46,7 +48,7 @@ namespace Penumbra.Editor
                 if (HasScreen(program)) continue;
                 Line pragma = Array.Find(program, one => one.Names(ShadowKeywords.CascadesName)) ??
                                 Array.Find(program, one => one.Names(ShadowKeywords.MapName));
-                pragma.addsScreen = true;  // a shared block adds it to later programs too
+                pragma.addsScreen = true;  // a shared block adds the keyword to later programs too
                 lacking.Add(pragma.end);
             }
             foreach (int end in lacking.Reverse()) text = text.Insert(end, " " + ShadowKeywords.ScreenName);
@@ -56,7 +58,7 @@ namespace Penumbra.Editor
         // The variant pragmas of each program that declares a keyword of the shadow map.
         private static List<Line[]> Receivers(string text)
         {
-            var outside = new List<Line>();  // for an include file, the whole file
+            var outside = new List<Line>();  // for an include file this is the whole file
             var shared = new List<Line>();
             var programs = new List<List<Line>>();
             List<Line> block = outside;
@@ -78,7 +80,7 @@ namespace Penumbra.Editor
         private sealed class Line
         {
             internal string[] words;
-            internal int end;  // after its last word
+            internal int end;  // position after its last word
             internal bool addsScreen;
 
             internal bool Names(string word) => Array.IndexOf(words, word) >= 0;
@@ -110,7 +112,7 @@ namespace Penumbra.Editor
             }
         }
 
-        // Keeps the length up to the end of the code: comments become blanks.
+        // The line keeps its length up to the end of the code, as comments become blanks.
         private static string WithoutComments(string line, ref bool inComment)
         {
             char[] code = line.ToCharArray();

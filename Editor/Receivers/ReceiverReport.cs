@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// How to fix a shader that cannot read the screen-space texture, or reads another surface's shadow.
+    /// The way to fix a shader that cannot read the screen-space texture, or reads another surface's shadow.
     /// </summary>
     public enum ReceiverFix
     {
@@ -32,7 +32,8 @@ namespace Penumbra.Editor
         AddPasses,
 
         /// <summary>
-        /// Like AddPasses, but the shader clips pixels, which these passes do not: its author must write the passes.
+        /// The shader lacks depth passes, too, but it clips pixels, which those of URP's lit shaders do not: its author
+        /// must write the passes.
         /// </summary>
         WritePasses,
     }
@@ -43,7 +44,9 @@ namespace Penumbra.Editor
         [SerializeField] internal string path;
         [SerializeField] internal ReceiverFix fix;
 
-        /// <summary>Whether the keyword is missing, and which passes are; null or empty for none.</summary>
+        /// <summary>
+        /// Whether the keyword is missing; `passes` names the missing passes, null or empty for none.
+        /// </summary>
         [SerializeField] internal bool lacksScreen;
         [SerializeField] internal string passes;
 
@@ -55,7 +58,7 @@ namespace Penumbra.Editor
             this.passes = passes;
         }
 
-        /// <summary>Whether Apply can fix it; otherwise the explanation describes the manual fix.</summary>
+        /// <summary>Whether Apply can fix the problem; otherwise the explanation describes the manual fix.</summary>
         internal bool CanApply =>
             fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder && fix != ReceiverFix.WritePasses;
 

@@ -7,13 +7,13 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Window > Rendering > Penumbra Receivers: shaders that would lose their shadow or receive another surface's,
-    /// and renderers whose prepass excludes opaque layers, each with its fix.
+    /// Lists shaders that would lose their shadow or receive another surface's, and renderers whose prepass excludes
+    /// opaque layers, each with its fix: Window > Rendering > Penumbra Receivers.
     /// </summary>
     internal sealed class ReceiverWindow : EditorWindow
     {
         [SerializeField] private ReceiverSearch search = new ReceiverSearch();
-        private string failure;  // of the last fix; null if it succeeded
+        private string failure;  // reason why the last fix failed; null if it succeeded
         private Vector2 scroll;
 
         [MenuItem("Window/Rendering/Penumbra Receivers")]
@@ -69,7 +69,7 @@ namespace Penumbra.Editor
             if (GUILayout.Button("Add these layers to the prepass")) PrepassLayers.Add(new SerializedObject(renderer));
         }
 
-        // Whether the button has been pressed, and the problem mended.
+        // Whether the button has been pressed and the problem mended.
         private bool Mends(in ReceiverProblem problem)
         {
             EditorGUILayout.LabelField(problem.path, EditorStyles.boldLabel);

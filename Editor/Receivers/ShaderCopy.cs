@@ -26,7 +26,7 @@ namespace Penumbra.Editor
         internal static string NameOf(string name) => OfProject + name;
 
         /// <summary>The text with the copy's name, and with include paths that work from any folder.</summary>
-        /// <param name="path">Of the original, for example
+        /// <param name="path">The original's path, for example
         /// "Packages/com.company.package/Shaders/Water.shader".</param>
         /// <param name="exists">Whether a path of the project, including its packages, is a file.</param>
         internal static string TextOf(string text, string path, Predicate<string> exists)

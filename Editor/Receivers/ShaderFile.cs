@@ -11,7 +11,7 @@ namespace Penumbra.Editor
     /// </summary>
     internal sealed class ShaderFile
     {
-        // In the order in which they are tried; if two byte order marks start alike, the longer is first. The last
+        // Encodings are tried in this order; if two byte order marks start alike, the longer is first. The last
         // encoding accepts any bytes, one character each, so that text in an unknown code page is preserved.
         private static readonly Encoding[] Encodings =
         {
@@ -29,7 +29,7 @@ namespace Penumbra.Editor
             this.encoding = encoding;
         }
 
-        /// <param name="path">In the project or one of its packages, like all paths here.</param>
+        /// <param name="path">A path in the project or one of its packages, like all paths here.</param>
         internal static ShaderFile Read(string path)
         {
             byte[] bytes = File.ReadAllBytes(Path.GetFullPath(path));
@@ -89,7 +89,7 @@ namespace Penumbra.Editor
             }
         }
 
-        /// <summary>For a copy of a package's file, since files of packages may be read-only.</summary>
+        /// <summary>Makes a copy of a package's file writable, since files of packages may be read-only.</summary>
         internal static void MakeWritable(string path)
         {
             string full = Path.GetFullPath(path);

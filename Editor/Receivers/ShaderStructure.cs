@@ -128,7 +128,7 @@ namespace Penumbra.Editor
             }
         }
 
-        // For example "Geometry+10". A name unknown to Unity counts as its default.
+        // A queue is, for example, "Geometry+10". A name unknown to Unity counts as its default.
         private static int Queue(string text)
         {
             Match parts = Regex.Match(text, @"^\s*(\w+)\s*([+-]\s*\d+)?\s*$");

@@ -7,9 +7,9 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Removes from players what no frame of the project can run of the compute shaders, of which the feature's asset refers
-    /// to those of all techniques: kernels and keyword sets that no feature or Volume selects, and all kernels on graphics
-    /// APIs on which DeviceLimits.IsOpenGl lets none run.
+    /// Removes from players the kernels that no frame of the project can run. The feature's asset refers to the compute
+    /// shaders of all techniques, so these are the kernels and keyword sets that no feature or Volume selects, and all
+    /// kernels on graphics APIs on which DeviceLimits.IsOpenGl lets none run.
     /// </summary>
     internal sealed class ChainKernelStripper : IPreprocessComputeShaders
     {
@@ -27,14 +27,14 @@ namespace Penumbra.Editor
             if (asset != null) Strip(FeaturesInProject.Programs(), shader, asset, kernelName, data, DrawsBothEyes);
         }
 
-        /// <param name="bothEyes">The project has XR, which can draw both eyes at once.</param>
+        /// <param name="bothEyes">Whether the project has XR, which can draw both eyes at once.</param>
         internal static void Strip(ChainPrograms asked, ComputeShader shader, string asset, string kernel,
                                    IList<ShaderCompilerData> data, bool bothEyes)
         {
             KeywordsOfVariants keywords = variant => name =>
                 variant.shaderKeywordSet.IsEnabled(new ShaderKeyword(shader, name));
             List<string> declared = ChainShaderStripper.Declared(keywords, data);
-            // One eye is drawn with and without XR.
+            // The project draws one eye with and without XR.
             declared.Remove(ChainKeywords.BothEyes);
             for (int i = data.Count - 1; i >= 0; --i)
                 if (IsOpenGl(data[i].shaderCompilerPlatform) ||

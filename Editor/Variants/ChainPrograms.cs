@@ -6,8 +6,8 @@ namespace Penumbra.Editor
 {
     /// <summary>
     /// The programs of the package's shaders that a player can use: the passes of all chains that the project's
-    /// features and Volume profiles can select, each with its enabled keywords. Derived from the chains themselves,
-    /// so that a new pass needs no change here.
+    /// features and Volume profiles can select, each with its enabled keywords. They are derived from the chains
+    /// themselves, so that a new pass needs no change here.
     /// </summary>
     internal sealed class ChainPrograms
     {
@@ -24,7 +24,7 @@ namespace Penumbra.Editor
                 {
                     programs.AddWithSubstitutes(options);
                     if (options.farShadows == FarShadowMode.Off) continue;
-                    // What is drawn in scenes without a FarShadowGround.
+                    // These options are drawn in scenes without a FarShadowGround.
                     ShadowOptions withoutGround = options;
                     withoutGround.farShadows = FarShadowMode.Off;
                     programs.AddWithSubstitutes(withoutGround);
@@ -32,7 +32,7 @@ namespace Penumbra.Editor
             return programs;
         }
 
-        // With what ChainDraw falls back to on some devices.
+        // The chains include those that ChainDraw falls back to on some devices.
         private void AddWithSubstitutes(ShadowOptions options)
         {
             do Add(ShadowChain.Of(options));
@@ -51,8 +51,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Whether a frame uses the variant of `pass`, a pass or kernel of the file `asset`, whose enabled keywords among
-        /// `declared` are those for which `enabled` is true.
+        /// Whether a frame uses the variant of `pass`, a pass or kernel of the file `asset`, whose enabled keywords
+        /// among `declared` are those for which `enabled` is true.
         /// </summary>
         internal bool Has(string asset, string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>
             keywordsOf.TryGetValue((asset, pass), out List<IReadOnlyList<string>> sets) &&

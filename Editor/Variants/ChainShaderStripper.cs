@@ -23,11 +23,16 @@ namespace Penumbra.Editor
             if (asset != null) Strip(FeaturesInProject.Programs(), shader, asset, snippet.passName, data);
         }
 
-        /// <summary>Its path in the package, of a shader of which some graph has a pass; else null.</summary>
+        /// <summary>
+        /// The path in the package of a shader of which some graph has a pass; null for other shaders.
+        /// </summary>
         internal static string AssetOf(Shader shader) =>
             shader.name == PenumbraShadows.ShaderName ? PenumbraShadows.ShaderFile : AssetOf((UnityEngine.Object)shader);
 
-        /// <summary>The same for any shader or compute shader but the feature's own.</summary>
+        /// <summary>
+        /// The path in the package of any shader or compute shader but the feature's own; null if no graph has a pass
+        /// of it.
+        /// </summary>
         internal static string AssetOf(UnityEngine.Object asset)
         {
             string path = AssetDatabase.GetAssetPath(asset);
@@ -35,7 +40,7 @@ namespace Penumbra.Editor
                 .FirstOrDefault(file => path == PassAssets.PathInProject(file));
         }
 
-        /// <summary>`data` contains the variants of one stage of the pass.</summary>
+        /// <summary>Strips the variants in `data`, those of one stage of the pass.</summary>
         internal static void Strip(ChainPrograms asked, Shader shader, string asset, string pass,
                                    IList<ShaderCompilerData> data)
         {
@@ -47,8 +52,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// The chains' keywords that the variants declare. One that a stage does not declare is off in all its variants: vertex
-        /// programs do not have the fragment programs' keywords.
+        /// The chains' keywords that the variants declare. One that a stage does not declare is off in all its
+        /// variants: vertex programs do not have the fragment programs' keywords.
         /// </summary>
         internal static List<string> Declared(KeywordsOfVariants keywords, IList<ShaderCompilerData> data)
         {

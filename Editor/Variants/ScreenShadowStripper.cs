@@ -16,7 +16,7 @@ namespace Penumbra.Editor
     {
         private const string GBufferPass = "GBuffer";
 
-        // Of the Deferred and the Deferred+ rendering path.
+        // The shader of the Deferred and the Deferred+ rendering path.
         private const string StencilLighting = "Hidden/Universal Render Pipeline/StencilDeferred";
         private const string ClusterLighting = "Hidden/Universal Render Pipeline/ClusterDeferred";
 
@@ -25,7 +25,7 @@ namespace Penumbra.Editor
 
         private bool anyDeferred;
 
-        // Read once before the variants of a shader are passed in.
+        // Unity reads this once before the variants of a shader are passed in.
         public bool active
         {
             get

@@ -6,8 +6,8 @@ namespace Penumbra.Editor
 {
     /// <summary>
     /// The overrides of a Volume, or of several that overlap, that affect which program is used; null is not
-    /// overridden. Numbers are omitted, as they would make the combinations endless; all that matters of them is whether
-    /// the angular diameter and the length of contact shadows are 0.
+    /// overridden. Numbers are omitted, as they would make the combinations endless; all that matters of them is
+    /// whether the angular diameter and the length of contact shadows are 0.
     /// </summary>
     internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
     {

@@ -13,8 +13,8 @@ namespace Penumbra.Editor
     internal static class VolumeStacks
     {
         /// <summary>
-        /// Each combination once, including the feature's own; numbers that do not affect the program are set to a
-        /// preset's.
+        /// The combinations, each once, including the feature's own; numbers that do not affect the program are set to
+        /// a preset's.
         /// </summary>
         internal static IReadOnlyCollection<ShadowOptions> Over(in ShadowOptions feature,
                                                                 IEnumerable<PenumbraShadowsVolume> volumes)
@@ -30,7 +30,7 @@ namespace Penumbra.Editor
             return reached;
         }
 
-        // No Volume, one Volume, and each Volume after every combination found before.
+        // The overrides of no Volume, of one Volume, and of each Volume after every combination found before.
         private static IEnumerable<VolumeOverrides> Meetings(IEnumerable<VolumeOverrides> volumes)
         {
             VolumeOverrides[] each = volumes.Distinct().ToArray();

@@ -25,7 +25,7 @@ namespace Penumbra.Samples.CustomPipeline
             GraphicsSettings.lightsUseLinearIntensity = true;
         }
 
-#if !UNITY_6000_1_OR_NEWER  // abstract until then, obsolete since
+#if !UNITY_6000_1_OR_NEWER  // the overload is abstract until then and obsolete since
         /// <inheritdoc/>
         protected override void Render(ScriptableRenderContext context, Camera[] cameras) =>
             Render(context, new List<Camera>(cameras));
@@ -56,7 +56,7 @@ namespace Penumbra.Samples.CustomPipeline
             Sun.SetUniforms(commands, visible.visibleLights, sun, settings.ambient);
             shadowMap.Draw(context, commands, visible, sun);
 
-            // After the shadow map, which sets its own matrices and target.
+            // This comes after the shadow map, which sets its own matrices and target.
             context.SetupCameraProperties(camera);
             DrawSurfaces(context, camera, visible);
             shadowMap.Release(commands);

@@ -13,7 +13,7 @@ namespace Penumbra.Samples.CustomPipeline
         private static readonly int color = Shader.PropertyToID("_SunColor");
         private static readonly int ambientColor = Shader.PropertyToID("_Ambient");
 
-        /// <summary>Its index in the visible lights; None if there is none.</summary>
+        /// <summary>The sun's index in the visible lights; None if there is none.</summary>
         internal static int Index(NativeArray<VisibleLight> lights)
         {
             for (int i = 0; i < lights.Length; ++i)
@@ -25,7 +25,7 @@ namespace Penumbra.Samples.CustomPipeline
             return None;
         }
 
-        /// <summary>Without a sun, its colour is black.</summary>
+        /// <summary>Sets the sun's uniforms; without a sun its colour is black.</summary>
         internal static void SetUniforms(CommandBuffer commands, NativeArray<VisibleLight> lights, int index,
                                          float ambient)
         {
@@ -44,7 +44,9 @@ namespace Penumbra.Samples.CustomPipeline
                                                         linear.b * intensity, 0.0f));
         }
 
-        /// <summary>Colours are picked in sRGB, but lights are added in linear space.</summary>
+        /// <summary>
+        /// Converts a colour to linear: colours are picked in sRGB, but lights are added in linear space.
+        /// </summary>
         internal static Color Linear(Color picked) =>
             new Color(Mathf.GammaToLinearSpace(picked.r), Mathf.GammaToLinearSpace(picked.g),
                       Mathf.GammaToLinearSpace(picked.b), picked.a);

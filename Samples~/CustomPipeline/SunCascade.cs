@@ -16,7 +16,7 @@ namespace Penumbra.Samples.CustomPipeline
         /// <summary>The cascade's rectangle in the map, in texels.</summary>
         internal Rect viewport;
 
-        /// <summary>World to atlas UV and stored depth.</summary>
+        /// <summary>The matrix from world space to atlas UV and stored depth.</summary>
         internal Matrix4x4 worldToShadow;
 
         /// <summary>All of ShadowTile's scales: UV and depth per metre and the penumbra's.</summary>
@@ -47,9 +47,9 @@ namespace Penumbra.Samples.CustomPipeline
         }
 
         /// <summary>
-        /// The engine's matrices project to OpenGL's clip space, -1 to 1 in all three axes, on every device. This
-        /// converts it to the tile's rectangle, and to depth from 0 at the near plane to 1, or from 1 to 0 if depth
-        /// is reversed.
+        /// Converts the engine's projections, which lead to OpenGL's clip space, -1 to 1 in all three axes, on every
+        /// device: to the tile's rectangle, and to depth from 0 at the near plane to 1, or from 1 to 0 if depth is
+        /// reversed.
         /// </summary>
         internal static Matrix4x4 ToAtlas(Vector4 tile, bool reversedDepth)
         {

@@ -19,7 +19,7 @@ namespace Penumbra.Samples.CustomPipeline
 
         internal SunShadowMap(SunShadowSettings settings) { this.settings = settings; }
 
-        /// <summary>Leaves the map bound. Without a sun or casters, the map has one texel.</summary>
+        /// <summary>Draws the map and leaves it bound. Without a sun or casters, the map has one texel.</summary>
         internal void Draw(ScriptableRenderContext context, CommandBuffer commands, CullingResults visible, int sun)
         {
             AtlasLayout layout = settings.Layout;

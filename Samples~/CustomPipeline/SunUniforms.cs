@@ -45,7 +45,7 @@ namespace Penumbra.Samples.CustomPipeline
             commands.SetGlobalVector(cascadeCount, new Vector4(count, 0.0f, 0.0f, 0.0f));
         }
 
-        /// <summary>For the cascade that is drawn next.</summary>
+        /// <summary>Sets the bias for the cascade that is drawn next.</summary>
         internal void SetCasterBias(CommandBuffer commands, SunShadowSettings settings, in CascadeScales cascade)
         {
             Vector2 metres = ShadowBias.OfCascade(cascade, settings.depthBias, settings.normalBias,

@@ -3,24 +3,24 @@ using UnityEngine;
 namespace Penumbra.Samples.FarShadows
 {
     /// <summary>
-    /// Heights of a valley between two ridges, a sum of waves: the same on every machine. The valley runs along z; its
-    /// floor is in the middle, at x = 0.
+    /// Computes the heights of a valley between two ridges, a sum of waves: the same on every machine. The valley runs
+    /// along z; its floor is in the middle, at x = 0.
     /// </summary>
     internal static class ValleyHeights
     {
         /// <summary>Width and depth; the valley's middle is the origin.</summary>
         internal const float SideMetres = 4000.0f;
 
-        /// <summary>Above the lowest possible ground.</summary>
+        /// <summary>Height above the lowest possible ground.</summary>
         internal const float TopMetres = 900.0f;
 
-        /// <summary>A power of two plus one, as terrains need.</summary>
+        /// <summary>Samples on a side, a power of two plus one, as terrains need.</summary>
         internal const int Samples = 513;
 
-        private const float RidgeMetres = 1100.0f;  // from the middle
+        private const float RidgeMetres = 1100.0f;  // distance of the ridges from the middle
         private const float FloorMetres = 60.0f;
 
-        /// <summary>At a world position, 0 to TopMetres.</summary>
+        /// <summary>The height at a world position, 0 to TopMetres.</summary>
         internal static float At(float x, float z)
         {
             // The ridges bend, and their tops rise and fall.
@@ -34,7 +34,7 @@ namespace Penumbra.Samples.FarShadows
             return Mathf.Clamp(high, 0.0f, TopMetres);
         }
 
-        /// <summary>For TerrainData.SetHeights: rows along z, 0 to 1.</summary>
+        /// <summary>The heights for TerrainData.SetHeights: rows along z, 0 to 1.</summary>
         internal static float[,] Sampled()
         {
             var heights = new float[Samples, Samples];

@@ -63,7 +63,7 @@ namespace Penumbra.Samples.FarShadows
             item.AddComponent<FarShadowGround>().Terrain = terrain;
         }
 
-        // In rows beside the camera's way, so that near and far shadows meet behind them.
+        // The trees stand in rows beside the camera's way, so that near and far shadows meet behind them.
         private void AddTrees(Material bark, Material leaves)
         {
             for (int i = 0; i < Trees; ++i)
@@ -84,7 +84,8 @@ namespace Penumbra.Samples.FarShadows
             item.GetComponent<MeshRenderer>().sharedMaterial = material;
         }
 
-        // Behind the ridge on the right, 12 degrees high: the left slope is lit above the ridge's shadow.
+        // The sun stands behind the ridge on the right, 12 degrees high: the left slope is lit above the ridge's
+        // shadow.
         private void AddSun()
         {
             var item = new GameObject();

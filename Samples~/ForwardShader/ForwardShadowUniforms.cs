@@ -49,7 +49,9 @@ namespace Penumbra.Samples.ForwardShader
                 Set(Parameters, new AtlasLayout(asset.mainLightShadowmapResolution, asset.shadowCascadeCount));
         }
 
-        /// <summary>The noise is static: without a temporal filter, changing noise would flicker.</summary>
+        /// <summary>
+        /// Sets the uniforms. The noise is static: without a temporal filter, changing noise would flicker.
+        /// </summary>
         internal static void Set(in SoftShadowParameters parameters, in AtlasLayout layout)
         {
             var uniforms = new ShadowUniforms(parameters, layout, 0);

@@ -4,8 +4,9 @@ using UnityEngine;
 namespace Penumbra.Samples.PlanarAndBlobShadows
 {
     /// <summary>
-    /// Draws the soft shadow that a ball in the place of its game object throws onto level ground, under a main light of some
-    /// angular diameter. The ball is the object's own size at scale 1; turn off "Cast Shadows" of the object's renderer.
+    /// Draws the soft shadow that a ball in the place of its game object throws onto level ground, under a main light
+    /// of some angular diameter. The ball is the object's own size at scale 1; turn off "Cast Shadows" of the object's
+    /// renderer.
     /// </summary>
     [ExecuteAlways]
     [AddComponentMenu("Penumbra Samples/Blob Shadow")]
@@ -13,7 +14,7 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
     {
         internal const string ShaderName = "Penumbra Samples/Blob Shadow";
 
-        // As in Shaders/BlobShadow.hlsl.
+        // The value is that of Shaders/BlobShadow.hlsl.
         private const float MeshHalfSide = 10.0f;
 
         [Tooltip("Radius of the ball in metres.")]

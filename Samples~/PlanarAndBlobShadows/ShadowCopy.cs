@@ -40,7 +40,7 @@ namespace Penumbra.Samples.PlanarAndBlobShadows
             Remove(Material);
         }
 
-        /// <summary>Where the mesh was made for the copy alone.</summary>
+        /// <summary>Removes the copy with its mesh, where that was made for the copy alone.</summary>
         internal void RemoveWithMesh()
         {
             Remove();

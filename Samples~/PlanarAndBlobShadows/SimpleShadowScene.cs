@@ -5,9 +5,9 @@ using Object = UnityEngine.Object;
 namespace Penumbra.Samples.PlanarAndBlobShadows
 {
     /// <summary>
-    /// Builds a scene below its game object: level ground, a sun, a camera, and two rows of shapes that rise from the ground, with
-    /// planar shadows in front and blob shadows behind. Nothing casts into URP's shadow map. Rebuilding removes only what was
-    /// built before.
+    /// Builds a scene below its game object: level ground, a sun, a camera, and two rows of shapes that rise from the
+    /// ground, with planar shadows in front and blob shadows behind. Nothing casts into URP's shadow map. Rebuilding
+    /// removes only what was built before.
     /// </summary>
     [AddComponentMenu("Penumbra Samples/Simple Shadow Scene")]
     public sealed class SimpleShadowScene : MonoBehaviour

@@ -28,13 +28,19 @@ namespace Penumbra.Samples.ShadowVolumes
         private int[] above;
         private bool[] isOpen;
 
-        /// <summary>The cap on the mesh, then the same number of vertices moved along the light.</summary>
+        /// <summary>
+        /// The vertices of the cap on the mesh, then the same number of vertices moved along the light.
+        /// </summary>
         internal readonly List<Vector3> Vertices = new List<Vector3>();
 
-        /// <summary>Three for each triangle, clockwise as seen from outside of the volume, like Unity's.</summary>
+        /// <summary>
+        /// Three indices for each triangle, clockwise as seen from outside of the volume, like Unity's.
+        /// </summary>
         internal readonly List<int> Triangles = new List<int>();
 
-        /// <summary>`way` leads from a vertex to its place in the other cap, along the way the light travels.</summary>
+        /// <summary>
+        /// Builds the volume. `way` leads from a vertex to its place in the other cap, along the way the light travels.
+        /// </summary>
         internal ShadowVolumeBuilder(IReadOnlyList<Vector3> positions, IReadOnlyList<int> indices, Vector3 way)
         {
             if (!IsFinite(way) || way.Equals(Vector3.zero))
@@ -92,7 +98,7 @@ namespace Penumbra.Samples.ShadowVolumes
             return sides;
         }
 
-        // Behind the last side of the edge that begins at this one.
+        // The index behind the last side of the edge that begins at this one.
         private static int EndOfEdge(List<Side> sides, int begin, out int sumOfSigns)
         {
             int end = begin;
@@ -130,7 +136,7 @@ namespace Penumbra.Samples.ShadowVolumes
             }
         }
 
-        // In double: the sign must not depend on the size of a triangle.
+        // The product is computed in double, because the sign must not depend on the size of a triangle.
         private double AlongTheLight(int first, Vector3 way)
         {
             Vector3 a = welded[triangles[first]];

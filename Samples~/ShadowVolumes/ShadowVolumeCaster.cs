@@ -5,9 +5,9 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.ShadowVolumes
 {
     /// <summary>
-    /// Draws the shadow volume of its mesh, from the scene's sun. The volume is built anew when the sun, the mesh or the
-    /// object turns or changes its size; it moves with the object without being built. The mesh must be readable, and
-    /// is taken as it is: without skinning and without holes of an alpha test.
+    /// Draws the shadow volume of its mesh, from the scene's sun. The volume is built anew when the sun, the mesh or
+    /// the object turns or changes its size; it moves with the object without being built. The mesh must be readable,
+    /// and is taken as it is: without skinning and without holes of an alpha test.
     /// </summary>
     [ExecuteAlways]
     [RequireComponent(typeof(MeshFilter))]
@@ -27,7 +27,7 @@ namespace Penumbra.Samples.ShadowVolumes
         private Mesh builtOf;
         private Vector3 builtAlong;
 
-        /// <summary>Of the shader Penumbra Samples/Shadow Volume Count.</summary>
+        /// <summary>A material of the shader Penumbra Samples/Shadow Volume Count.</summary>
         public Material Material
         {
             get => material;
@@ -41,7 +41,7 @@ namespace Penumbra.Samples.ShadowVolumes
 
         private void OnDisable() { Remove(); }
 
-        /// <summary>Builds the volume where it is not that of the sun, the mesh and the object as they are.</summary>
+        /// <summary>Builds the volume anew if it no longer fits the sun, the mesh and the object.</summary>
         internal void Refresh()
         {
             Light sun = RenderSettings.sun;

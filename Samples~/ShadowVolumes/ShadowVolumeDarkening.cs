@@ -5,14 +5,15 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.ShadowVolumes
 {
     /// <summary>
-    /// Darkens the pixels that lie in shadow volumes, in every camera: a triangle over the whole picture, drawn after all
-    /// other opaque objects. One for each scene. It multiplies what is there, light of other sources included.
+    /// Darkens the pixels that lie in shadow volumes, in every camera: it draws a triangle over the whole picture,
+    /// after all other opaque objects. A scene needs one of these. It multiplies what is there, light of other sources
+    /// included.
     /// </summary>
     [ExecuteAlways]
     [AddComponentMenu("Penumbra Samples/Shadow Volume Darkening")]
     public sealed class ShadowVolumeDarkening : MonoBehaviour
     {
-        // Larger than any camera's frustum: the triangle is never culled.
+        // The bounds are larger than any camera's frustum, so that the triangle is never culled.
         private const float BoundsMetres = 1.0e6f;
 
         [Tooltip("Of the shader Penumbra Samples/Shadow Volume Darken.")]
@@ -21,7 +22,7 @@ namespace Penumbra.Samples.ShadowVolumes
         private GameObject drawn;
         private Mesh triangle;
 
-        /// <summary>Of the shader Penumbra Samples/Shadow Volume Darken.</summary>
+        /// <summary>A material of the shader Penumbra Samples/Shadow Volume Darken.</summary>
         public Material Material
         {
             get => material;

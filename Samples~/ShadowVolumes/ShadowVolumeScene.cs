@@ -88,7 +88,7 @@ namespace Penumbra.Samples.ShadowVolumes
             if (count != null) box.AddComponent<ShadowVolumeCaster>().Material = count;
         }
 
-        // Two triangles with an edge in common, bent, and no other side: an open mesh.
+        // The sheet is an open mesh: two triangles with an edge in common, bent, and no other side.
         private void Sheet(Vector3 centre, Material lit, Material count)
         {
             var mesh = new Mesh { name = "Sheet" };

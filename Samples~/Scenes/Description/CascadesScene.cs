@@ -28,7 +28,7 @@ namespace Penumbra.Samples.Scenes
             scene.AddGround(new Vector3(0.0f, 0.0f, 0.5f * FarthestMetres), 120.0f, FarthestMetres + 40.0f);
             for (float distance = NearestMetres; distance <= FarthestMetres; distance *= Step)
             {
-                // Spaced by distance, so that no pair hides the next.
+                // The spacing grows with the distance, so that no pair hides the next.
                 float aside = 1.0f + 0.2f * distance;
                 scene.AddStanding("Pole", PieceShape.Cylinder, new Vector3(-aside, 0.0f, distance),
                                   new Vector3(0.15f, 3.0f, 0.15f), SceneSurface.Metal);

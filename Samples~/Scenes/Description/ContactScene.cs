@@ -43,7 +43,7 @@ namespace Penumbra.Samples.Scenes
             return scene;
         }
 
-        // A plank of 2.4 m whose lower edge touches the ground, leaning at 30 degrees to it.
+        // The board is a plank of 2.4 m whose lower edge touches the ground, leaning at 30 degrees to it.
         private static ScenePiece Board()
         {
             const float length = 2.4f;

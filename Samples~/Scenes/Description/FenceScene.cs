@@ -45,7 +45,7 @@ namespace Penumbra.Samples.Scenes
                 spacingMetres = 0.2f,
                 wireRadiusMetres = 0.004f,
             };
-            // A little above the ground, so that the frame does not reach into it.
+            // The lattice hangs a little above the ground, so that the frame does not reach into it.
             scene.Add(new ScenePiece
             {
                 name = "Lattice",

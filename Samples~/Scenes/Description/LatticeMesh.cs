@@ -31,8 +31,8 @@ namespace Penumbra.Samples.Scenes
             return mesh;
         }
 
-        // A wire at 45 degrees from `start` on the rectangle's lower edge or on its extension to the left; clipped to
-        // the rectangle. Mirrored for the other direction.
+        // Adds a wire at 45 degrees from `start` on the rectangle's lower edge or on its extension to the left, clipped
+        // to the rectangle. It is mirrored for the other direction.
         private static void AddAslant(SceneMesh mesh, in Size size, float start, float mirror)
         {
             float from = Mathf.Max(start, 0.0f);

@@ -27,7 +27,7 @@ namespace Penumbra.Samples.Scenes
             return mesh;
         }
 
-        // Uniform over the sphere: all heights are equally likely (Archimedes).
+        // Directions are uniform over the sphere because all heights are equally likely (Archimedes).
         private static Vector3 Direction(SeededChance chance)
         {
             float height = 2.0f * chance.Next() - 1.0f;

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// Triangles around the origin, metres. Clockwise as seen from the side of the normals, like Unity's; fewer than
-    /// 65536 vertices, so that 16-bit indices suffice.
+    /// Triangles around the origin, metres. They are clockwise as seen from the side of the normals, like Unity's, and
+    /// have fewer than 65536 vertices, so that 16-bit indices suffice.
     /// </summary>
     internal sealed class SceneMesh
     {

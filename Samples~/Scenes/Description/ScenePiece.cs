@@ -29,7 +29,7 @@ namespace Penumbra.Samples.Scenes
         internal string name;
         internal PieceShape shape;
 
-        /// <summary>Null for a primitive of the shape.</summary>
+        /// <summary>The piece's own mesh; null for a primitive of the shape.</summary>
         internal SceneMesh mesh;
 
         internal Vector3 centre;
@@ -44,7 +44,8 @@ namespace Penumbra.Samples.Scenes
     internal static class SceneSurfaces
     {
         /// <summary>
-        /// In sRGB, as picked in an inspector. The ground is light, so that shadows are easy to judge.
+        /// The surface's colour in sRGB, as picked in an inspector. The ground is light, so that shadows are easy to
+        /// judge.
         /// </summary>
         internal static Color Color(SceneSurface surface)
         {
