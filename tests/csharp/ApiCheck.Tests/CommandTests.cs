@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>Exit codes, what is written where, and wrong usage.</summary>
+/// <summary>The command's exit codes, what it writes where, and wrong usage.</summary>
 public sealed class CommandTests
 {
     private SourceWorld world = null!;

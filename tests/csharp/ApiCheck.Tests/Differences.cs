@@ -168,7 +168,7 @@ public static class Differences
              "14: UnityEngine.Thing<T>: the source of engine has no such type, but UnityEngine.Thing"),
     ];
 
-    /// <summary>What reads differently and is the same to who uses it.</summary>
+    /// <summary>Declarations that read differently and are the same to who uses them.</summary>
     public static IEnumerable<Difference> None =>
     [
         Case("fewer members", "public struct Thing { public int a; }", "public struct Thing { public float b; public int a; }"),

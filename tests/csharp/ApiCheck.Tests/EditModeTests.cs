@@ -7,8 +7,8 @@ using Penumbra.ApiCheck.Sources;
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>
-/// tests/csharp/EditMode as Unity's test runner compiles it: beside the package, in C# 9 and .NET Standard 2.1, without
-/// what only our declarations have.
+/// Compiles tests/csharp/EditMode as Unity's test runner does: beside the package, in C# 9 and .NET Standard 2.1,
+/// without what only our declarations have.
 /// </summary>
 public sealed class EditModeTests
 {
@@ -34,7 +34,7 @@ public sealed class EditModeTests
     [TestCase("6000.5")]
     public void CompileInUnity(string generation) => Assert.That(Check(Repository.Root, generation).Problems, Is.Empty);
 
-    // Of one compilation: a later version's syntax ends it before types are looked up.
+    // Each of these is a compilation of its own, because a later version's syntax ends one before types are looked up.
     private static readonly (string Code, string Expected)[] NotInUnity =
     [
         ("class A { object B => UnityEngine.Shader.Known; }", "ours, not Unity's"),

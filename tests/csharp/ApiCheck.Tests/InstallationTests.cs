@@ -3,7 +3,9 @@ using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>The package against assemblies: layouts that are understood, errors that are found, what is missing.</summary>
+/// <summary>
+/// The package against assemblies: layouts that are understood, errors that are found, what is missing.
+/// </summary>
 public sealed partial class InstallationTests
 {
     private InstallationWorld world = null!;
@@ -269,7 +271,9 @@ public sealed partial class InstallationTests
         Assert.That(run.Code, Is.EqualTo(2));
     }
 
-    /// <summary>In the copy of our package the first use of a static member of Unity's mathematics gets a wrong letter.</summary>
+    /// <summary>
+    /// In the copy of our package the first use of a static member of Unity's mathematics gets a wrong letter.
+    /// </summary>
     private (string File, int Line, string Type, string Member) Misspell()
     {
         foreach (var file in Directory.EnumerateFiles(world.Folder.At("package/Runtime"), "*.cs", SearchOption.AllDirectories).Order())

@@ -36,7 +36,7 @@ public sealed class InstallationWorld : IDisposable
         return this;
     }
 
-    /// <summary>The repository's own package.</summary>
+    /// <summary>The world with the repository's own package.</summary>
     public InstallationWorld WithRepository()
     {
         foreach (var part in new[] { "Runtime", "Editor" }.Where(part => Directory.Exists(Repository.At(part))))

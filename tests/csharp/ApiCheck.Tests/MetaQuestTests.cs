@@ -5,7 +5,9 @@ using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>The package as Unity compiles it for the build profile Meta Quest, whose symbol is UNITY_META_QUEST.</summary>
+/// <summary>
+/// The package as Unity compiles it for the build profile Meta Quest, whose symbol is UNITY_META_QUEST.
+/// </summary>
 public sealed class MetaQuestTests
 {
     [TestCase("6000.5.2f1", true, true)]

@@ -3,7 +3,7 @@ using Penumbra.ApiCheck.Package;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>Which file belongs to which assembly, and what is compiled for whom.</summary>
+/// <summary>The assembly that each file belongs to, and the code that is compiled for editor and player.</summary>
 public sealed class PackageSourcesTests
 {
     private TemporaryFolder folder = null!;

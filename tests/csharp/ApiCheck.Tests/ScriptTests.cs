@@ -3,7 +3,10 @@ using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>scripts/check-unity-api itself: it builds the program, passes arguments and exit codes on, and says what it needs.</summary>
+/// <summary>
+/// Runs scripts/check-unity-api itself: it builds the program, passes arguments and exit codes on, and says what it
+/// needs.
+/// </summary>
 public sealed class ScriptTests
 {
     [Test]
@@ -25,7 +28,7 @@ public sealed class ScriptTests
         Assert.That(code, Is.EqualTo(3));
     }
 
-    /// <param name="path">The PATH of the script; null: this program's.</param>
+    /// <param name="path">The PATH of the script; null stands for this program's.</param>
     private static (int Code, string Output) Run(string? path, params string[] arguments)
     {
         var start = new ProcessStartInfo("/usr/bin/bash", [Repository.At("scripts/check-unity-api"), .. arguments])

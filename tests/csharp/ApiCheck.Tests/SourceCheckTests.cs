@@ -2,7 +2,9 @@ using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>Where types are read, how they are named across sources, and what the package does with them.</summary>
+/// <summary>
+/// The sources in which types are read, how they are named across sources, and what the package does with them.
+/// </summary>
 public sealed class SourceCheckTests
 {
     private const string Shared = "tests/csharp/UnityApi/Shared";

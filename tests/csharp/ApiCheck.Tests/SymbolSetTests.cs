@@ -2,7 +2,9 @@ using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
-/// <summary>What stands under #if in the real source must stand under it in the declaration, or not be declared.</summary>
+/// <summary>
+/// A type or member under #if in the real source must stand under it in the declaration, or not be declared.
+/// </summary>
 public sealed class SymbolSetTests
 {
     private const string Passes = """

@@ -14,7 +14,7 @@ public static class UnityAssemblies
 {
     public sealed record Part(string Name, string Source, bool IsEditor);
 
-    /// <summary>In the order in which they refer to each other.</summary>
+    /// <summary>The parts in the order in which they refer to each other.</summary>
     public static readonly IReadOnlyList<Part> Parts =
     [
         new("UnityEngine.CoreModule", SourceFolder.Engine, false),

@@ -1,6 +1,6 @@
 namespace Penumbra.ApiCheck;
 
-/// <summary>What ends the check before it has an answer; the message says what is wrong and the way out.</summary>
+/// <summary>Ends the check before it has an answer; the message says what is wrong and the way out.</summary>
 public sealed class CheckException(int exitCode, string message) : Exception(message)
 {
     public int ExitCode { get; } = exitCode;

@@ -5,7 +5,9 @@ using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck;
 
-/// <summary>Arguments in, text out, an exit code back: all that the program does besides the checks themselves.</summary>
+/// <summary>
+/// Takes arguments, writes text and returns an exit code: all that the program does besides the checks themselves.
+/// </summary>
 public static class Command
 {
     public static int Run(string[] arguments, TextWriter answers, TextWriter notes)
@@ -39,7 +41,7 @@ public static class Command
         }
     }
 
-    /// <summary>A file that cannot be read or written; many are read at once.</summary>
+    /// <summary>The error of a file that cannot be read or written; many are read at once.</summary>
     private static Exception? Unreadable(Exception error) => error switch
     {
         IOException or UnauthorizedAccessException => error,

@@ -57,7 +57,7 @@ public sealed class Options
 
     public bool IsSourceCheck => Sources.Count > 0 || Named.Count > 0;
 
-    /// <summary>An option that the asked check would not look at is a mistake.</summary>
+    /// <summary>Refuses an option that the asked check would not look at: it is a mistake.</summary>
     public void RefuseStrangers()
     {
         var (form, foreign) = Page is not null

@@ -43,13 +43,14 @@ namespace Penumbra.Tests
             parameter.value = value;
         }
 
-        // The frame's own, and those that make the maps of techniques.
+        // The passes of the frame itself, and those that make the maps of techniques.
         private static readonly (string asset, string pass)[] AllPasses =
             Passes.Select(pass => (Asset(pass), pass))
                 .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
                            .Select(pass => (pass.asset, pass.program))).ToArray();
 
-        // "Resolve _PENUMBRA_PCSS": only the pass that filters, and the mask that foretells a filter, declare keywords.
+        // A program is for example "Resolve _PENUMBRA_PCSS": only the pass that filters, and the mask that foretells a
+        // filter, declare keywords.
         private static IEnumerable<(string asset, string pass, string[] keywords)> EveryProgram()
         {
             foreach ((string asset, string pass) in AllPasses)
@@ -89,7 +90,7 @@ namespace Penumbra.Tests
             IEnumerable<string> asked = chain.Steps.Select(
                 step => Text(step.pass.asset, step.pass.program,
                              chain.Keywords.Where(Declared(step.pass.program).Contains)));
-            // What some devices draw instead, and what scenes without ground do.
+            // Some devices draw these instead, and scenes without ground draw without it.
             if (ChainSubstitute.TryGet(options, out ShadowOptions instead)) asked = asked.Union(Asked(instead));
             if (options.farShadows == FarShadowMode.Off) return asked;
             instead = options;
@@ -97,7 +98,7 @@ namespace Penumbra.Tests
             return asked.Union(Asked(instead));
         }
 
-        // In the place of PCSS below shader target 4.5.
+        // This program is drawn in the place of PCSS below shader target 4.5.
         private const string Tent = "Resolve _PENUMBRA_TENT_7X7";
 
         private static readonly string[] FlagshipKernels =
@@ -106,7 +107,9 @@ namespace Penumbra.Tests
             "kernel ResolveRest", "kernel ResolveAlone",
         };
 
-        /// <summary>And those of what is drawn where the device cannot run them.</summary>
+        /// <summary>
+        /// The preset also keeps the programs of what is drawn where the device cannot run its passes.
+        /// </summary>
         [Test]
         public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
         {
@@ -207,7 +210,7 @@ namespace Penumbra.Tests
                         Is.EquivalentTo(alone.Append("ScreenTrace")));
         }
 
-        // "FarShadows _PENUMBRA_CLOUDS" and the like.
+        // The programs are for example "FarShadows _PENUMBRA_CLOUDS".
         private static string[] KeptOfFar(PenumbraShadowsSettings settings)
         {
             ChainPrograms programs = ChainPrograms.Of(new[] { settings }, NoVolumes);
@@ -219,7 +222,7 @@ namespace Penumbra.Tests
                     select string.Join(" ", enabled.Where(name => name != null))).ToArray();
         }
 
-        /// <summary>And without ground, which a scene may lack, and without clouds, which a device may not draw.</summary>
+        /// <summary>Programs are also kept for scenes without ground and for devices that cannot draw clouds.</summary>
         [Test]
         public void FarShadowsAreKeptAsTheFeatureHasThem()
         {
@@ -252,7 +255,7 @@ namespace Penumbra.Tests
             }));
         }
 
-        // What VolumeOverrides leaves out must not choose.
+        // Options that VolumeOverrides leaves out must not choose programs.
         [Test]
         public void EveryOptionThatChangesAChainIsMinded()
         {
@@ -277,7 +280,8 @@ namespace Penumbra.Tests
             return new object[] { 0.0f, 1e-3f, 8.0f };
         }
 
-        // Everything that a few Volumes come to in any order and however far each has faded in, as Unity blends them.
+        // The programs cover everything that a few Volumes come to in any order and however far each has faded in, as
+        // Unity blends them.
         [Test]
         public void VolumesThatMeetAskForAllThatIsKeptAndNoMore()
         {
@@ -318,7 +322,7 @@ namespace Penumbra.Tests
             if (random.Next(3) == 0) Override(volume.filterSamples, random.Next(1, 65));
         }
 
-        // Of every subset every order.
+        // The orders of every subset.
         private static IEnumerable<PenumbraShadowsVolume[]> Orders(PenumbraShadowsVolume[] volumes)
         {
             yield return new PenumbraShadowsVolume[0];

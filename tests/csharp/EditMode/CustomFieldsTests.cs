@@ -31,7 +31,7 @@ namespace Penumbra.Tests
             };
         }
 
-        // As the inspector does it: the field changes, the values follow, both are applied together.
+        // The inspector does it in this order: the field changes, the values follow, both are applied together.
         private void Choose(QualityPreset preset)
         {
             serialized.Update();
@@ -119,7 +119,7 @@ namespace Penumbra.Tests
             Assert.That(Settings.custom.minFilterTexels, Is.EqualTo(1.0f));
         }
 
-        /// <summary>Its numbers of samples are not the flagship's, and not shown.</summary>
+        /// <summary>The numbers of samples of what stands in are not the flagship's, and are not shown.</summary>
         [Test]
         public void WhatStandsInForTheFlagshipBeginsAsItIsMeasuredToo()
         {

@@ -65,7 +65,7 @@ namespace Penumbra.Tests
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("Add Component").And.Contain("Terrain"));
         }
 
-        /// <summary>Of the fields that the inspector shows, each counts.</summary>
+        /// <summary>Each field that the inspector shows counts.</summary>
         [TestCase(FarShadowMode.Off, false, 0)]
         [TestCase(FarShadowMode.Off, true, 1)]
         [TestCase(FarShadowMode.HeightMap, false, 3)]
@@ -97,7 +97,7 @@ namespace Penumbra.Tests
             return Texts(state, MessageType.Info).SingleOrDefault(text => text.StartsWith("The view Penumbra Mask "));
         }
 
-        /// <summary>A preset is made to fall back; who chose the technique may choose another.</summary>
+        /// <summary>A preset is made to fall back; users who chose the technique may choose another.</summary>
         [TestCase(QualityPreset.Medium, MessageType.Info, "The preset Medium draws Flagship where the device can. This one cannot: ")]
         [TestCase(QualityPreset.Custom, MessageType.Warning, "Flagship cannot run here as it is set: ")]
         public void WhatIsDrawnInsteadIsSaidAndWhy(QualityPreset preset, MessageType type, string before)

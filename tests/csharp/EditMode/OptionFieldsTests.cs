@@ -108,7 +108,7 @@ namespace Penumbra.Tests
                     }
         }
 
-        // The search of the filter has no cap there, but the mask widens no farther.
+        // The search of classic PCSS has no cap, but its mask widens no farther than the cap.
         [TestCase(true)]
         [TestCase(false)]
         public void ClassicPcssHasACapThroughItsMask(bool mask)

@@ -66,7 +66,7 @@ namespace Penumbra.Tests
             Assert.That(whole.CopyOf(3).IsOwned, Is.False);
         }
 
-        [TestCase(GraphExtent.Map, 0, 4, true, 11)]   // of tiles of 1024 texels, none smaller than one
+        [TestCase(GraphExtent.Map, 0, 4, true, 11)]   // levels of tiles of 1024 texels, none smaller than one
         [TestCase(GraphExtent.Map, 0, 4, false, 12)]
         [TestCase(GraphExtent.Map, 0, 1, true, 12)]
         [TestCase(GraphExtent.Map, 3, 4, true, 3)]

@@ -1,8 +1,8 @@
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Presets as devices that cannot run the flagship draw them: the passes over the screen with PCSS. For tests whose
-    /// subject is those passes, not the presets.
+    /// Draws presets as devices that cannot run the flagship do: with PCSS in the passes over the screen. It serves
+    /// tests whose subject is those passes, not the presets.
     /// </summary>
     internal static class PresetFallback
     {
@@ -13,7 +13,7 @@ namespace Penumbra.Tests
             return options;
         }
 
-        /// <summary>As the feature's own options.</summary>
+        /// <summary>Chooses the fallback as the feature's own options.</summary>
         internal static void Choose(PenumbraShadowsSettings settings, QualityPreset preset)
         {
             settings.preset = QualityPreset.Custom;

@@ -34,7 +34,8 @@ namespace Penumbra.Tests
             Assert.That(Lacking(SubShader(Forward + Depth + Normals.Replace("Normals", "NormalsOnly"))), Is.Empty);
         }
 
-        // ForwardOnly, and no tag at all, which URP draws as SRPDefaultUnlit: in no G-buffer.
+        // A deferred renderer has these in no G-buffer: ForwardOnly, and no tag at all, which URP draws as
+        // SRPDefaultUnlit.
         [TestCase("Tags { \"LightMode\" = \"UniversalForwardOnly\" }")]
         [TestCase("Tags { \"LightMode\" = \"SRPDefaultUnlit\" }")]
         [TestCase("")]
@@ -172,7 +173,7 @@ namespace Penumbra.Tests
                 Assert.That(problem.Explanation, Does.Contain("DepthNormals and DepthOnly").And.Contain("clips pixels"));
                 Assert.That(ReceiverReport.Fixed(problem, text, one => true), Is.EqualTo(text));
             }
-            // Beside one that does not, which is helped first.
+            // The SubShader that clips stands beside one that does not, which is helped first.
             string two = Shader(SubShader(Forward.Replace("ENDHLSL", cut + "\nENDHLSL")), SubShader(Forward));
             ReceiverProblem first = Problems(path, two).Single();
             Assert.That(first.fix, Is.EqualTo(ReceiverFix.AddPasses));

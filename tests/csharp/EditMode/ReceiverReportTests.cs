@@ -116,7 +116,7 @@ namespace Penumbra.Tests
         private static readonly string Unlit = Object("UnityEditor.Rendering.Universal.ShaderGraph.UniversalUnlitSubTarget");
         private static readonly string Lit = Object("UnityEditor.Rendering.Universal.ShaderGraph.UniversalLitSubTarget");
 
-        /// <summary>As Shader Graph writes it: objects one after the other.</summary>
+        /// <summary>A graph as Shader Graph writes it: objects one after the other.</summary>
         internal static string Graph(params string[] objects) =>
             Object("UnityEditor.ShaderGraph.GraphData", "\"m_Keywords\": [ { \"m_Id\": \"1\" } ]") + string.Concat(objects);
 

@@ -10,7 +10,9 @@ using RangeAttribute = UnityEngine.RangeAttribute;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What an inspector can show of the package says what it is, in which unit and within what range.</summary>
+    /// <summary>
+    /// Every field that an inspector can show of the package says what it is, in which unit and within what range.
+    /// </summary>
     public sealed class SerializedFieldsTests
     {
         private static readonly Type[] Owners =

@@ -98,7 +98,7 @@ namespace Penumbra.Tests
                 (keyword, i) => i == 2 ? options.clouds : (int)options.farShadows == i + 1)));
         }
 
-        /// <summary>As a pass that darkens them further would be written.</summary>
+        /// <summary>A pass that darkens the visibility further would be written like this one.</summary>
         [Test]
         public void GraphsThatReadTheVisibilityFollowOneAnother()
         {
@@ -200,7 +200,9 @@ namespace Penumbra.Tests
 
         private const string MaskTexture = "_PenumbraMaskTexture", SourceTexture = "_PenumbraSourceTexture";
 
-        /// <summary>One program filters, with and without a mask, and upsamples: it learns from sizes what it has.</summary>
+        /// <summary>
+        /// One program filters, with and without a mask, and upsamples: it learns from sizes what it has.
+        /// </summary>
         [TestCaseSource(nameof(EveryChain))]
         public void WhatAResolveDoesNotReadIsAbsent(ShadowOptions options)
         {
@@ -224,7 +226,8 @@ namespace Penumbra.Tests
         [Test]
         public void TexturesThatAreNotAliveTogetherShareASlot()
         {
-            // Of seven textures: the upsampled lies where the result will, the mask where its first version was.
+            // The chain needs seven textures: the upsampled lies where the result will, the mask where its first
+            // version was.
             ShadowChain chain = ShadowChain.Of(Options(true, true, true));
             Assert.That(chain.Slots.Select(slot => slot.divisor), Is.EqualTo(new[] { 1, 4, 4, 2, 1 }));
         }
@@ -239,7 +242,7 @@ namespace Penumbra.Tests
         private static GraphTexture Texture(string name, GraphExtent extent = GraphExtent.Screen, int divisor = 1) =>
             new GraphTexture(name, extent, GraphicsFormat.R8_UNorm, divisor);
 
-        // The map's halves, made once for each cascade that is new, and a filter that reads them.
+        // The graph makes the map's halves, once for each cascade that is new, and has a filter that reads them.
         private static TechniqueGraph MapGraph() => new TechniqueGraph
         {
             name = "map",
@@ -275,7 +278,7 @@ namespace Penumbra.Tests
             Assert.That(half.texture.index, Is.EqualTo(chain.Steps[3].Target));
         }
 
-        /// <summary>What is only read in frames in which it is written need not be kept.</summary>
+        /// <summary>A texture that is only read in frames in which it is written need not be kept.</summary>
         [Test]
         public void WhatIsReadMoreOftenThanWrittenIsKeptAndNobodyElses()
         {
@@ -292,7 +295,7 @@ namespace Penumbra.Tests
             Assert.That(whole[0], Is.EqualTo(whole[1]), "the noise is read no more when the first cascade is drawn");
         }
 
-        /// <summary>A debug view shows the mask.</summary>
+        /// <summary>A debug view shows the mask, so no pass may write over it.</summary>
         [Test]
         public void TheMaskIsNotWrittenOver()
         {

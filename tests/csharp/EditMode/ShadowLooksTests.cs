@@ -177,7 +177,7 @@ namespace Penumbra.Tests
             Assert.That(value, Is.InRange(Mathf.Min(a, b) - rounding, Mathf.Max(a, b) + rounding));
         }
 
-        // As VolumeParameter blends: from + (to - from) * t.
+        // VolumeParameter blends in this way: from + (to - from) * t.
         private static ShadowOptions Blended(ShadowLook from, ShadowLook to, float t)
         {
             LookValues a = ShadowLooks.Values(from), b = ShadowLooks.Values(to);

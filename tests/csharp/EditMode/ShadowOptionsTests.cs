@@ -173,7 +173,7 @@ namespace Penumbra.Tests
             }));
         }
 
-        // What only other techniques than the presets' have.
+        // These are options that only other techniques than the presets' have.
         private static float[] NumbersOfOthers(in ShadowOptions options) => new[]
         {
             options.lightBleeding, options.mapBlurTexels, options.rays, options.samplesPerRay, options.discRadiusMetres,

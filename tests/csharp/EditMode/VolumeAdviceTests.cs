@@ -173,7 +173,7 @@ namespace Penumbra.Tests
                         Does.StartWith("Filter Samples and Denoise override the preset"));
         }
 
-        /// <summary>They do not end its figures, which are the flagship's.</summary>
+        /// <summary>Options of the fallback do not end the preset's figures, which are the flagship's.</summary>
         [Test]
         public void OptionsOfWhatStandsInForAPresetAreNamed()
         {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What callers should never pass and one day will; the same every time.</summary>
+    /// <summary>Makes inputs that callers should never pass and one day will; they are the same every time.</summary>
     internal static class Adversary
     {
         public static readonly float[] Floats =
@@ -15,7 +15,10 @@ namespace Penumbra.Tests
 
         public static readonly int[] Ints = { int.MinValue, -1, 0, 1, 64, 129, int.MaxValue };
 
-        /// <summary>All entries alike; one entry changed in a good matrix; every entry drawn from the list.</summary>
+        /// <summary>
+        /// Matrices with all entries alike; with one entry changed in a good matrix; with every entry drawn from the
+        /// list.
+        /// </summary>
         public static IEnumerable<Matrix4x4> Matrices(Matrix4x4 good)
         {
             var random = new Random(7);
@@ -31,7 +34,7 @@ namespace Penumbra.Tests
             for (var i = 0; i < 2000; ++i) yield return Build((row, column) => Floats[random.Next(Floats.Length)]);
         }
 
-        /// <summary>Each row in turn zero, a copy of another, and the sum of two others.</summary>
+        /// <summary>Matrices with each row in turn zero, a copy of another, and the sum of two others.</summary>
         public static IEnumerable<Matrix4x4> Singular(Matrix4x4 good)
         {
             for (var dead = 0; dead < 4; ++dead)

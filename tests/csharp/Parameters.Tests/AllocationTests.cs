@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What runs every frame and camera leaves nothing for the garbage collector.</summary>
+    /// <summary>Code that runs every frame and camera leaves nothing for the garbage collector.</summary>
     [TestFixture]
     public class AllocationTests
     {

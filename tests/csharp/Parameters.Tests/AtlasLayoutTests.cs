@@ -6,7 +6,7 @@ namespace Penumbra.Tests
     [TestFixture]
     public class AtlasLayoutTests
     {
-        // What Pipelines/Urp.hlsl takes for granted: extent 1 or 1/2 by the count, tiles two by two.
+        // Pipelines/Urp.hlsl takes this for granted: extent 1 or 1/2 by the count, tiles two by two.
         [Test]
         public void TilesAreWhereTheShaderLooks([Values(256, 512, 2048, 8192)] int resolution,
                                                 [Values(1, 2, 3, 4)] int cascades)

@@ -86,7 +86,7 @@ namespace Penumbra.Tests
             AssertNoMap(new CascadeScales(bad, new AtlasLayout(2048, 4), 0.53f));
         }
 
-        // Half a UV per smallest float of metres: a texel has more metres than a float.
+        // The scale is half a UV per smallest float of metres, so that a texel has more metres than a float holds.
         [Test]
         public void ScalesNoFloatHoldsAreNoMap()
         {

@@ -7,8 +7,9 @@ using UnityEngine;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// What filters are told by rules for cascades is what their programs are measured with:
-    /// tests/golden/cascade_rules.json, which tests/techniques/cascade_rules_test.cpp holds against the manifests' packing.
+    /// Rules for cascades tell filters the values that their programs are measured with:
+    /// tests/golden/cascade_rules.json, which tests/techniques/cascade_rules_test.cpp holds against the manifests'
+    /// packing.
     /// </summary>
     public sealed class CascadeVectorTests
     {

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>The example of Documentation~/parameters.md is this file's, so it compiles and does what it says.</summary>
+    /// <summary>
+    /// The example of Documentation~/parameters.md is this file's, so it compiles and does what it says.
+    /// </summary>
     [TestFixture]
     public class DocumentationTests
     {

@@ -30,7 +30,8 @@ namespace Penumbra.Tests
             }
         }
 
-        // One permutation per term of the determinant: each minor is the only one that is not 0 in some of them.
+        // There is one permutation per term of the determinant: each minor is the only one that is not 0 in some of
+        // them.
         [Test]
         public void EveryPermutationIsInvertedExactly()
         {

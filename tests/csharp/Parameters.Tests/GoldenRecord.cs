@@ -19,7 +19,7 @@ namespace Penumbra.Tests
             this.json = json;
         }
 
-        /// <summary>Where it stands: "cascades[3] far from the origin".</summary>
+        /// <summary>The place of the record, such as "cascades[3] far from the origin".</summary>
         public string Label { get; }
 
         public static IEnumerable<GoldenRecord> Of(string section)
@@ -42,7 +42,7 @@ namespace Penumbra.Tests
         public int Length(string key) => json.GetProperty(key).GetArrayLength();
         public Vector4 Vector(string key, int index) => ToVector(json.GetProperty(key)[index]);
 
-        /// <summary>Row-major in the file.</summary>
+        /// <summary>The matrix of the key; the file has it row-major.</summary>
         public Matrix4x4 Matrix(string key)
         {
             var n = json.GetProperty(key);

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Every figure of the C# mathematics against the C++ one's, from the same floats: within 1 ULP, and within 2
+    /// Compares every figure of the C# mathematics with the C++ one's, from the same floats: within 1 ULP, and within 2
     /// where a tangent takes part, since those are the C libraries' own.
     /// </summary>
     [TestFixture]

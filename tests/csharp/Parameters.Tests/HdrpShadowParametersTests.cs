@@ -12,7 +12,7 @@ namespace Penumbra.Tests
         private static void AssertClose(float actual, double expected) =>
             Assert.That(actual / expected, Is.EqualTo(1.0).Within(1e-6), $"{actual} for {expected}");
 
-        // From the device's projection, as HDRP has it, not from the shadow matrix.
+        // The expected values come from the device's projection, as HDRP has it, not from the shadow matrix.
         [Test]
         public void TheyFollowFromTheDeviceProjection([Values] bool reversedZ,
                                                       [Values(0.53, 11.0, 25.0)] double degrees)

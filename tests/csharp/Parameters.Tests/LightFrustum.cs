@@ -16,7 +16,7 @@ namespace Penumbra.Tests
         public AtlasLayout Layout = new AtlasLayout(2048, 4);
         public int Cascade = 3;
 
-        /// <summary>m00 of the light's projection; m22 of the device's, whose depth is 0 to 1.</summary>
+        /// <summary>The entry m00 of the light's projection, and m22 of the device's, whose depth is 0 to 1.</summary>
         public double M00 => 2.0 / Width;
         public double DeviceM22 => (ReversedZ ? 1.0 : -1.0) / Range;
 

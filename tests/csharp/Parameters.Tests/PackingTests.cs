@@ -10,8 +10,8 @@ using UnityEngine;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Every parameter struct packs as the program that measures it does, to the bit: tests/golden/parameter_packing.json,
-    /// which `penumbra validate --emit-packing` writes.
+    /// Every parameter struct packs as the program that measures it does, to the bit, by
+    /// tests/golden/parameter_packing.json, which `penumbra validate --emit-packing` writes.
     /// </summary>
     public sealed class PackingTests
     {

@@ -7,7 +7,7 @@ namespace Penumbra.Tests
     [TestFixture]
     public class ScreenToWorldTests
     {
-        // A view that turns and moves, and an off-centre projection to reversed depth 0 .. 1.
+        // The view turns and moves, and the projection is off-centre, to reversed depth 0 .. 1.
         private static readonly Matrix4x4 View = Rows(new Vector4(0.8f, 0, -0.6f, 3), new Vector4(0, 1, 0, -2),
                                                       new Vector4(0.6f, 0, 0.8f, -5), new Vector4(0, 0, 0, 1));
 
@@ -18,7 +18,7 @@ namespace Penumbra.Tests
         private static Matrix4x4 Rows(Vector4 x, Vector4 y, Vector4 z, Vector4 w) =>
             Adversary.Build((row, column) => Adversary.Entry(new Matrix4x4(x, y, z, w), column, row));
 
-        // What the device makes of a projection to reversed depth.
+        // The device makes this of a projection to reversed depth.
         private static Matrix4x4 OnDevice(Matrix4x4 reversed, bool flipped, bool reversedZ, bool zeroToOne) =>
             Adversary.Build((row, column) =>
             {
@@ -30,7 +30,7 @@ namespace Penumbra.Tests
                 return zeroToOne ? depth : 2.0f * depth - w;
             });
 
-        // A world point to (u, v, stored depth) the way a GPU gets there, in double.
+        // Takes a world point to (u, v, stored depth) the way a GPU gets there, in double.
         private static Vector4 Stored(Matrix4x4 view, Matrix4x4 projection, double[] world,
                                       ScreenConventions conventions)
         {
@@ -70,7 +70,7 @@ namespace Penumbra.Tests
                 var back = Times(screenToWorld, new double[] { stored.x, stored.y, stored.z, stored.w });
                 for (var axis = 0; axis < 3; ++axis)
                 {
-                    // Depth as a float: half an ULP of 1 is (distance^2 / near) 6e-8, a millimetre at 50 m.
+                    // The depth is a float: half an ULP of 1 is (distance^2 / near) 6e-8, a millimetre at 50 m.
                     Assert.That(back[axis] / back[3], Is.EqualTo(world[axis]).Within(2e-3), $"axis {axis}");
                 }
             }

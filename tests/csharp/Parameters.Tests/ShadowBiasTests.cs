@@ -18,7 +18,7 @@ namespace Penumbra.Tests
             Assert.That(ofCascade.y, Is.EqualTo(ofProjection.y).Within(1e-8));
         }
 
-        // 20 m over 1024 texels, twice, times the kernel's 3.5 texels.
+        // The bias is 20 m over 1024 texels, twice, times the kernel's 3.5 texels.
         [Test]
         public void TheBiasIsTexelsOfTheKernel()
         {

@@ -5,7 +5,10 @@ namespace Penumbra.Tests
     /// <summary>Distances between floats in units of the last place.</summary>
     internal static class Ulp
     {
-        /// <summary>How many floats apart; the two zeros are one float. What is not finite is infinitely far.</summary>
+        /// <summary>
+        /// The number of floats between both; the two zeros are one float. A number that is not finite is infinitely
+        /// far.
+        /// </summary>
         public static double Distance(float actual, float expected)
         {
             if (!float.IsFinite(actual) || !float.IsFinite(expected)) return double.PositiveInfinity;
@@ -13,9 +16,9 @@ namespace Penumbra.Tests
         }
 
         /// <summary>
-        /// In the spacing of floats at `expected`, or, of an entry smaller than 2^-24 of its row's largest, in the
-        /// spacing there: what is below the row's own rounding cannot be seen in a position. As `penumbra constants`
-        /// counts.
+        /// The distance in the spacing of floats at `expected`, or, for an entry smaller than 2^-24 of its row's
+        /// largest, in the spacing there: what is below the row's own rounding cannot be seen in a position. `penumbra
+        /// constants` counts in the same way.
         /// </summary>
         public static double InRow(float actual, float expected, float rowLargest)
         {

@@ -9,7 +9,7 @@ namespace Penumbra.Tests
     {
         private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
 
-        // The C++ library's answers.
+        // The expected phases are the C++ library's answers.
         [Test]
         public void PhasesAreThoseOfTheOtherImplementation()
         {

@@ -8,7 +8,10 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>Techniques of graphs alone: what the feature records for them, in order, with which targets and sizes.</summary>
+    /// <summary>
+    /// Techniques of graphs alone: the tests say what the feature records for them, in order, with which targets and
+    /// sizes.
+    /// </summary>
     public sealed class AddedTechniqueTests
     {
         private PenumbraShadows feature;
@@ -86,7 +89,9 @@ namespace Penumbra.Tests
             Assert.That(resolve.Viewport, Is.Null);
         }
 
-        /// <summary>Reads and writes of one texture at once are nobody's: a level is made from a copy of the one before.</summary>
+        /// <summary>
+        /// No pass reads and writes one texture at once: a level is made from a copy of the one before.
+        /// </summary>
         [Test]
         public void ALevelIsMadeFromACopyOfTheOneBefore()
         {
@@ -112,7 +117,8 @@ namespace Penumbra.Tests
         public void KernelsRunInOrderWithTheirGroups()
         {
             AddedTechniques.AddBlocks();
-            List<FakeDevice.DrawCall> draws = Draws(new FakeScene());  // of 321 x 181 pixels: 41 x 23 blocks
+            // The target has 321 x 181 pixels: 41 x 23 blocks.
+            List<FakeDevice.DrawCall> draws = Draws(new FakeScene());
             Assert.That(draws.Select(draw => draw.Pass + ": " + draw.Groups), Is.EqualTo(new[]
             {
                 "Mark: 11 6 1", "Collect: 1 1 1", "Sum: 5 3 1", "clear: ",
@@ -125,7 +131,7 @@ namespace Penumbra.Tests
             Assert.That(draws[3].Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"), "its groups leave pixels out");
         }
 
-        /// <summary>It is not cleared, and both kernels have the same one.</summary>
+        /// <summary>The visibility is not cleared, and both kernels have the same one.</summary>
         [Test]
         public void AKernelUpdatesWhatAnotherHasFilled()
         {
@@ -176,7 +182,9 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>What is instanced for two eyes would draw into a slice that a texture of the map has not.</summary>
+        /// <summary>
+        /// A draw that is instanced for two eyes would draw into a slice that a texture of the map does not have.
+        /// </summary>
         [Test]
         public void PassesOverTheMapDrawOnceForBothEyes()
         {

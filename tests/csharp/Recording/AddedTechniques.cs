@@ -7,8 +7,9 @@ using UnityEngine;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// The techniques of tests/techniques/added, which the C++ tools run too, in the place of one of the feature's: their
-    /// graphs as `penumbra validate --emit-graphs` writes them, their assets as far as names and groups of threads go.
+    /// The techniques of tests/techniques/added, which the C++ tools run too, in the place of one of the feature's:
+    /// their graphs as `penumbra validate --emit-graphs` writes them, their assets as far as names and groups of
+    /// threads go.
     /// </summary>
     internal static class AddedTechniques
     {
@@ -19,10 +20,10 @@ namespace Penumbra.Tests
         private static string Text(string file) =>
             File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), "tests", "techniques", "added", file));
 
-        /// <summary>Its shader; imported, as far as the editor goes.</summary>
+        /// <summary>Adds the shader of Means and imports it, as far as the editor goes.</summary>
         internal static Shader AddMeans() => Add(MeansGraphs.Means, "Means");
 
-        /// <summary>The same; its passes draw the casters.</summary>
+        /// <summary>Adds the shader of Layers, whose passes draw the casters, in the same way.</summary>
         internal static Shader AddLayers() => Add(LayersGraphs.Layers, "Layers");
 
         private static Shader Add(TechniqueGraph graph, string name)
@@ -35,10 +36,10 @@ namespace Penumbra.Tests
             return shader;
         }
 
-        /// <summary>Its kernels; the same.</summary>
+        /// <summary>Adds the kernels of Blocks in the same way.</summary>
         internal static ComputeShader AddBlocks() => AddKernels(BlocksGraphs.Blocks);
 
-        /// <summary>The same; one of them fills the visibility that another updates.</summary>
+        /// <summary>Adds the same kernels; one of them fills the visibility that another updates.</summary>
         internal static ComputeShader AddFilledBlocks() => AddKernels(FilledBlocksGraphs.BlocksFilled);
 
         private static ComputeShader AddKernels(TechniqueGraph graph)
@@ -56,7 +57,7 @@ namespace Penumbra.Tests
             return kernels;
         }
 
-        /// <summary>The place's technique has this graph.</summary>
+        /// <summary>Gives this graph to the technique whose place is taken.</summary>
         internal static void Use(TechniqueGraph graph) => TechniqueTable.Graphs[(int)Place] = new[] { graph };
 
         internal static void Remove()

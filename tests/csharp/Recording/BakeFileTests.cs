@@ -10,7 +10,7 @@ namespace Penumbra.Tests
     /// <summary>The files of `penumbra bake`, as the component's inspector takes them.</summary>
     public sealed class BakeFileTests
     {
-        // As the program writes them.
+        // The file is as the program writes it.
         private const string Heights = @"{ ""kind"": ""height-field"", ""version"": 1, ""picture"": ""ground.png"",
             ""heights_metres"": [-12.5, 640], ""corner_metres"": [-100, 50], ""size_metres"": [1000, 2000],
             ""samples_without_surface"": 3 }";
@@ -27,7 +27,7 @@ namespace Penumbra.Tests
             JsonUtility.Reader = FromJson;
         }
 
-        // As Unity's: null for an empty text, and ArgumentException for what is not JSON.
+        // The result is as Unity's: null for an empty text, and ArgumentException for what is not JSON.
         private static object FromJson(string text, Type type)
         {
             try

@@ -8,7 +8,10 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What chains keep of a camera from frame to frame, and what they draw for that.</summary>
+    /// <summary>
+    /// Chains keep textures and buffers of a camera from frame to frame; the tests say which, and what is drawn for
+    /// them.
+    /// </summary>
     public sealed class CameraStoreTests
     {
         private CameraStores stores;
@@ -52,7 +55,7 @@ namespace Penumbra.Tests
         private RTHandle[] lent;
         private readonly CommandBuffer commands = new CommandBuffer();
 
-        // As both recorders do it, but for the textures that the pipeline lends.
+        // The steps are those of both recorders, but for the textures that the pipeline lends.
         private void Record(in RenderTextureDescriptor target)
         {
             UrpFrame.SetSize(ref frame, target);
@@ -112,7 +115,7 @@ namespace Penumbra.Tests
             Prepare();
             GraphPass[] passes = TechniqueTable.Graphs[(int)technique][0].passes;
             string[] ofMaps = passes.Where(pass => pass.runs == PassFrequency.Cascade).Select(pass => pass.program).ToArray();
-            // Of all cascades at once, where any was drawn anew.
+            // The levels are made of all cascades at once, where any was drawn anew.
             string[] ofLevels = passes.Where(pass => pass.eachMip).Select(pass => pass.program).Except(ofMaps).ToArray();
             string[] ofFrame = frame.options.DrawsVisibility
                                    ? passes.Select(pass => pass.program).Except(ofMaps).Except(ofLevels).ToArray()
@@ -225,7 +228,7 @@ namespace Penumbra.Tests
             Assert.That(Draws(0), Is.EqualTo(new[] { "PenumbraMask", "Resolve" }));
         }
 
-        // The mean of this frame and the ones before it.
+        // The graph computes the mean of this frame and the ones before it.
         private static TechniqueGraph Mean() => new TechniqueGraph
         {
             name = "mean",

@@ -12,7 +12,9 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Tests
 {
-    /// <summary>Passes that draw the objects of the scene: which of them, by which program, into what.</summary>
+    /// <summary>
+    /// Passes that draw the objects of the scene: the tests say which of them, by which program, into what.
+    /// </summary>
     public sealed class CasterTests
     {
         private PenumbraShadows feature;
@@ -83,7 +85,9 @@ namespace Penumbra.Tests
         private static string Projection(FakeDevice.DrawCall draw) =>
             (1.0f / (((Matrix4x4, Matrix4x4))draw.Uniforms["view"]).Item2.m00).ToString();
 
-        /// <summary>Each is culled for itself: the camera's casters are not all of the light's.</summary>
+        /// <summary>
+        /// Each cascade is culled for itself, because the camera's casters are not all of the light's.
+        /// </summary>
         [Test]
         public void ACascadeHasTheCastersThatTheLightSees()
         {
@@ -98,7 +102,10 @@ namespace Penumbra.Tests
             Assert.That(draws.Select(draw => draw.Uniforms["cleared"]), Is.All.EqualTo("depthcolour"));
         }
 
-        /// <summary>The same files that the C++ tools validate and measure; no C# of its own but its graph.</summary>
+        /// <summary>
+        /// The files are those that the C++ tools validate and measure; the technique has no C# of its own but its
+        /// graph.
+        /// </summary>
         [Test]
         public void AnAddedTechniqueDrawsThemAndItsFilterFindsTheTextures()
         {
@@ -186,7 +193,9 @@ namespace Penumbra.Tests
             Assert.That(draw.Uniforms["cleared"], Is.EqualTo("colour"));
         }
 
-        /// <summary>A context from before is none: the engine would be asked through what is no longer there.</summary>
+        /// <summary>
+        /// A context from an earlier frame does not count: the engine would be asked through what is no longer there.
+        /// </summary>
         [Test]
         public void WithoutTheCamerasBeginNothingIsCulled()
         {
@@ -249,7 +258,7 @@ namespace Penumbra.Tests
                         Is.EqualTo(new[] { false, false, true, false }));
         }
 
-        /// <summary>What Unity's lists leave out, or draw too much, the inspector says.</summary>
+        /// <summary>The inspector says which objects Unity's lists leave out or draw too much.</summary>
         [Test]
         public void TheInspectorSaysWhichObjectsTheyAre()
         {

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What is asked of the pipeline for a texture of a chain.</summary>
+    /// <summary>The pipeline is asked for these textures of a chain.</summary>
     public sealed class ChainTextureTests
     {
         private static RenderTextureDescriptor Target()

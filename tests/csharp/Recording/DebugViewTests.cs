@@ -89,7 +89,7 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>Its kernels read no mask, whose option is there for what is drawn in its place.</summary>
+        /// <summary>The flagship's kernels read no mask; the option is there for what is drawn in its place.</summary>
         [Test]
         public void TheFlagshipHasNoMaskAndItsFallbackHas()
         {
@@ -124,7 +124,7 @@ namespace Penumbra.Tests
             var volume = new PenumbraShadowsVolume();
             volume.debugView.overrideState = true;
             volume.debugView.value = DebugView.Cascades;
-            volume.preset.overrideState = true;  // has none of its own
+            volume.preset.overrideState = true;  // it has no preset of its own
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             urp.Render(new FakeScene(), feature);
             Assert.That(Passes().Last(), Is.EqualTo("Cascades"));

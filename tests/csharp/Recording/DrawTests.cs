@@ -22,7 +22,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask: four draws
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask there are four draws
             urp = new FakeUrp();
             SystemInfo.graphicsUVStartsAtTop = true;
             SystemInfo.usesReversedZBuffer = true;
@@ -52,7 +52,7 @@ namespace Penumbra.Tests
                         Is.EqualTo(urp.Device.Draws.First(draw => draw.Pass == "QuarterDepthPlanes").Target));
         }
 
-        // There the filter is not the one that it decides for.
+        // On OpenGL the filter is not the one that the conservative mask decides for.
         [TestCase(GraphicsDeviceType.OpenGLCore)]
         [TestCase(GraphicsDeviceType.OpenGLES3)]
         public void OnOpenGlTheMaskIsOfFourTaps(GraphicsDeviceType device)
@@ -244,7 +244,7 @@ namespace Penumbra.Tests
             feature.Settings.cascadeBlend = 0.25f;
             Assert.That(Border(), Is.EqualTo(0.25f));
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
-            volume.preset.overrideState = true;  // has none of its own
+            volume.preset.overrideState = true;  // it has no preset of its own
             volume.preset.value = QualityPreset.Reference;
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             Assert.That(Border(), Is.EqualTo(0.25f));
@@ -276,7 +276,7 @@ namespace Penumbra.Tests
             Assert.That(Trace().x, Is.EqualTo(0.5f));
             Assert.That(Trace().z, Is.EqualTo(12.0f));
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
-            volume.preset.overrideState = true;  // has none of its own
+            volume.preset.overrideState = true;  // it has no preset of its own
             volume.preset.value = QualityPreset.Reference;
             VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
             Assert.That(Trace().x, Is.EqualTo(0.5f));
@@ -289,7 +289,7 @@ namespace Penumbra.Tests
             Assert.That(Trace().x, Is.EqualTo(0.25f), "a Volume brings them in");
         }
 
-        // Of a point in front of an off-centre camera: projected as the device does it, put back by the uniform.
+        // A point in front of an off-centre camera is projected as the device does it, and put back by the uniform.
         [TestCase(true, true)]
         [TestCase(true, false)]
         [TestCase(false, true)]
@@ -460,7 +460,10 @@ namespace Penumbra.Tests
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
         }
 
-        /// <summary>OpenGL ES 3.0 and WebGL 2: of the default setting down to the tent that needs neither kernels nor gathers.</summary>
+        /// <summary>
+        /// Devices of OpenGL ES 3.0 and WebGL 2 go from the default setting down to the tent, which needs neither
+        /// kernels nor gathers.
+        /// </summary>
         [Test]
         public void ADeviceWithoutTheTechniquesProgramsHasATent(
             [Values] QualityPreset preset, [Values(ShadowTechnique.Flagship, ShadowTechnique.Pcss)] ShadowTechnique technique,

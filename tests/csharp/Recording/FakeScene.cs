@@ -13,27 +13,29 @@ namespace Penumbra.Tests
         internal bool Supported = true;
         internal bool MainLight = true;
 
-        /// <summary>The main light; null: one of no game object.</summary>
+        /// <summary>The main light; null stands for one of no game object.</summary>
         internal Light Sun;
         internal LightShadows Shadows = LightShadows.Soft;
         internal float Distance = 50.0f;
 
-        /// <summary>Where the light shines to.</summary>
+        /// <summary>The direction in which the light shines.</summary>
         internal Vector3 Forward = new Vector3(0.6f, -0.8f, 0.0f);
         internal bool SoftShadows = true;
 
-        /// <summary>Of the last cascade: a share of the distance.</summary>
+        /// <summary>The border of the last cascade, a share of the distance.</summary>
         internal float Border = 0.2f;
         internal bool Casters = true;
         internal int Cascades = 4;
 
-        /// <summary>The one for which the engine finds no view of the light; -1: none.</summary>
+        /// <summary>The cascade for which the engine finds no view of the light; -1 for none.</summary>
         internal int CascadeWithoutView = -1;
         internal bool SceneLightingOff;
         internal bool DepthOnly;
         internal bool Overlay;
 
-        /// <summary>The camera draws into the back buffer, without a texture of its own. Only of Unity 6.</summary>
+        /// <summary>
+        /// Whether the camera draws into the back buffer, without a texture of its own; only Unity 6 has this.
+        /// </summary>
         internal bool ToBackBuffer;
         internal int Views = 0;
         internal int Width = 321;
@@ -41,23 +43,23 @@ namespace Penumbra.Tests
         internal bool DynamicResolution;
         internal Matrix4x4 Projection = Perspective(0.1f);
 
-        /// <summary>URP draws a shadow map.</summary>
+        /// <summary>Whether URP draws a shadow map.</summary>
         internal bool UrpDraws => HasShadows && HasMap;
 
-        /// <summary>It binds an empty one.</summary>
+        /// <summary>Whether URP binds an empty map.</summary>
         internal bool UrpHasNothingToDraw => HasShadows && !HasMap;
 
         private bool HasShadows => Supported && MainLight && Shadows != LightShadows.None && Distance > 0.0f && !SceneLightingOff;
 
         private bool HasMap => Casters && (CascadeWithoutView < 0 || CascadeWithoutView >= Cascades);
 
-        /// <summary>Of the main light; the asset supports mixed lighting.</summary>
+        /// <summary>The main light's baking; the asset supports mixed lighting.</summary>
         internal LightBakingOutput Baking;
         internal bool MixedLighting = true;
 
         private Camera camera;
 
-        /// <summary>The same in every frame.</summary>
+        /// <summary>The camera, the same in every frame.</summary>
         internal Camera MakeCamera()
         {
             camera = camera ?? new Camera();
@@ -95,7 +97,7 @@ namespace Penumbra.Tests
         internal Matrix4x4[] ViewMatrices() => new[] { View(0.0f), View(0.064f) };
         internal Matrix4x4[] Projections() => new[] { Projection, Perspective(-0.1f) };
 
-        /// <summary>Off-centre by `shift` of its width, as an eye's is.</summary>
+        /// <summary>A perspective projection, off-centre by `shift` of its width, as an eye's is.</summary>
         internal static Matrix4x4 Perspective(float shift)
         {
             Matrix4x4 m = Matrix4x4.zero;

@@ -8,7 +8,9 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>The package's shaders, as far as their passes' names and keywords go: read from the files themselves.</summary>
+    /// <summary>
+    /// The package's shaders, as far as their passes' names and keywords go. They are read from the files themselves.
+    /// </summary>
     internal static class FakeShader
     {
         private const string FrameFile = "PenumbraShadows.shader";
@@ -18,10 +20,10 @@ namespace Penumbra.Tests
         private const string SumsFile = "SummedAreas.compute";
         private const string FlagshipFile = "PenumbraFlagship.compute";
 
-        /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
+        /// <summary>The shader of passes over the shadow map; imported, as far as the editor goes.</summary>
         internal static Shader Maps { get; private set; }
 
-        /// <summary>Of shadows beyond the cascades; imported, too.</summary>
+        /// <summary>The shader of shadows beyond the cascades; imported, too.</summary>
         internal static Shader Far { get; private set; }
 
         /// <summary>The kernels of summed-area tables; imported, too.</summary>
@@ -30,7 +32,7 @@ namespace Penumbra.Tests
         /// <summary>The kernels of the flagship; imported, too.</summary>
         internal static ComputeShader Flagship { get; private set; }
 
-        /// <summary>All shaders of passes; the frame's own comes back.</summary>
+        /// <summary>Installs all shaders of passes, and returns the frame's own.</summary>
         internal static Shader Install()
         {
             Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
@@ -63,7 +65,7 @@ namespace Penumbra.Tests
             return shader;
         }
 
-        // Or a macro of the file, or of one that it includes from its folder.
+        // The count may be a macro of the file, or of one that it includes from its folder.
         private static uint Number(string file, string count)
         {
             if (uint.TryParse(count, out uint number)) return number;
@@ -91,20 +93,20 @@ namespace Penumbra.Tests
             foreach (Match name in Regex.Matches(Text(file), "Name \"(\\w+)\"")) yield return name.Groups[1].Value;
         }
 
-        /// <summary>Of the frame's shader.</summary>
+        /// <summary>The variants of the frame's shader.</summary>
         internal static Dictionary<string, List<HashSet<string>>> FragmentVariants() => VariantsOf(FrameFile);
 
         /// <summary>The keywords of the frame's shader that ask for shader target 4.5.</summary>
         internal static string[] KeywordsOfTarget45() =>
             Regex.Match(Text(FrameFile), "#pragma target 4.5 (_.*)").Groups[1].Value.Split(' ');
 
-        /// <summary>Of the shader of passes over the shadow map.</summary>
+        /// <summary>The variants of the shader of passes over the shadow map.</summary>
         internal static Dictionary<string, List<HashSet<string>>> MapVariants() => VariantsOf(MapFile);
 
-        /// <summary>Of the shader of shadows beyond the cascades.</summary>
+        /// <summary>The variants of the shader of shadows beyond the cascades.</summary>
         internal static Dictionary<string, List<HashSet<string>>> FarVariants() => VariantsOf(FarFile);
 
-        // By pass the keyword sets of its fragment programs: one keyword of every multi_compile line.
+        // The keyword sets of the fragment programs, by pass: one keyword of every multi_compile line.
         private static Dictionary<string, List<HashSet<string>>> VariantsOf(string file)
         {
             var variants = new Dictionary<string, List<HashSet<string>>>();

@@ -17,19 +17,21 @@ namespace Penumbra.Tests
         {
         }
 
-        /// <summary>Without a feature: URP alone. A throwing camera ends there, as it does in Unity.</summary>
+        /// <summary>
+        /// Renders a frame; without a feature, URP alone. A throwing camera ends there, as it does in Unity.
+        /// </summary>
         internal FrameKeywords Render(FakeScene scene, PenumbraShadows feature = null)
         {
             var keywords = new FrameKeywords();
             Camera camera = scene.MakeCamera();
             var context = new ScriptableRenderContext { Device = Device };
             RenderPipelineManager.BeginCamera(context, camera);
-            Device.SetKeyword(ShadowKeywords.MapName, false);  // ScriptableRenderer.ClearRenderingState
+            Device.SetKeyword(ShadowKeywords.MapName, false);  // this is ScriptableRenderer.ClearRenderingState
             Device.SetKeyword(ShadowKeywords.CascadesName, false);
             Device.SetKeyword(ReceiverFade.MixingName, false);
             if (scene.UrpHasNothingToDraw && scene.Camera != CameraType.Preview)
                 Device.SetKeyword(ShadowKeywords.MapName, true);
-            if (scene.UrpDraws && scene.Camera != CameraType.Preview)  // MainLightShadowCasterPass
+            if (scene.UrpDraws && scene.Camera != CameraType.Preview)  // this is MainLightShadowCasterPass
             {
                 Device.SetKeyword(ShadowKeywords.MapName, scene.Cascades == 1);
                 Device.SetKeyword(ShadowKeywords.CascadesName, scene.Cascades > 1);

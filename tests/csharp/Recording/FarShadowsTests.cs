@@ -9,7 +9,9 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What a frame draws and tells its passes of the ground beyond the cascades, and of clouds.</summary>
+    /// <summary>
+    /// The tests say what a frame draws and tells its passes of the ground beyond the cascades, and of clouds.
+    /// </summary>
     public sealed class FarShadowsTests
     {
         private PenumbraShadows feature;
@@ -22,7 +24,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            PresetFallback.Choose(feature.Settings, QualityPreset.Medium);  // one draw
+            PresetFallback.Choose(feature.Settings, QualityPreset.Medium);  // it has one draw
             urp = new FakeUrp();
             scene = new FakeScene();
         }
@@ -44,7 +46,7 @@ namespace Penumbra.Tests
         private readonly System.Collections.Generic.List<FarShadowGround> made =
             new System.Collections.Generic.List<FarShadowGround>();
 
-        // As the engine does.
+        // The engine enables components in this way.
         private static void Enable(FarShadowGround ground, bool on) =>
             typeof(FarShadowGround).GetMethod(on ? "OnEnable" : "OnDisable", BindingFlags.Instance | BindingFlags.NonPublic)
                 .Invoke(ground, null);
@@ -239,7 +241,7 @@ namespace Penumbra.Tests
             Assert.That(feature.MissingGround, Is.Null);
         }
 
-        /// <summary>Also if one that lacks something is nearer.</summary>
+        /// <summary>A nearer ground that lacks something does not count.</summary>
         [Test]
         public void ACameraHasTheNearestGround()
         {
@@ -325,7 +327,9 @@ namespace Penumbra.Tests
             Assert.That(Draw("FarShadows").Textures["_PenumbraSourceTexture"], Is.EqualTo(Draw("ScreenTrace").Target));
         }
 
-        /// <summary>As for a camera that is farther from the ground than the shadow distance.</summary>
+        /// <summary>
+        /// A camera that is farther from the ground than the shadow distance has no casters in its cascades either.
+        /// </summary>
         [TestCase(false, -1)]
         [TestCase(true, 1)]
         public void WhereNothingCastsIntoTheCascadesTheyAreDrawnOverALitScreen(bool casters, int cascadeWithoutView)
@@ -431,7 +435,7 @@ namespace Penumbra.Tests
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
         }
 
-        // GetMainLightShadowFade of URP's Shadows.hlsl.
+        // This is GetMainLightShadowFade of URP's Shadows.hlsl.
         private static double Fade(Vector4 receivers, double distance) =>
             Math.Min(Math.Max(distance * distance * receivers.z + receivers.w, 0.0), 1.0);
 

@@ -22,7 +22,9 @@ namespace UnityEngine.Rendering.Universal
 
 namespace Penumbra.Tests
 {
-    /// <summary>A project with one obstacle: the inspector names it beside a button, which one undo takes back.</summary>
+    /// <summary>
+    /// A project with one obstacle: the inspector names it beside a button, which one undo takes back.
+    /// </summary>
     public sealed class FeatureFixTests
     {
         private PenumbraShadows feature;
@@ -195,7 +197,9 @@ namespace Penumbra.Tests
         }
 #endif
 
-        /// <summary>It makes surfaces vanish whose shader has no matching depth pass: a hint, not a fix.</summary>
+        /// <summary>
+        /// Depth priming makes surfaces vanish whose shader has no matching depth pass, so it is a hint, not a fix.
+        /// </summary>
         [Test]
         public void DepthPrimingIsNotSwitchedOnByAButton()
         {
@@ -222,7 +226,7 @@ namespace Penumbra.Tests
         private Advice Ground() => Found().Single(one => one.text.Contains("no Far Shadow Ground is enabled"));
 
 #if !UNITY_6000_5_OR_NEWER && UNITY_6000_0_OR_NEWER
-        /// <summary>A switch of the whole project, which URP has a page for.</summary>
+        /// <summary>The mode is a switch of the whole project, which URP has a page for.</summary>
         [Test]
         public void CompatibilityModeOpensItsPage()
         {

@@ -9,7 +9,7 @@ namespace Penumbra.Tests
     /// <summary>Frames of a feature that draws a form of the flagship, and the map's tiles in them.</summary>
     public abstract class FlagshipFrames
     {
-        // Texels of the shadow map in a texel of the first level, each way.
+        // A texel of the first level stands for so many texels of the shadow map, each way.
         protected const int FirstBlock = 4;
 
         private protected PenumbraShadows feature;
@@ -33,7 +33,7 @@ namespace Penumbra.Tests
         [TearDown]
         public void DisposeOfTheFeature() => feature.Dispose();
 
-        /// <summary>Of a pass or kernel, in a frame of its own.</summary>
+        /// <summary>The draws of a pass or kernel, in a frame of its own.</summary>
         private protected FakeDevice.DrawCall[] Calls(string pass)
         {
             urp.Device.Draws.Clear();
@@ -43,7 +43,7 @@ namespace Penumbra.Tests
             return urp.Device.Draws.Where(draw => draw.Pass == pass).ToArray();
         }
 
-        /// <summary>Of each cascade, in texels that stand for `block` of the map each way.</summary>
+        /// <summary>The tile of each cascade, in texels that stand for `block` of the map each way.</summary>
         protected static IEnumerable<Rect> Tiles(int cascades, int block)
         {
             int side = new AtlasLayout(2048, cascades).TileResolution / block;

@@ -8,8 +8,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// The flagship per pixel: draws into two maps at once, level by level, which its filter and forward shaders read; and the
-    /// same maps of the flagship.
+    /// The flagship per pixel draws into two maps at once, level by level, which its filter and forward shaders read.
+    /// The flagship has the same maps.
     /// </summary>
     public sealed class FlagshipPixelTests : FlagshipFrames
     {
@@ -113,7 +113,7 @@ namespace Penumbra.Tests
                 Assert.That(maps.Select(map => map.format), Contains.Item(slot.format), "copies have their map's format");
         }
 
-        /// <summary>Transparents read them with the keyword of URP's own map, which is on again by then.</summary>
+        /// <summary>Transparents read the maps with the keyword of URP's own map, which is on again by then.</summary>
         [Test]
         public void TheMapsAndParametersStayBoundForForwardShaders()
         {
@@ -140,7 +140,7 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>Of the flagship, for the same forward shaders: what its kernels have written.</summary>
+        /// <summary>The flagship's maps, which its kernels have written, serve the same forward shaders.</summary>
         [Test]
         public void TheFlagshipsMapsStayBoundForForwardShaders()
         {
@@ -156,7 +156,7 @@ namespace Penumbra.Tests
                         Is.EqualTo(targets.Select(target => first.Textures[target])));
         }
 
-        /// <summary>The maps are the light's, one for both; kernels are not needed.</summary>
+        /// <summary>The maps are the light's, one set for both eyes; kernels are not needed.</summary>
         [Test]
         public void BothEyesAndDevicesWithoutKernelsHaveIt()
         {

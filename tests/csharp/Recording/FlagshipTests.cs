@@ -7,13 +7,15 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>The flagship's passes in a frame: which part of the map and of the screen each covers.</summary>
+    /// <summary>
+    /// The flagship's passes in a frame: the tests say which part of the map and of the screen each covers.
+    /// </summary>
     public sealed class FlagshipTests : FlagshipFrames
     {
-        // Of the map's texels, one of the coarse levels has 8 x 8; a tile has 16 x 16 pixels.
+        // A texel of the coarse levels stands for 8 x 8 texels of the map; a tile has 16 x 16 pixels.
         private const int CoarseBlock = 8;
         private const int TilePixels = 16;
-        // Of a group of ClassifyTiles, along each axis.
+        // A group of ClassifyTiles has so many pixels along each axis.
         private const int GroupPixels = 32;
         private const int WordsOfTile = 17;
 
@@ -23,7 +25,7 @@ namespace Penumbra.Tests
         public void TearDown() =>
             ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;
 
-        // Nothing in its place.
+        // The calls of a kernel; nothing may be drawn in the flagship's place.
         private new FakeDevice.DrawCall[] Calls(string kernel)
         {
             FakeDevice.DrawCall[] calls = base.Calls(kernel);

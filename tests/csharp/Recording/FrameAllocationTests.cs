@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Whole frames, from AddRenderPasses to the last pass that is enqueued: once the chains and textures are there, none
-    /// leaves the collector anything, nor makes a texture.
+    /// Runs whole frames, from AddRenderPasses to the last pass that is enqueued: once the chains and textures are
+    /// there, none leaves the collector anything, nor makes a texture.
     /// </summary>
     public sealed class FrameAllocationTests
     {
@@ -32,7 +32,8 @@ namespace Penumbra.Tests
 
         private static ShadowOptions Screen(QualityPreset preset) => PresetFallback.Options(preset);
 
-        // Each camera's options, as Volumes give them. Chains of other lengths, of owned textures and of lent ones.
+        // Each camera has its options, as Volumes give them. The chains have other lengths, and textures that are owned
+        // or lent.
         private static readonly object[] Turns =
         {
             new object[] { (Action)(() => { }), new[] { Screen(QualityPreset.Low) } },

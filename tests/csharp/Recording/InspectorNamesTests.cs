@@ -7,7 +7,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Tests
 {
-    /// <summary>Where the feature and its Volume override are offered, and under which name.</summary>
+    /// <summary>The tests say where the feature and its Volume override are offered, and under which name.</summary>
     public sealed class InspectorNamesTests
     {
         private const string Title = "Penumbra Soft Shadows";

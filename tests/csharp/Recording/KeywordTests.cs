@@ -7,7 +7,9 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Tests
 {
-    /// <summary>URP's keywords are where URP has put them whenever anybody else looks, whatever happens in between.</summary>
+    /// <summary>
+    /// URP's keywords are where URP has put them whenever anybody else looks, whatever happens in between.
+    /// </summary>
     public sealed class KeywordTests
     {
         private PenumbraShadows feature;
@@ -18,7 +20,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
-            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask: four draws
+            PresetFallback.Choose(feature.Settings, QualityPreset.High);  // with a mask there are four draws
             CommandBuffer.FailAt = -1;
         }
 
@@ -49,7 +51,7 @@ namespace Penumbra.Tests
             Assert.That(ours, Is.GreaterThan(20));
         }
 
-        // Of another renderer, which does not have the feature.
+        // These scenes belong to another renderer, which does not have the feature.
         private static readonly FakeScene[] Others =
             { new FakeScene { Cascades = 1 }, new FakeScene { Casters = false }, new FakeScene() };
 
@@ -82,7 +84,7 @@ namespace Penumbra.Tests
             Assert.That(FailEverywhere(new FakeScene()), Is.GreaterThan(without), "commands of the view");
         }
 
-        // A camera of the scene for each command that it records, which fails there; how many.
+        // Draws a camera of the scene for each command that it records, which fails there, and returns their number.
         private int FailEverywhere(FakeScene scene)
         {
             string[] expected = Frames(new FakeUrp());

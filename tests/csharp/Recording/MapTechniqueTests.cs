@@ -11,7 +11,9 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>Techniques whose filters read maps that passes make from the shadow map, and what stands in for them.</summary>
+    /// <summary>
+    /// Techniques whose filters read maps that passes make from the shadow map, and what stands in for them.
+    /// </summary>
     public sealed class MapTechniqueTests
     {
         private PenumbraShadows feature;
@@ -166,7 +168,7 @@ namespace Penumbra.Tests
                         Is.EquivalentTo(Every().Where(technique => technique.NeedsTarget45())
                                             .Select(technique => TechniqueTable.Keywords[(int)technique]).Distinct()));
 
-        // Of no technique's measured values.
+        // The values are those of no measured technique.
         private static ShadowOptions Odd() => new ShadowOptions
         {
             angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
@@ -174,7 +176,7 @@ namespace Penumbra.Tests
             discRadiusMetres = 0.75f, filterCells = 4,
         };
 
-        /// <summary>Of the structs of a technique, packed as its manifest has the values.</summary>
+        /// <summary>The vectors of the structs of a technique, packed as its manifest has the values.</summary>
         private static Dictionary<string, Vector4> Measured(string technique, string[] structs)
         {
             string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
@@ -288,7 +290,7 @@ namespace Penumbra.Tests
             ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
         }
 
-        /// <summary>Vulkan guarantees 128.</summary>
+        /// <summary>Vulkan guarantees groups of 128 threads.</summary>
         [Test]
         public void WithSmallThreadGroupsTheFlagshipIsPcss()
         {
@@ -316,7 +318,7 @@ namespace Penumbra.Tests
             Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
         }
 
-        /// <summary>As while a file is edited.</summary>
+        /// <summary>The shader fails to compile for a while, as it does while a file is edited.</summary>
         [Test]
         public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
         {
@@ -335,7 +337,7 @@ namespace Penumbra.Tests
             Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Flagship));
         }
 
-        // By the name and parameters with which Unity looks for it.
+        // Unity looks for the method by this name and these parameters.
         private static void Import(string path)
         {
             System.Reflection.MethodInfo imported = typeof(Penumbra.Editor.ShaderImports).GetMethod(

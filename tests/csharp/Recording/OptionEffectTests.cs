@@ -17,7 +17,7 @@ namespace Penumbra.Tests
             (OptionFields.MinFilter, new[] { "minFilterTexels" }),
         };
 
-        // Of the structure that a technique's filter takes; tents take none.
+        // The fields of the structure that a technique's filter takes; tents take none.
         private static string[] Fields(string structure)
         {
             string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
@@ -44,7 +44,8 @@ namespace Penumbra.Tests
         public void IsThatOfTheFilter(ShadowTechnique technique, string structure)
         {
             string[] taken = structure == null ? new string[0] : Fields(structure);
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);  // no mask: the filter alone
+            // Reference has no mask, so that the filter is alone.
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);
             options.technique = technique;
             foreach ((OptionField option, string[] fields) in OfFilters)
                 Assert.That(option.Counts(options), Is.EqualTo(taken.Intersect(fields).Any() && IsTold(options, option)),

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What a pass brings along is in the feature's asset, and thereby in players.</summary>
+    /// <summary>Assets that a pass needs are in the feature's asset, and thereby in players.</summary>
     public sealed class PassAssetsTests
     {
         private const string Reduction = "Shaders/Reduction.compute";
@@ -30,7 +30,7 @@ namespace Penumbra.Tests
             AssetDatabase.Assets[Path] = shader;
             Assert.That(kept.Find(Graphs));
             Assert.That(kept.Find(Graphs), Is.False, "is there already");
-            AssetDatabase.Assets.Clear();  // as in a player
+            AssetDatabase.Assets.Clear();  // a player has none
             Assert.That(kept.Of(Reduction), Is.SameAs(shader));
         }
 

@@ -80,7 +80,7 @@ namespace Penumbra.Tests
             Assert.That(EditorApplication.Listeners, Is.Zero);
         }
 
-        /// <summary>Unity's rules of what it keeps when scripts are compiled.</summary>
+        /// <summary>These are Unity's rules of what it keeps when scripts are compiled.</summary>
         [Test]
         public void WhatWasFoundOutlivesACompile()
         {

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What the editor's compiler says of the technique's shaders, by file and line.</summary>
+    /// <summary>The errors of the editor's compiler in the technique's shaders, by file and line.</summary>
     public sealed class ShaderErrorsTests
     {
         private PenumbraShadows feature;

@@ -21,7 +21,7 @@ namespace Penumbra.Tests
             return m;
         }
 
-        // What URP has uploaded: `penumbra constants --cascades 2 --light 1.5` gives these matrices.
+        // This is what URP has uploaded: `penumbra constants --cascades 2 --light 1.5` gives these matrices.
         private static void Upload()
         {
             Shader.Globals["_PenumbraMainLightParams"] = new Vector4(2.0f, AngularDiameter.TanHalf(1.5f), 0.0f, 0.0f);

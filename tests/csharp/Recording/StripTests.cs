@@ -11,7 +11,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>Of the shader's programs a player contains those that frames draw with, and no other.</summary>
+    /// <summary>A player contains those of the shader's programs that frames draw with, and no other.</summary>
     public sealed class StripTests
     {
         private PenumbraShadows feature;
@@ -63,7 +63,7 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>Those of all shaders, and kernels.</summary>
+        /// <summary>The programs of all shaders, and the kernels.</summary>
         private string[] Kept(ChainPrograms programs)
         {
             var kept = new List<string>();
@@ -90,7 +90,7 @@ namespace Penumbra.Tests
         // A kernel may have the name of a pass.
         private static string Kernel(string name) => "kernel " + name;
 
-        // Of a draw's keywords its pass minds those that it declares.
+        // The program of a draw: its pass minds those of the draw's keywords that it declares.
         private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
         {
             if (draw.Groups != null)
@@ -100,7 +100,8 @@ namespace Penumbra.Tests
             return Text(draw.Pass, draw.Keywords.Intersect(declared));
         }
 
-        // On devices that can make the conservative mask, run kernels and gather, and on others.
+        // The programs that are drawn on devices that can make the conservative mask, run kernels and gather, and on
+        // others.
         private string[] Drawn(PenumbraShadowsSettings settings)
         {
             IEnumerable<string> drawn = DrawnHere(settings);
@@ -167,8 +168,8 @@ namespace Penumbra.Tests
         }
 
         /// <summary>
-        /// Documentation~/presets.md shows that file; the program writes it from the technique list. It is of the feature's
-        /// shader alone, without the kernels.
+        /// Documentation~/presets.md shows that file; the program writes it from the technique list. The file is about
+        /// the feature's shader alone, without the kernels.
         /// </summary>
         [Test]
         public void WhatThePageSaysOfEachPresetIsWhatIsKept()
@@ -236,7 +237,7 @@ namespace Penumbra.Tests
             const string rest = "kernel ResolveRest", eyes = " _PENUMBRA_BOTH_EYES";
             string[] Kept(QualityPreset preset, bool xr) =>
                 KeptOfKernel(Programs(preset), FakeShader.Flagship, "ResolveRest", xr).ToArray();
-            // At half resolution and at full.
+            // The presets draw at half resolution and at full.
             foreach (QualityPreset preset in new[] { QualityPreset.Low, QualityPreset.Ultra })
             {
                 Assert.That(Kept(preset, false), Is.EqualTo(new[] { rest }));

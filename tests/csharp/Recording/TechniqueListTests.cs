@@ -11,7 +11,7 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra.Tests
 {
-    /// <summary>What the passes are told is what the study measures them with.</summary>
+    /// <summary>The passes are told the values that the study measures them with.</summary>
     public sealed class TechniqueListTests
     {
         private static JsonElement Technique(string technique) =>
@@ -126,7 +126,7 @@ namespace Penumbra.Tests
 
         private static string Named(string kind, QualityPreset preset) => kind + "-" + preset.ToString().ToLowerInvariant();
 
-        /// <summary>What is drawn is the graph that was measured: its passes, their targets and what they read.</summary>
+        /// <summary>A preset draws the graph that was measured: its passes, their targets and what they read.</summary>
         [TestCaseSource(nameof(Presets))]
         public void APresetsPassesAreTheStudys(QualityPreset preset) =>
             HasPassesOf(Named("preset", preset), ShadowPresets.Options(preset));
@@ -187,7 +187,7 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>What is set for the kernels is what they were measured with.</summary>
+        /// <summary>The kernels are told the values that they were measured with.</summary>
         [TestCaseSource(nameof(Presets))]
         public void APresetsOptionsAreTheStudys(QualityPreset preset)
         {

@@ -6,10 +6,12 @@ using UnityEngine;
 
 namespace Penumbra.Samples
 {
-    /// <summary>The example of Documentation~/bakes.md is FieldObjectsExample.cs, so it compiles and does what it says.</summary>
+    /// <summary>
+    /// The example of Documentation~/bakes.md is FieldObjectsExample.cs, so it compiles and does what it says.
+    /// </summary>
     internal sealed class FieldObjectsExampleTests
     {
-        // As the program writes it.
+        // The file is as the program writes it.
         private const string File = @"{ ""kind"": ""distance-field-objects"", ""version"": 1, ""picture"": ""street.png"",
             ""voxels"": [74, 66, 130], ""columns"": 12, ""rows"": 11, ""ground_triangles"": 2, ""flat_triangles"": 0, ""objects"": [
             { ""first_voxel"": [0, 0, 0], ""voxels"": [64, 32, 16], ""distances_metres"": [-2.5, 2.5], ""corner_metres"": [1, 2, 3],

@@ -27,7 +27,7 @@ namespace Penumbra.Samples.ForwardShader
             GraphicsSettings.currentRenderPipeline = null;
         }
 
-        // As the engine does, whatever their accessibility.
+        // The engine calls methods in this way, whatever their accessibility.
         private void Call(string message) =>
             typeof(ForwardShadowUniforms).GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic)
                                          .Invoke(component, null);

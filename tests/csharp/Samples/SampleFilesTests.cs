@@ -7,14 +7,16 @@ using NUnit.Framework;
 
 namespace Penumbra.Samples
 {
-    /// <summary>What only the files can show: assemblies see what they name, uniforms have the same names in C# and in
-    /// shaders, and the Package Manager is told of every sample.</summary>
+    /// <summary>
+    /// The tests say what only the files can show: assemblies see what they name, uniforms have the same names in C#
+    /// and in shaders, and the Package Manager is told of every sample.
+    /// </summary>
     internal sealed class SampleFilesTests
     {
         private static readonly string package = Path.Combine(TestContext.CurrentContext.TestDirectory, "package");
         private static readonly string samples = Path.Combine(package, "Samples~");
 
-        // Whose assembly a namespace asks for. Everything else is in assemblies that Unity always references.
+        // The assembly that a namespace needs. Everything else is in assemblies that Unity always references.
         private static readonly Dictionary<string, string> assemblies = new Dictionary<string, string>
         {
             ["UnityEngine.Rendering.Universal"] = "Unity.RenderPipelines.Universal.Runtime",
@@ -80,8 +82,8 @@ namespace Penumbra.Samples
             new SortedSet<string>(files.SelectMany(file => Regex.Matches(File.ReadAllText(file), pattern))
                                        .Select(match => match.Groups[1].Value));
 
-        // By name, by the number of a parameter struct's vector (PcssAngularParameters.Uniform0), or all of a struct's at
-        // once (uniforms.PcssAngular.SetGlobal).
+        // C# sets a uniform by name, by the number of a parameter struct's vector (PcssAngularParameters.Uniform0), or
+        // all of a struct's at once (uniforms.PcssAngular.SetGlobal).
         private static SortedSet<string> SetByCSharp(string sample)
         {
             string[] files = Files(Path.Combine(samples, sample), "*.cs").ToArray();
@@ -107,12 +109,12 @@ namespace Penumbra.Samples
             IEnumerable<string> shaders = Files(Path.Combine(samples, "CustomPipeline"), "*.hlsl");
             SortedSet<string> declared = Names(shaders, @"(?:^|\n)float4(?:x4)? (_\w+)(?:\[4\])?;");
             declared.UnionWith(Names(shaders, @"TEXTURE2D_SHADOW\((_\w+)\);"));
-            // The material's own.
+            // The colour is the material's own.
             declared.Remove("_BaseColor");
             Assert.That(SetByCSharp("CustomPipeline"), Is.EqualTo(declared));
         }
 
-        // The techniques that the sample's material does not offer: an enum of materials has nine entries at most.
+        // The sample's material does not offer these techniques, because an enum of materials has nine entries at most.
         private static IEnumerable<string> UniformsOfOtherTechniques() =>
             Names(new[] { Path.Combine(package, "Runtime", "Settings", "ShadowTechnique.cs") }, @"new (\w+Parameters)\n")
                 .SelectMany(UniformsOf);
@@ -143,7 +145,7 @@ namespace Penumbra.Samples
             }
         }
 
-        // The same clicks for each: a command of the menu, which the README names.
+        // Each scene takes the same clicks: a command of the menu, which the README names.
         [Test]
         public void EverySceneThatBuildsItselfHasACommandInTheMenu()
         {

@@ -6,7 +6,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>The scenes built of game objects, against the declarations' own simple ones.</summary>
+    /// <summary>Builds the scenes of game objects, which are the declarations' own simple ones.</summary>
     internal sealed class SampleSceneTests
     {
         private const string Lit = "Universal Render Pipeline/Lit";

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>The scenes as data: repeatable, standing on their ground, in their camera's sight.</summary>
+    /// <summary>The scenes as data are repeatable, stand on their ground and are in their camera's sight.</summary>
     internal sealed class SceneDescriptionTests
     {
         private static readonly SampleSceneKind[] kinds =
@@ -147,7 +147,7 @@ namespace Penumbra.Samples.Scenes
                                                    Math.Abs(Math.Cos(angle)) * piece.size.y));
         }
 
-        // Of a picture of 16:9, from the camera's angles by the definition of Unity's: pitch is down, +z is ahead.
+        // The picture has 16:9, and the camera's angles are defined as Unity's are: pitch is down, +z is ahead.
         private static bool IsInSight(in SceneView view, Vector3 point)
         {
             Assert.That(view.eulerDegrees.y, Is.Zero);

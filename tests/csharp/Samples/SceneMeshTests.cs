@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>Generated meshes: whole, wound as their normals say, as large as their piece says.</summary>
+    /// <summary>Generated meshes are whole, wound as their normals say and as large as their piece says.</summary>
     internal sealed class SceneMeshTests
     {
         private static IEnumerable<TestCaseData> Meshes()
@@ -90,7 +90,8 @@ namespace Penumbra.Samples.Scenes
             SceneMesh mesh = LatticeMesh.Describe(size);
             Assert.That(mesh.Vertices.Max(v => Math.Abs(v.x)), Is.LessThanOrEqualTo(1.5f + 0.0041f));
             Assert.That(mesh.Vertices.Max(v => Math.Abs(v.y)), Is.LessThanOrEqualTo(0.5f + 0.0041f));
-            // (3 + 1) / 0.25 places, without the two in the corners, both ways, and four bars; 12 vertices each.
+            // There are (3 + 1) / 0.25 places, without the two in the corners, both ways, and four bars; 12 vertices
+            // each.
             Assert.That(mesh.Vertices.Count, Is.EqualTo((2 * 15 + 4) * 12));
         }
 
@@ -101,7 +102,7 @@ namespace Penumbra.Samples.Scenes
             float radius = 2.0f - LeafMesh.HalfLengthMetres;
             var centres = Enumerable.Range(0, 4000)
                                     .Select(i => (mesh.Vertices[4 * i] + mesh.Vertices[4 * i + 2]) * 0.5f).ToList();
-            // Half the volume lies within this radius: a share of 0.5 with a deviation of 0.008.
+            // Half the volume lies within this radius: the share is 0.5 with a deviation of 0.008.
             float half = radius * (float)Math.Pow(0.5, 1.0 / 3.0);
             Assert.That(centres.Count(c => Vector3.Dot(c, c) < half * half) / 4000.0, Is.EqualTo(0.5).Within(0.03));
             Assert.That(centres.Count(c => c.y > 0.0f) / 4000.0, Is.EqualTo(0.5).Within(0.03));
@@ -119,10 +120,10 @@ namespace Penumbra.Samples.Scenes
                 var tenths = new int[10];
                 for (int i = 0; i < count; ++i)
                 {
-                    // Outside of [0, 1) there is no such place.
+                    // A number outside of [0, 1) would have no such place.
                     ++tenths[(int)Math.Floor(10.0f * chance.Next())];
                 }
-                // 2000 each, with a deviation of 42.
+                // Each tenth has 2000, with a deviation of 42.
                 Assert.That(tenths, Has.All.InRange(1800, 2200), "seed " + seed);
             }
             Assert.That(new SeededChance(1).Next(), Is.Not.EqualTo(new SeededChance(2).Next()));

@@ -151,7 +151,7 @@ namespace Penumbra.Samples.ShadowVolumes
         }
     }
 
-    /// <summary>The scene built of game objects, against the declarations' own simple ones.</summary>
+    /// <summary>Builds the scene of game objects, which are the declarations' own simple ones.</summary>
     internal sealed class ShadowVolumeSceneTests
     {
         private static readonly string[] shaders =

@@ -5,7 +5,9 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Samples.CustomPipeline
 {
-    /// <summary>What the pipeline records for a camera: which lists are drawn where, and with which uniforms.</summary>
+    /// <summary>
+    /// The lists that the pipeline records for a camera: the tests say where each is drawn, and with which uniforms.
+    /// </summary>
     internal sealed class SoftShadowPipelineTests
     {
         private FakeDevice device;
@@ -63,7 +65,7 @@ namespace Penumbra.Samples.CustomPipeline
             Render();
             Assert.That(device.Draws.Take(3).Select(draw => draw.Viewport.Value.x),
                         Is.EqualTo(new[] { 0.0f, 1024.0f, 0.0f }));
-            // Squares of 2, 4 and 6 m in 1024 texels; a bias of one texel.
+            // The squares are 2, 4 and 6 m wide in 1024 texels, and the bias is one texel.
             Assert.That(device.Draws.Take(3).Select(draw => ((Vector4)draw.Uniforms["_SunCasterBias"]).x * 1024.0f),
                         Is.EqualTo(new[] { -2.0f, -4.0f, -6.0f }).Within(1e-5f));
         }

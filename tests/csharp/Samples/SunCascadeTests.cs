@@ -4,10 +4,12 @@ using UnityEngine;
 
 namespace Penumbra.Samples.CustomPipeline
 {
-    /// <summary>From the engine's matrices to the library's scales, against points worked out by hand.</summary>
+    /// <summary>
+    /// Compares the way from the engine's matrices to the library's scales with points worked out by hand.
+    /// </summary>
     internal sealed class SunCascadeTests
     {
-        // A light that looks along +z from z = -10 to z = 30 onto a square of 16 m around (2, 3).
+        // The light looks along +z from z = -10 to z = 30 onto a square of 16 m around (2, 3).
         private static SunCascade Cascade(int index, in AtlasLayout layout, bool reversed)
         {
             var cascade = new SunCascade

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Penumbra.Samples.FarShadows
 {
-    /// <summary>The valley, built of the declarations' own simple objects.</summary>
+    /// <summary>Builds the valley of the declarations' own simple objects.</summary>
     internal sealed class ValleySceneTests
     {
         private static readonly string[] Shaders =
@@ -46,7 +46,7 @@ namespace Penumbra.Samples.FarShadows
             Assert.That(terrain.gameObject.transform.Above, Is.SameAs(scene.transform));
         }
 
-        // A row of heights is one of z: SetHeights takes [z, x].
+        // A row of heights has one z: SetHeights takes [z, x].
         [Test]
         public void HeightsAreThoseOfTheirPlaces()
         {
@@ -58,7 +58,10 @@ namespace Penumbra.Samples.FarShadows
                         Is.EqualTo(ValleyHeights.At(400 * metre - 2000.0f, 100 * metre - 2000.0f)).Within(1e-3f));
         }
 
-        /// <summary>Or the sample would show nothing: ground behind the shadow distance that the ridge hides, and some lit.</summary>
+        /// <summary>
+        /// Without this the sample would show nothing: the ridge hides ground behind the shadow distance, and some is
+        /// lit.
+        /// </summary>
         [Test]
         public void TheRidgeShadowsGroundFarFromTheCamera()
         {

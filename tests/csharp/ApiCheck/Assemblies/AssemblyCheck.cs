@@ -7,8 +7,8 @@ using Penumbra.ApiCheck.Report;
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>
-/// `check-unity-api DIR`: the package's C# compiled against real assemblies, for the editor and for a player, with the
-/// symbols that this Unity defines. Each error stands at file, line and column.
+/// Compiles the package's C# against real assemblies, for the editor and for a player, with the symbols that this Unity
+/// defines: `check-unity-api DIR`. Each error stands at file, line and column.
 /// </summary>
 public sealed class AssemblyCheck
 {
@@ -76,7 +76,7 @@ public sealed class AssemblyCheck
         Notes.Add($"{string.Join(", ", compiled)}: {Problems.Count} errors");
     }
 
-    /// <summary>Errors, and what this Unity calls obsolete.</summary>
+    /// <summary>Whether a diagnostic is told: errors, and what this Unity calls obsolete.</summary>
     private static bool IsTold(Diagnostic diagnostic) =>
         diagnostic.Severity == DiagnosticSeverity.Error || diagnostic.Id is "CS0618" or "CS0612";
 

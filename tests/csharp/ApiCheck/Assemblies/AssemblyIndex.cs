@@ -26,7 +26,7 @@ public sealed class AssemblyIndex
                 .Where(file => layout.IsInstallation || IsLibraryName(file.Name)).Select(Reference)];
     }
 
-    /// <summary>One line for each assembly that is needed and not there, with the way out.</summary>
+    /// <summary>Messages, one line for each assembly that is needed and not there, with the way out.</summary>
     public IEnumerable<string> Missing(PackageSources package)
     {
         var needsEditor = package.Assemblies.Any(assembly => assembly.IsEditorOnly);
@@ -54,8 +54,8 @@ public sealed class AssemblyIndex
     }
 
     /// <summary>
-    /// The class library, the engine's modules and the assemblies that the asmdef names. What those refer to in turn is
-    /// not passed on, as Unity does not either.
+    /// The assemblies that a package's assembly refers to: the class library, the engine's modules and those that the
+    /// asmdef names. Assemblies that those refer to in turn are not passed on, as Unity does not either.
     /// </summary>
     public IEnumerable<MetadataReference> For(Asmdef assembly, SymbolSet set)
     {
@@ -73,7 +73,7 @@ public sealed class AssemblyIndex
 
     private static bool IsEngine(ManagedFile file) => IsNamed(file, "UnityEngine") || IsNamed(file, "UnityEditor");
 
-    /// <summary>The assembly of that name, or a module of it.</summary>
+    /// <summary>Whether the file is the assembly of that name, or a module of it.</summary>
     private static bool IsNamed(ManagedFile file, string name) =>
         file.Name == name || file.Name.StartsWith(name + ".", StringComparison.Ordinal);
 

@@ -6,7 +6,7 @@ namespace Penumbra.ApiCheck.Assemblies;
 /// <summary>A .NET assembly on disk, and the name that it is referred to by.</summary>
 public sealed record ManagedFile(string File, string Name)
 {
-    /// <summary>Null for a native library, or a file that is no library at all.</summary>
+    /// <summary>Reads the file; null for a native library, or a file that is no library at all.</summary>
     public static ManagedFile? Read(string file)
     {
         try

@@ -3,9 +3,10 @@ using Penumbra.ApiCheck.Package;
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>
-/// Where the assemblies lie in the folders that the command names. Understood are an installation (Windows and Linux
-/// Editor/Data, macOS Unity.app/Contents, with the modules in Managed/UnityEngine), a project (Library/ScriptAssemblies)
-/// and a folder that holds the assemblies themselves; several folders add up, the first that has something wins.
+/// Finds where the assemblies lie in the folders that the command names. It understands an installation (Windows and
+/// Linux Editor/Data, macOS Unity.app/Contents, with the modules in Managed/UnityEngine), a project
+/// (Library/ScriptAssemblies) and a folder that holds the assemblies themselves. Several folders add up; the first that
+/// has something wins.
 /// </summary>
 public sealed class UnityLayout
 {
@@ -19,7 +20,7 @@ public sealed class UnityLayout
 
     private static readonly string[] ScriptFolders = ["Library/ScriptAssemblies", "ScriptAssemblies", ""];
 
-    // From the profile that a package's assemblies are compiled with to what an old project may have.
+    // The folders lead from the profile that a package's assemblies are compiled with to what an old project may have.
     private static readonly string[][] Libraries =
     [
         ["NetStandard/ref/2.1.0", "NetStandard/compat/2.1.0/shims/netfx", "NetStandard/compat/2.1.0/shims/netstandard"],
@@ -30,16 +31,21 @@ public sealed class UnityLayout
     /// <summary>The engine's modules as the editor has them.</summary>
     public string? Engine { get; private init; }
 
-    /// <summary>The engine's modules as players have them; an installation has them where build support is installed.</summary>
+    /// <summary>
+    /// The engine's modules as players have them; an installation has them where build support is installed.
+    /// </summary>
     public string? Player { get; private init; }
 
     /// <summary>Folders with the assemblies of packages.</summary>
     public IReadOnlyList<string> Scripts { get; private init; } = [];
 
-    /// <summary>Folders of the class library; none: the one beside this program serves.</summary>
+    /// <summary>Folders of the class library; without any, the one beside this program serves.</summary>
     public IReadOnlyList<string> Library { get; private init; } = [];
 
-    /// <summary>An installation keeps the class library apart; elsewhere it lies among other assemblies.</summary>
+    /// <summary>
+    /// Whether the folder is an installation, which keeps the class library apart; elsewhere it lies among other
+    /// assemblies.
+    /// </summary>
     public bool IsInstallation { get; private init; }
 
     public IReadOnlyList<string> Given { get; private init; } = [];

@@ -2,12 +2,14 @@ using Penumbra.ApiCheck.Package;
 
 namespace Penumbra.ApiCheck.Assemblies;
 
-/// <summary>Which Unity the folders belong to, and which versions of the pipeline; with where that was read.</summary>
+/// <summary>
+/// The Unity that the folders belong to, and the versions of the pipeline, with where they were read.
+/// </summary>
 public sealed record VersionSearch(UnityVersion Version, string From)
 {
     private (int, int) Release => (Version.Major, Version.Minor);
 
-    /// <param name="byApi">The last resort: what the assemblies themselves offer.</param>
+    /// <param name="byApi">The last resort: the version that the assemblies' own API implies.</param>
     public static VersionSearch Find(UnityLayout layout, string? given, Func<UnityVersion> byApi)
     {
         var found = given is not null
@@ -23,7 +25,9 @@ public sealed record VersionSearch(UnityVersion Version, string From)
         return first;
     }
 
-    /// <summary>Versions of packages: of a project's lock file, else of the packages that the installation brings.</summary>
+    /// <summary>
+    /// Versions of packages, from a project's lock file, or else from the packages that the installation brings.
+    /// </summary>
     public static IReadOnlyDictionary<string, string> Packages(UnityLayout layout)
     {
         var versions = new Dictionary<string, string>();

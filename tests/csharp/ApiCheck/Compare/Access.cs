@@ -2,7 +2,9 @@ using Microsoft.CodeAnalysis;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>Accessibility as another assembly sees it: internal is out of reach, protected internal is protected.</summary>
+/// <summary>
+/// Accessibility as another assembly sees it: internal is out of reach, protected internal is protected.
+/// </summary>
 public static class Access
 {
     public static Accessibility Outside(ISymbol symbol) => symbol.DeclaredAccessibility switch

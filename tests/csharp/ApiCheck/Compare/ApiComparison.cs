@@ -5,8 +5,8 @@ using Penumbra.ApiCheck.Sources;
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
-/// Every declared type against the source that it names, under one symbol set. `parents` are the declared types from
-/// which the package derives types of its own.
+/// Compares every declared type with the source that it names, under one symbol set. `parents` are the declared types
+/// from which the package derives types of its own.
 /// </summary>
 public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation> real, string generation, bool isEditor,
                                   IReadOnlySet<INamedTypeSymbol> parents, Findings findings)
@@ -50,7 +50,9 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
     private static INamedTypeSymbol? Find(Compilation source, INamedTypeSymbol declared) =>
         source.Assembly.GetTypeByMetadataName(MetadataName(declared));
 
-    /// <summary>The type is not there: where one of that name is, or one of nearly that name.</summary>
+    /// <summary>
+    /// The problem of a type that is not there: it names where one of that name is, or one of nearly that name.
+    /// </summary>
     private string Absent(string name, Compilation source, INamedTypeSymbol declared, out ISymbol? near)
     {
         near = real.Values.Select(other => Find(other, declared)).FirstOrDefault(type => type is not null);

@@ -5,8 +5,9 @@ using Penumbra.ApiCheck.Report;
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
-/// What the comparison found, over all symbol sets: the same difference under several sets is one difference, and the
-/// sets are named where they are not all those under which its owner, a declared type or an assembly, was looked at.
+/// The findings of the comparison, over all symbol sets: the same difference under several sets is one difference, and
+/// the sets are named where they are not all those under which its owner, a declared type or an assembly, was looked
+/// at.
 /// </summary>
 public sealed class Findings
 {
@@ -26,7 +27,7 @@ public sealed class Findings
 
     public void Begin(SymbolSet next) => set = next;
 
-    /// <summary>The owner is looked at under the present set.</summary>
+    /// <summary>Records that the owner is looked at under the present set.</summary>
     public void Look(string owner)
     {
         looks.TryAdd(owner, []);
@@ -48,7 +49,7 @@ public sealed class Findings
             problems[problem].Add(set.Name);
     }
 
-    /// <summary>Of a declared symbol; its outermost type owns the problem.</summary>
+    /// <summary>Adds a problem of a declared symbol, whose outermost type owns the problem.</summary>
     public void Add(ISymbol declared, string text, ISymbol? real = null, IReadOnlyCollection<string>? preferred = null)
     {
         var owner = declared;
@@ -58,14 +59,14 @@ public sealed class Findings
     }
 }
 
-/// <summary>What was confirmed of one declared type.</summary>
+/// <summary>The members that were confirmed of one declared type.</summary>
 public sealed class TypeResult(string name, string source)
 {
     public string Name { get; } = name;
     public string Source { get; } = source;
     public SortedSet<string> Files { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>The versions at which it says it was read, by source.</summary>
+    /// <summary>The versions at which the type says it was read, by source.</summary>
     public SortedSet<(string Source, string Version)> Versions { get; } = [];
 
     public HashSet<string> Sets { get; } = [];
@@ -76,9 +77,9 @@ public sealed class TypeResult(string name, string source)
     /// <summary>Members that the real type has from a base type that we leave out.</summary>
     public SortedSet<string> Inherited { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>Obsolete in the real source, with a warning.</summary>
+    /// <summary>Members that are obsolete in the real source, with a warning.</summary>
     public SortedSet<string> Obsolete { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>Compared with a type that the given sources do not hold, by its name alone.</summary>
+    /// <summary>Members that were compared, by name alone, with a type that the given sources do not hold.</summary>
     public SortedSet<string> ByName { get; } = new(StringComparer.Ordinal);
 }

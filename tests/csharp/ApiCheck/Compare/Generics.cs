@@ -5,7 +5,7 @@ namespace Penumbra.ApiCheck.Compare;
 /// <summary>Type parameters with their constraints and variance.</summary>
 public static class Generics
 {
-    /// <summary>One sentence a difference.</summary>
+    /// <summary>The differences, one sentence each.</summary>
     public static IEnumerable<string> Differences(IReadOnlyList<ITypeParameterSymbol> declared,
                                                   IReadOnlyList<ITypeParameterSymbol> real, TypeMatch match)
     {

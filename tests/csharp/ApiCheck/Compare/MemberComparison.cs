@@ -3,7 +3,7 @@ using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>What two members of the same kind and signature differ in: one sentence a difference.</summary>
+/// <summary>Compares two members of the same kind and signature, with one sentence for each difference.</summary>
 public sealed class MemberComparison(TypeMatch match)
 {
     public IEnumerable<string> Differences(ISymbol declared, ISymbol real)
@@ -86,7 +86,9 @@ public sealed class MemberComparison(TypeMatch match)
             yield return Names.Differ($"{what} is of type {Names.Of(declared)}", Names.Of(real));
     }
 
-    /// <summary>What is abstract must be overridden; what is virtual here must be open to it there.</summary>
+    /// <summary>
+    /// The problem of overriding: what is abstract must be overridden; what is virtual here must be open to it there.
+    /// </summary>
     private static string? Overriding(ISymbol declared, ISymbol real)
     {
         if (declared.ContainingType.TypeKind == TypeKind.Interface)

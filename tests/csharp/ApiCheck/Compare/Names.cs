@@ -2,7 +2,7 @@ using Microsoft.CodeAnalysis;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>How symbols are written in messages, and which name is nearest to a misspelt one.</summary>
+/// <summary>Writes symbols for messages, and finds which name is nearest to a misspelt one.</summary>
 public static class Names
 {
     private static readonly SymbolDisplayFormat Full = new(
@@ -24,7 +24,7 @@ public static class Names
 
     public static string ShortOf(ISymbol symbol) => symbol.ToDisplayString(Short);
 
-    /// <summary>The sentence of every plain difference.</summary>
+    /// <summary>The sentence that tells every plain difference.</summary>
     public static string Differ(string here, string there) => $"{here} here, {there} in the real source";
 
     public static string Of(Accessibility accessibility) => accessibility switch

@@ -6,7 +6,7 @@ namespace Penumbra.ApiCheck.Compare;
 /// <summary>The parameters of two methods, indexers or delegates that are paired with each other.</summary>
 public static class Parameters
 {
-    /// <summary>One sentence a difference; types and passing modes included.</summary>
+    /// <summary>The differences, one sentence each; types and passing modes included.</summary>
     public static IEnumerable<string> Differences(IReadOnlyList<IParameterSymbol> declared,
                                                   IReadOnlyList<IParameterSymbol> real, TypeMatch match)
     {

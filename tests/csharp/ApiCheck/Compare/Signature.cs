@@ -3,7 +3,9 @@ using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>A declaration as one line: all that is compared with the real source, and nothing of the bodies.</summary>
+/// <summary>
+/// Writes a declaration as one line: all that is compared with the real source, and nothing of the bodies.
+/// </summary>
 public static class Signature
 {
     private static readonly SymbolDisplayFormat Everything = new(
@@ -23,7 +25,10 @@ public static class Signature
         kindOptions: SymbolDisplayKindOptions.IncludeTypeKeyword,
         miscellaneousOptions: SymbolDisplayMiscellaneousOptions.UseSpecialTypes);
 
-    /// <summary>All that is compared of a declared type, nested types included, and where each says it was read.</summary>
+    /// <summary>
+    /// The signatures of all that is compared of a declared type, nested types included, and where each says it was
+    /// read.
+    /// </summary>
     public static IEnumerable<string> AllOf(INamedTypeSymbol declared, string generation)
     {
         yield return Of(declared) + ReadFrom(declared, generation);
@@ -39,7 +44,7 @@ public static class Signature
         }
     }
 
-    /// <summary>What the package can reach and Unity has.</summary>
+    /// <summary>Whether the member is compared: the package can reach it and Unity has it.</summary>
     public static bool IsCompared(ISymbol member) =>
         !member.IsImplicitlyDeclared && Access.IsReachable(member) && !Declarations.IsOwn(member) &&
         member is not IMethodSymbol { AssociatedSymbol: not null };

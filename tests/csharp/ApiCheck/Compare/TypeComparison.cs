@@ -2,7 +2,7 @@ using Microsoft.CodeAnalysis;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>What two types of the same name differ in, their members apart: one sentence a difference.</summary>
+/// <summary>Compares two types of the same name, their members apart, with one sentence for each difference.</summary>
 public sealed class TypeComparison(TypeMatch match)
 {
     public IEnumerable<string> Differences(INamedTypeSymbol declared, INamedTypeSymbol real)
@@ -30,7 +30,9 @@ public sealed class TypeComparison(TypeMatch match)
             yield return $"[Obsolete] as an error in the real source: {mark.Message}";
     }
 
-    /// <summary>Abstract members that no type in between overrides: what a type that derives from it must have.</summary>
+    /// <summary>
+    /// The abstract members that no type in between overrides, which a type that derives from it must have.
+    /// </summary>
     public static IEnumerable<ISymbol> Required(INamedTypeSymbol real)
     {
         var overridden = new HashSet<ISymbol>(SymbolEqualityComparer.Default);
@@ -47,7 +49,7 @@ public sealed class TypeComparison(TypeMatch match)
         }
     }
 
-    /// <summary>A class that can be made with new here must be open to it there.</summary>
+    /// <summary>The problem of construction: a class that can be made with new here must be open to it there.</summary>
     public static string? Construction(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         if (declared.TypeKind != TypeKind.Class || declared.IsStatic ||
@@ -59,7 +61,7 @@ public sealed class TypeComparison(TypeMatch match)
             : "can be made with new() here, not in the real source: declare a private constructor, or those that it has";
     }
 
-    /// <summary>Whether the declared type has the member, of its own or inherited.</summary>
+    /// <summary>Whether the declared type has the member, be it its own or inherited.</summary>
     public bool Has(INamedTypeSymbol declared, ISymbol member) =>
         MemberSearch.Everywhere(declared, member.Name).Any(own => SameParameters(own, member));
 
@@ -95,7 +97,7 @@ public sealed class TypeComparison(TypeMatch match)
     private static string Parent(INamedTypeSymbol real) =>
         real.BaseType is { SpecialType: not SpecialType.System_Object } parent ? $"from {Names.Of(parent)}" : "from no class";
 
-    /// <summary>An attribute must not be allowed here where the real one is not.</summary>
+    /// <summary>The problem of an attribute, which must not be allowed here where the real one is not.</summary>
     private static IEnumerable<string> Attribute(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         if (Usage(declared) is not { } one || Usage(real) is not { } other)
@@ -106,7 +108,7 @@ public sealed class TypeComparison(TypeMatch match)
             yield return Names.Differ("may stand on one thing several times", "not");
     }
 
-    /// <summary>An attribute without AttributeUsage has that of the class it derives from.</summary>
+    /// <summary>The usage of an attribute: without AttributeUsage it has that of the class it derives from.</summary>
     private static (AttributeTargets Targets, bool Often)? Usage(INamedTypeSymbol type)
     {
         var line = MemberSearch.Above(type).Prepend(type).ToArray();

@@ -3,13 +3,13 @@ using Microsoft.CodeAnalysis;
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
-/// Whether a declared type is the real one: by full name, element by element. Type parameters are one by their place,
-/// tuples by their elements' types; nullable annotations and the names of tuple elements do not count. Where the real
-/// source names a type that none of the given sources holds, its simple name is all there is; such names are kept.
+/// Tells whether a declared type is the real one: by full name, element by element. Type parameters are one by their
+/// place, tuples by their elements' types; nullable annotations and the names of tuple elements do not count. Where the
+/// real source names a type that none of the given sources holds, its simple name is all there is; such names are kept.
 /// </summary>
 public sealed class TypeMatch
 {
-    /// <summary>Types compared by name alone since the last look.</summary>
+    /// <summary>Types that were compared by name alone since the last look.</summary>
     public SortedSet<string> ByName { get; } = new(StringComparer.Ordinal);
 
     public bool Same(ITypeSymbol declared, ITypeSymbol real) => (declared, real) switch
@@ -25,7 +25,7 @@ public sealed class TypeMatch
         _ => false,
     };
 
-    /// <summary>Same types and passing modes, in the same order.</summary>
+    /// <summary>Whether both have the same types and passing modes, in the same order.</summary>
     public bool SameParameters(IReadOnlyList<IParameterSymbol> declared, IReadOnlyList<IParameterSymbol> real) =>
         declared.Count == real.Count &&
         declared.Zip(real).All(pair => pair.First.RefKind == pair.Second.RefKind && Same(pair.First.Type, pair.Second.Type));

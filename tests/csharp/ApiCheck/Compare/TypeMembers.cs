@@ -3,7 +3,7 @@ using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Compare;
 
-/// <summary>One declared type against the real one, with its members and nested types.</summary>
+/// <summary>Compares one declared type with the real one, with its members and nested types.</summary>
 public sealed class TypeMembers(TypeResult result, Findings findings, string generation,
                                 IReadOnlySet<INamedTypeSymbol> parents)
 {
@@ -114,7 +114,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
     private static string[] Files(IEnumerable<ReadFrom> origins) =>
         [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];
 
-    /// <summary>The real symbol stands in a file that the declaration names.</summary>
+    /// <summary>Checks that the real symbol stands in a file that the declaration names.</summary>
     private void CheckPlace(ISymbol declared, ISymbol real, IReadOnlyList<ReadFrom> origins)
     {
         var named = Files(origins);

@@ -4,7 +4,7 @@ namespace Penumbra.ApiCheck.Package;
 
 /// <summary>
 /// One assembly definition file: the assembly's name, what it refers to, when it is compiled and which symbols it
-/// defines. Fields after Unity's manual, "Assembly Definition file format".
+/// defines. The fields follow Unity's manual, "Assembly Definition file format".
 /// </summary>
 public sealed record Asmdef(string File, string Name)
 {
@@ -17,7 +17,7 @@ public sealed record Asmdef(string File, string Name)
 
     public string Folder => Path.GetDirectoryName(File)!;
 
-    /// <summary>Compiled for the editor alone.</summary>
+    /// <summary>Whether the assembly is compiled for the editor alone.</summary>
     public bool IsEditorOnly => IncludePlatforms is ["Editor"];
 
     public static Asmdef Read(string file) => JsonFile.Read(file, root =>
@@ -36,7 +36,9 @@ public sealed record Asmdef(string File, string Name)
         };
     });
 
-    /// <summary>What keeps the assembly from being compiled under these symbols; null where nothing does.</summary>
+    /// <summary>
+    /// The constraint that keeps the assembly from being compiled under these symbols; null where none does.
+    /// </summary>
     public string? UnmetConstraint(IReadOnlySet<string> symbols) => DefineConstraints.FirstOrDefault(
         constraint => !constraint.Split("||").Any(term => Holds(term.Trim(), symbols)));
 

@@ -15,7 +15,7 @@ public static class Generation
     public static string Of(UnityVersion version) =>
         version.Major < 6000 ? Unity2022 : version is { Major: 6000, Minor: < 5 } ? Unity6 : Unity65;
 
-    /// <summary>Of a pipeline: 14 came with 2022.3, and 17.N with 6000.N.</summary>
+    /// <summary>The generation of a pipeline's version: 14 came with 2022.3, and 17.N with 6000.N.</summary>
     public static string OfPipeline(string version)
     {
         var parts = version.Split('.');

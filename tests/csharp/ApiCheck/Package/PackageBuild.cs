@@ -10,7 +10,7 @@ namespace Penumbra.ApiCheck.Package;
 /// </summary>
 public sealed class PackageBuild(PackageSources sources, PackageVersions versions, SymbolSet set)
 {
-    /// <summary>Beside those of the symbol set and of versionDefines.</summary>
+    /// <summary>Symbols beside those of the symbol set and of versionDefines.</summary>
     public IReadOnlyList<string> Symbols { get; init; } = [];
 
     /// <summary>Assemblies whose constraints or platforms leave them out, with the reason.</summary>
@@ -44,7 +44,10 @@ public sealed class PackageBuild(PackageSources sources, PackageVersions version
         new(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: assembly.AllowsUnsafeCode, concurrentBuild: true,
             assemblyIdentityComparer: DesktopAssemblyIdentityComparer.Default);
 
-    /// <summary>Null: compiled. Empty: the editor's assembly has no place in a player.</summary>
+    /// <summary>
+    /// The reason why the assembly is not compiled: null where it is compiled, empty where an editor's assembly has no
+    /// place in a player.
+    /// </summary>
     private string? Reason(Asmdef assembly, IReadOnlySet<string> symbols)
     {
         if (assembly.IsEditorOnly && !set.IsEditor)

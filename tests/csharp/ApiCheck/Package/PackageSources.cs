@@ -4,8 +4,9 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>
-/// C# as Unity compiles it, by default what the package ships, Runtime/ and Editor/: each assembly definition with its files,
-/// in the order in which they refer to each other. Folders whose name ends with ~ or starts with . are not Unity's.
+/// The C# as Unity compiles it, by default what the package ships, Runtime/ and Editor/: each assembly definition with
+/// its files, in the order in which they refer to each other. Unity ignores folders whose name ends with ~ or starts
+/// with a full stop.
 /// </summary>
 public sealed class PackageSources
 {

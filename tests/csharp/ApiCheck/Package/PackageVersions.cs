@@ -6,10 +6,13 @@ public sealed record PackageVersions(UnityVersion Unity, IReadOnlyDictionary<str
     public const string Core = "com.unity.render-pipelines.core";
     public const string Universal = "com.unity.render-pipelines.universal";
 
-    /// <summary>With the pipeline's version that came with this Unity, where none is known better.</summary>
+    /// <summary>
+    /// The versions with the pipeline's version that came with this Unity, where none is known better.
+    /// </summary>
     public static PackageVersions Of(UnityVersion unity, IReadOnlyDictionary<string, string>? known = null)
     {
-        // Each release of Unity since 2021.2 comes with one version of the pipeline: 2022.3 with 14.0, 6000.N with 17.N.
+        // Each release of Unity since 2021.2 comes with one version of the pipeline: 2022.3 with 14.0, 6000.N with
+        // 17.N.
         var pipeline = unity.Major >= 6000 ? $"17.{unity.Minor}.0" : unity.Minor >= 3 ? "14.0.0" : "13.0.0";
         if (unity.Major == 2023)
             pipeline = $"{14 + unity.Minor}.0.0";

@@ -14,7 +14,7 @@ public sealed record SymbolSet(string Name, bool IsEditor, bool HasXr)
         new("player without XR", false, false),
     ];
 
-    /// <summary>Those of Unity itself on a desktop; what asmdef files add comes on top.</summary>
+    /// <summary>The symbols of Unity itself on a desktop; what asmdef files add comes on top.</summary>
     public IEnumerable<string> Symbols(UnityVersion version)
     {
         string[] always =

@@ -16,7 +16,7 @@ public sealed partial record UnityVersion(int Major, int Minor, int Patch, strin
         (5, 3, 6), (2017, 1, 4), (2018, 1, 4), (2019, 1, 4), (2020, 1, 3), (2021, 1, 3), (2022, 1, 3), (2023, 1, 3),
     ];
 
-    /// <summary>Which set of our declarations stands for this version.</summary>
+    /// <summary>The set of our declarations that stands for this version.</summary>
     public string Generation => Package.Generation.Of(this);
 
     public static UnityVersion Parse(string text) =>

@@ -17,7 +17,7 @@ public sealed partial class VersionRange
         (this.low, this.lowIn, this.high, this.highIn) = (low, lowIn, high, highIn);
     }
 
-    /// <summary>Null where the expression is none.</summary>
+    /// <summary>Parses a range; null where the expression is none.</summary>
     public static VersionRange? Parse(string expression)
     {
         var text = expression.Replace(" ", "");
@@ -44,7 +44,8 @@ public sealed partial class VersionRange
     }
 
     /// <summary>
-    /// The three numbers, and as a fourth 0 for a pre-release (17.0.0-pre.1 comes before 17.0.0) and 1 otherwise.
+    /// The three numbers of a version, and as a fourth 0 for a pre-release (17.0.0-pre.1 comes before 17.0.0) and 1
+    /// otherwise.
     /// </summary>
     private static Version? Number(string text)
     {

@@ -11,7 +11,10 @@ public sealed record Place(string File, int Line, int Column)
 
     public static Place? Of(ISymbol? symbol) => Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource));
 
-    /// <summary>Of the parts of a partial type the one that stands in one of these files, if any does.</summary>
+    /// <summary>
+    /// The place of the symbol. Of the parts of a partial type it is the one that stands in one of these files, if any
+    /// does.
+    /// </summary>
     public static Place? Of(ISymbol? symbol, IReadOnlyCollection<string> preferred) =>
         Of(symbol?.Locations.FirstOrDefault(place => place.IsInSource && preferred.Contains(place.SourceTree.FilePath))) ?? Of(symbol);
 

@@ -1,6 +1,6 @@
 namespace Penumbra.ApiCheck.Report;
 
-/// <summary>A file that is there whole or not at all: written beside, then renamed.</summary>
+/// <summary>Writes a file that is there whole or not at all: it is written beside, then renamed.</summary>
 public static class WholeFile
 {
     public static void Write(string file, string text)

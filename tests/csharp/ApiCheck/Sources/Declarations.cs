@@ -41,11 +41,14 @@ public sealed class Declarations
             new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: true));
     }
 
-    /// <summary>Types that stand for Unity's: not nested, not ours.</summary>
+    /// <summary>The types that stand for Unity's: they are not nested and not ours.</summary>
     public static IEnumerable<INamedTypeSymbol> Types(Compilation compilation) =>
         In(compilation.Assembly.GlobalNamespace).Where(type => !IsOwn(type));
 
-    /// <summary>Marked as our behaviour, within something marked so, or one of the attributes themselves.</summary>
+    /// <summary>
+    /// Whether a symbol is ours: it is marked as our behaviour, within something marked so, or one of the attributes
+    /// themselves.
+    /// </summary>
     public static bool IsOwn(ISymbol symbol)
     {
         for (var at = symbol; at is not null && at is not INamespaceSymbol; at = at.ContainingSymbol)
@@ -57,14 +60,17 @@ public sealed class Declarations
         return space == OwnNamespace || space.StartsWith(OwnNamespace + ".", StringComparison.Ordinal);
     }
 
-    /// <summary>Where the symbol says it was read.</summary>
+    /// <summary>The origins at which the symbol says it was read.</summary>
     public static IEnumerable<ReadFrom> Origins(ISymbol symbol) =>
         from attribute in symbol.GetAttributes()
         where Is(attribute, ReadFromName) && attribute.ConstructorArguments.Length == 3
         let texts = attribute.ConstructorArguments.Select(argument => argument.Value as string ?? "").ToArray()
         select new ReadFrom(texts[0], texts[1], texts[2]);
 
-    /// <summary>The same for one generation: what it says itself, else what the generation says that it takes over.</summary>
+    /// <summary>
+    /// The origins of a symbol in one generation: those that it names itself, or else those of the generation that this
+    /// one takes over.
+    /// </summary>
     public static ReadFrom[] Origins(ISymbol symbol, string generation)
     {
         var all = Origins(symbol).ToArray();
@@ -79,10 +85,12 @@ public sealed class Declarations
         space.GetTypeMembers().Concat(space.GetNamespaceMembers().SelectMany(In));
 }
 
-/// <summary>The attribute of a declaration: version of Unity or of the package, source, file within it.</summary>
+/// <summary>
+/// The attribute of a declaration: the version of Unity or of the package, the source, and the file within it.
+/// </summary>
 public sealed record ReadFrom(string Version, string Source, string Path)
 {
-    /// <summary>That of the version.</summary>
+    /// <summary>The generation of the version.</summary>
     public string InGeneration() => Source == SourceFolder.Engine
         ? Generation.Of(UnityVersion.Parse(Version))
         : Generation.OfPipeline(Version);

@@ -8,17 +8,20 @@ using Penumbra.ApiCheck.Report;
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>
-/// The package's C# compiled against the declarations: it must compile, and use nothing of them that is ours
-/// ([OwnBehaviour], Penumbra.UnityApi). What Unity keeps internal does not compile, as our declarations are an
-/// assembly of their own here.
+/// Compiles the package's C# against the declarations: it must compile, and use nothing of them that is ours
+/// ([OwnBehaviour], Penumbra.UnityApi). Code that uses what Unity keeps internal does not compile, as our declarations
+/// are an assembly of their own here.
 /// </summary>
 public sealed class OwnUse(PackageSources package, PackageVersions versions, Findings findings)
 {
-    /// <summary>What tests need beside the declarations: their framework, and the symbol that it comes with.</summary>
+    /// <summary>
+    /// References that tests need beside the declarations: their framework, and the symbol that it comes with.
+    /// </summary>
     public IReadOnlyList<MetadataReference> Frameworks { get; init; } = [];
     public IReadOnlyList<string> Symbols { get; init; } = [];
 
-    /// <returns>The declared types from which types of the package derive directly, or which they name as interfaces.</returns>
+    /// <returns>The declared types from which types of the package derive directly, or which they name as
+    /// interfaces.</returns>
     public IReadOnlySet<INamedTypeSymbol> Check(SymbolSet set, CSharpCompilation declarations)
     {
         MetadataReference[] references = [Profile.Reference, declarations.ToMetadataReference(), .. Frameworks];

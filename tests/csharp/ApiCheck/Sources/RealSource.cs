@@ -10,10 +10,10 @@ namespace Penumbra.ApiCheck.Sources;
 /// </summary>
 public sealed class RealSource
 {
-    // Not part of what a project gets from the source: tools, third-party code, tests and samples.
+    // These folders are no part of what a project gets from the source: tools, third-party code, tests and samples.
     private static readonly string[] Outside = ["Tools", "External", "Projects", "Tests", "artifacts"];
 
-    // Unity's own, of which 6000.5 has some types that stood in Runtime/ before.
+    // This folder is Unity's own: 6000.5 has some types in it that stood in Runtime/ before.
     private const string OwnExternal = "External/ScriptingCore/";
 
     private readonly IReadOnlyList<(string Path, string Text)> conditional;

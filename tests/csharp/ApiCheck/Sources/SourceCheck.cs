@@ -3,7 +3,7 @@ using Penumbra.ApiCheck.Package;
 
 namespace Penumbra.ApiCheck.Sources;
 
-/// <summary>What a check against real sources is asked to do.</summary>
+/// <summary>The request of a check against real sources.</summary>
 public sealed record SourceRequest(string Generation, string Package, string Declarations)
 {
     public IReadOnlyList<string> Folders { get; init; } = [];
@@ -14,8 +14,8 @@ public sealed record SourceRequest(string Generation, string Package, string Dec
 }
 
 /// <summary>
-/// `check-unity-api --source`: every declaration of a generation against the C# of engine, core and URP, and the
-/// package against the declarations, under each symbol set.
+/// Checks every declaration of a generation against the C# of engine, core and URP, and the package against the
+/// declarations, under each symbol set: `check-unity-api --source`.
 /// </summary>
 public sealed class SourceCheck
 {
@@ -42,7 +42,7 @@ public sealed class SourceCheck
         return check;
     }
 
-    /// <summary>What the sources say, and the generation's first release where they say nothing.</summary>
+    /// <summary>The versions that the sources say, and the generation's first release where they say nothing.</summary>
     private static PackageVersions Versions(string generation, IReadOnlyList<SourceFolder> folders)
     {
         var engine = folders.FirstOrDefault(folder => folder.Source == SourceFolder.Engine)?.Version;

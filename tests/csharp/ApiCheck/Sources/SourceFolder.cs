@@ -12,7 +12,9 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
 
     public static readonly IReadOnlyList<string> All = [Engine, Core, Universal];
 
-    /// <summary>What the folder holds, by what only it has; null where that is none of the three.</summary>
+    /// <summary>
+    /// The source that the folder holds, known by what only it has; null where it is none of the three.
+    /// </summary>
     public static string? Recognise(string folder)
     {
         string[] engine = [Path.Combine(folder, "Runtime", "Export"), Path.Combine(folder, "Editor", "Mono")];
@@ -39,7 +41,9 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
             : new SourceFolder(source, folder, given, given is null ? "unknown" : "given");
     }
 
-    /// <summary>Whether a file of the source belongs to the editor alone: a folder Editor, or a module named so.</summary>
+    /// <summary>
+    /// Whether a file of the source belongs to the editor alone: a folder Editor, or a module named so.
+    /// </summary>
     public static bool IsEditorFile(string path)
     {
         var folders = path.Split('/')[..^1];

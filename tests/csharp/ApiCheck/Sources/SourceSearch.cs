@@ -2,7 +2,8 @@ namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>
 /// Finds the three sources in the folders that the command names: a folder itself, or folders in it, two levels down
-/// (DIR/engine; a checkout's Packages/com.unity.render-pipelines.core; a cache's com.unity.render-pipelines.core@14.0.9).
+/// (DIR/engine; a checkout's Packages/com.unity.render-pipelines.core; a cache's
+/// com.unity.render-pipelines.core@14.0.9).
 /// </summary>
 public static class SourceSearch
 {

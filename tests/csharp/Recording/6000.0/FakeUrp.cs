@@ -11,7 +11,7 @@ namespace Penumbra.Tests
 {
     internal sealed partial class FakeUrp
     {
-        /// <summary>Of the last camera.</summary>
+        /// <summary>The graph of the last camera.</summary>
         internal RenderGraph Graph { get; private set; }
 
         internal static RenderingData Data(FakeScene scene, Camera camera)
@@ -60,7 +60,7 @@ namespace Penumbra.Tests
             Graph = new RenderGraph();
             TextureHandle colour = data.Frame.Get<UniversalResourceData>().activeColorTexture;
             var own = new Queue<(string name, int before)>(OwnDraws);
-            // The graph is recorded whole before any of it runs.
+            // The whole graph is recorded before any of it runs.
             foreach (ScriptableRenderPass pass in renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent))
             {
                 AddOwn(own, (int)pass.renderPassEvent, colour);
@@ -75,7 +75,7 @@ namespace Penumbra.Tests
             }
         }
 
-        // What URP itself draws into the camera's colour, and the event whose passes come behind it.
+        // These are what URP itself draws into the camera's colour, and the event whose passes come behind it.
         private static readonly (string name, int before)[] OwnDraws =
         {
             ("occlusion mesh", (int)RenderPassEvent.BeforeRenderingGbuffer), ("opaques", 250),

@@ -6,9 +6,9 @@ using UnityEngine.Rendering.RenderGraphModule;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// A GPU with tiles keeps the picture on the chip from the camera's first draw to its last, if every pass in between
-    /// is a raster pass on the same colour that reads no attachment as a texture. In URP's Tile-Only Mode anything else
-    /// throws while the frame is recorded.
+    /// A GPU with tiles keeps the picture on the chip from the camera's first draw to its last, if every pass in
+    /// between is a raster pass on the same colour that reads no attachment as a texture. In URP's Tile-Only Mode
+    /// anything else throws while the frame is recorded.
     /// </summary>
     public sealed class NativePassTests
     {
@@ -63,7 +63,10 @@ namespace Penumbra.Tests
             Assert.That(passes.TakeWhile(pass => !Draws(pass)).Count(), Is.EqualTo(1));
         }
 
-        /// <summary>Else the graph gives their memory to others, and shaders of the opaque pass read that.</summary>
+        /// <summary>
+        /// Otherwise the graph would give the textures' memory to others, and shaders of the opaque pass would read
+        /// that.
+        /// </summary>
         [Test]
         public void WhatShadersFindByNameOutlivesThePass()
         {

@@ -7,8 +7,8 @@ using UnityEngine.Rendering.RenderGraphModule;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// A debug view asks for no texture of the camera's own, which URP's Tile-Only Mode does not have, and is told which
-    /// way the rows of the back buffer run.
+    /// A debug view asks for no texture of the camera's own, which URP's Tile-Only Mode does not have, and is told
+    /// which way the rows of the back buffer run.
     /// </summary>
     public sealed class BackBufferTests
     {

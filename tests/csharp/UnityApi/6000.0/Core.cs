@@ -195,7 +195,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public List<RendererListHandle> Lists = new List<RendererListHandle>();
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
 
-            /// <summary>Null: a pass of URP's own.</summary>
+            /// <summary>The pass's data; null for a pass of URP's own.</summary>
             public virtual object Data => null;
 
             public virtual void Run(UnsafeGraphContext context) { }

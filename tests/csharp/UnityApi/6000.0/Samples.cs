@@ -52,7 +52,7 @@ namespace UnityEngine.Rendering
 
     public partial struct ScriptableRenderContext
     {
-        /// <summary>What casters were last culled for.</summary>
+        /// <summary>The views that casters were last culled for.</summary>
         [OwnBehaviour] public static ShadowCastersCullingInfos Culled { get; set; }
 
         public void CullShadowCasters(CullingResults cullingResults, ShadowCastersCullingInfos infos) => Culled = infos;

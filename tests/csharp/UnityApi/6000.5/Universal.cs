@@ -4,7 +4,7 @@ namespace UnityEngine.Rendering.Universal
 {
     public partial class UniversalRendererData
     {
-        // Serialized.
+        // Unity serializes this field.
         private int m_PrepassLayerMask = -1;
         private int m_OpaqueLayerMask = -1;
 

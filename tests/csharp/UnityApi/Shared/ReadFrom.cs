@@ -3,7 +3,7 @@ using System;
 namespace Penumbra.UnityApi
 {
     /// <summary>
-    /// Where a declaration was read: the version of Unity ("engine") or of the package ("core", "universal"), and
+    /// Names where a declaration was read: the version of Unity ("engine") or of the package ("core", "universal"), and
     /// the file within its public source. `scripts/check-unity-api --source` reads it there again.
     /// </summary>
     [AttributeUsage(AttributeTargets.All, AllowMultiple = true, Inherited = false)]
@@ -21,7 +21,9 @@ namespace Penumbra.UnityApi
         public string Path { get; }
     }
 
-    /// <summary>Ours, not Unity's: what a test looks at or turns. The package must not use it.</summary>
+    /// <summary>
+    /// Marks what is ours, not Unity's: a test looks at it or changes it. The package must not use it.
+    /// </summary>
     [AttributeUsage(AttributeTargets.All, Inherited = false)]
     public sealed class OwnBehaviourAttribute : Attribute
     {

@@ -30,7 +30,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Utilities/CoreUtils.cs")]
     public static class CoreUtils
     {
-        /// <summary>Scene views whose light bulb is off.</summary>
+        /// <summary>The scene views whose light bulb is off.</summary>
         [OwnBehaviour] public static readonly HashSet<Camera> Unlit = new HashSet<Camera>();
 
         public static Material CreateEngineMaterial(Shader shader) => new Material(shader);

@@ -36,7 +36,7 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
     {
-        /// <summary>The text of the button that is pressed; null: none is.</summary>
+        /// <summary>The text of the button that is pressed; null for none.</summary>
         [OwnBehaviour] public static string Pressed { get; set; }
 
         public static bool Button(string text, params GUILayoutOption[] options) => text == Pressed;
@@ -201,7 +201,9 @@ namespace UnityEditor
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
-        /// <summary>At first the package's folder of shaders, where the package manager puts it.</summary>
+        /// <summary>
+        /// The paths of GUIDs: at first that of the package's folder of shaders, where the package manager puts it.
+        /// </summary>
         [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, string> Guids { get; } =
             new System.Collections.Generic.Dictionary<string, string>
             {
@@ -257,7 +259,7 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
     public sealed partial class ShaderUtil
     {
-        /// <summary>Of the compiler, by shader.</summary>
+        /// <summary>The compiler's messages, by shader.</summary>
         [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, ShaderMessage[]> Messages { get; } =
             new System.Collections.Generic.Dictionary<Object, ShaderMessage[]>();
 

@@ -7,7 +7,7 @@ namespace UnityEditor.PackageManager
     [ReadFrom(At.Unity6, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
     public sealed partial class PackageInfo
     {
-        /// <summary>Where the package that every assembly belongs to is said to be; null: in none.</summary>
+        /// <summary>The place where the package that every assembly belongs to is said to be; null for none.</summary>
         [OwnBehaviour] public static string Installed { get; set; }
 
         internal PackageInfo() { }

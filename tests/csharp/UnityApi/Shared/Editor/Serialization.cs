@@ -6,7 +6,9 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
-    /// <summary>As far as tests of inspectors go: numbers and checks of one object, written when they are applied.</summary>
+    /// <summary>
+    /// Serializes as far as tests of inspectors go: numbers and checks of one object, written when they are applied.
+    /// </summary>
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
     public class SerializedObject
@@ -71,7 +73,7 @@ namespace UnityEditor
         public static void RecordObject(Object objectToUndo, string name) =>
             RecordObjects(new[] { objectToUndo }, name);
 
-        /// <summary>One step for all, which writes the fields back.</summary>
+        /// <summary>Records one step for all objects, which writes the fields back.</summary>
         public static void RecordObjects(Object[] objectsToUndo, string name)
         {
             var before = new List<(Object owner, FieldInfo field, object value)>();
@@ -95,7 +97,9 @@ namespace UnityEditor
         }
     }
 
-    /// <summary>A path's value by reflection; what a struct on the way holds is written back into its owner.</summary>
+    /// <summary>
+    /// Gets and sets a path's value by reflection; what a struct on the way holds is written back into its owner.
+    /// </summary>
     internal static class SerializedPath
     {
         internal const BindingFlags All = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;

@@ -10,7 +10,7 @@ namespace UnityEditor
     {
         [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new Dictionary<string, AssetImporter>();
 
-        /// <summary>How often its asset was imported again.</summary>
+        /// <summary>The number of times that its asset was imported again.</summary>
         [OwnBehaviour] public int Imports { get; private set; }
 
         public static AssetImporter GetAtPath(string path) =>
@@ -23,11 +23,11 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
     public sealed partial class TextureImporter : AssetImporter
     {
-        /// <summary>Of the default platform.</summary>
+        /// <summary>The settings of the default platform.</summary>
         [OwnBehaviour] public TextureImporterPlatformSettings Settings { get; private set; } =
             new TextureImporterPlatformSettings();
 
-        // Those of a new picture in a project whose default behaviour is 2D.
+        // The initial values are those of a new picture in a project whose default behaviour is 2D.
         public TextureImporterType textureType { get; set; } = TextureImporterType.Sprite;
         public TextureImporterShape textureShape { get; set; } = TextureImporterShape.Texture2D;
         public TextureImporterAlphaSource alphaSource { get; set; } = TextureImporterAlphaSource.None;

@@ -7,7 +7,7 @@ namespace UnityEditor.Rendering
     [ReadFrom(At.Core17, "core", "Editor/CoreEditorUtils.cs")]
     public static class CoreEditorUtils
     {
-        /// <summary>What was drawn; tests press the buttons.</summary>
+        /// <summary>The messages that were drawn; tests press their buttons.</summary>
         [OwnBehaviour] public static System.Collections.Generic.List<(string message, string button, System.Action action)> Boxes
         {
             get;

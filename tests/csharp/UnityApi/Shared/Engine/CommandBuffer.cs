@@ -4,7 +4,7 @@ using Penumbra.UnityApi;
 
 namespace UnityEngine.Rendering
 {
-    /// <summary>Writes down what it is told; a context plays it into FakeDevice.</summary>
+    /// <summary>Records what it is told; a context plays it into FakeDevice.</summary>
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.bindings.cs")]
     public partial class CommandBuffer : IDisposable
@@ -13,10 +13,10 @@ namespace UnityEngine.Rendering
 
         [OwnBehaviour] public IReadOnlyList<Action<FakeDevice>> Commands => commands;
 
-        /// <summary>The command of this number, of all buffers together, throws; -1: none does.</summary>
+        /// <summary>The number of the command, counted over all buffers together, that throws; -1 for none.</summary>
         [OwnBehaviour] public static int FailAt { get; set; } = -1;
 
-        /// <summary>Writes nothing down, so that what a caller allocates can be counted.</summary>
+        /// <summary>Whether nothing is recorded, so that what a caller allocates can be counted.</summary>
         [OwnBehaviour] public static bool Silent { get; set; }
 
         [OwnBehaviour]
@@ -157,7 +157,7 @@ namespace UnityEngine.Rendering
         }
     }
 
-    /// <summary>The commands, apart so that a silent buffer makes no closures.</summary>
+    /// <summary>The commands stand apart so that a silent buffer makes no closures.</summary>
     [OwnBehaviour]
     public static class Recorded
     {
@@ -195,7 +195,7 @@ namespace UnityEngine.Rendering
 
         public static void Clear(CommandBuffer buffer, Color colour) => buffer.Add(device => device.Clear(colour));
 
-        /// <summary>As drawing is told, not as a draw.</summary>
+        /// <summary>Clears as part of drawing is told to the device, not as a draw.</summary>
         public static void Clear(CommandBuffer buffer, string what) =>
             buffer.Add(device => device.Uniforms["cleared"] = what);
 

@@ -3,34 +3,34 @@ using Penumbra.UnityApi;
 
 namespace UnityEngine.Rendering
 {
-    /// <summary>What the GPU would see: global state, and every draw with the state it met.</summary>
+    /// <summary>The state that a GPU would see: global state, and every draw with the state it met.</summary>
     [OwnBehaviour]
     public sealed class FakeDevice
     {
         public sealed class DrawCall
         {
-            /// <summary>Or the kernel.</summary>
+            /// <summary>The name of the pass, or of the kernel.</summary>
             public string Pass;
             public int Vertices;
             public string Target;
 
-            /// <summary>Null: all of the target.</summary>
+            /// <summary>The viewport; null stands for all of the target.</summary>
             public Rect? Viewport;
 
-            /// <summary>What becomes of what the target holds.</summary>
+            /// <summary>The fate of what the target holds.</summary>
             public RenderBufferLoadAction Load;
 
-            /// <summary>What a clear fills its target with.</summary>
+            /// <summary>The colour that a clear fills its target with.</summary>
             public Color Cleared;
 
-            /// <summary>Of a kernel: the numbers, or which buffer has them.</summary>
+            /// <summary>The numbers of a kernel's groups, or the buffer that has them.</summary>
             public string Groups;
             public Dictionary<string, object> Uniforms;
             public Dictionary<string, string> Textures;
             public SortedSet<string> Keywords;
             public SortedSet<string> GlobalKeywords;
 
-            /// <summary>The editor may skip it until it has compiled the program.</summary>
+            /// <summary>Whether the editor may skip the draw until it has compiled the program.</summary>
             public bool CompilesAsynchronously;
         }
 
@@ -46,7 +46,7 @@ namespace UnityEngine.Rendering
         private RenderBufferLoadAction load;
         private Rect? viewport;
 
-        /// <summary>With the whole of it as the viewport.</summary>
+        /// <summary>Sets the target, with the whole of it as the viewport.</summary>
         public void SetTarget(string target, RenderBufferLoadAction loadAction)
         {
             Target = target;

@@ -3,7 +3,7 @@ using Penumbra.UnityApi;
 
 namespace UnityEngine
 {
-    /// <summary>mRC: row R, column C; acts on column vectors.</summary>
+    /// <summary>The entry mRC stands in row R and column C; the matrix acts on column vectors.</summary>
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Matrix4x4.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Matrix4x4.cs")]
     public partial struct Matrix4x4 : IEquatable<Matrix4x4>

@@ -86,7 +86,9 @@ namespace UnityEngine
     {
         public static bool wireframe { get; set; }
 
-        /// <summary>As on Direct3D: depth reversed and to 0..1; y turned for textures.</summary>
+        /// <summary>
+        /// The projection is as on Direct3D: depth is reversed and goes to 0..1; y is turned for textures.
+        /// </summary>
         public static Matrix4x4 GetGPUProjectionMatrix(Matrix4x4 proj, bool renderIntoTexture)
         {
             if (SystemInfo.usesReversedZBuffer)
@@ -142,7 +144,7 @@ namespace UnityEngine
         /// <summary>A format that this device cannot render to.</summary>
         [OwnBehaviour] public static Experimental.Rendering.GraphicsFormat? Unsupported { get; set; }
 
-        /// <summary>Formats between whose texels it does not interpolate.</summary>
+        /// <summary>The formats between whose texels the device does not interpolate.</summary>
         [OwnBehaviour]
         public static System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat> Unfiltered { get; } =
             new System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat>();
@@ -180,7 +182,7 @@ namespace UnityEngine.Rendering
     {
         [OwnBehaviour] public bool HasCasters { get; set; }
 
-        /// <summary>For what is not the camera: its radius.</summary>
+        /// <summary>The view that was culled, by its radius, if it is not the camera's.</summary>
         [OwnBehaviour] public string Culled { get; set; }
 
         public bool GetShadowCasterBounds(int lightIndex, out Bounds outBounds)

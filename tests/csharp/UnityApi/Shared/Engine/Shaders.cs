@@ -11,7 +11,7 @@ namespace UnityEngine
     {
         private static readonly List<string> properties = new List<string>();
 
-        /// <summary>What Find() finds.</summary>
+        /// <summary>The shaders that Find() finds.</summary>
         [OwnBehaviour] public static readonly Dictionary<string, Shader> Known = new Dictionary<string, Shader>();
 
         /// <summary>The names of the passes, in order.</summary>
@@ -21,7 +21,7 @@ namespace UnityEngine
 
         [OwnBehaviour] public Shader() { }
 
-        /// <summary>Local ones that it declares; null: whatever one asks for.</summary>
+        /// <summary>The local keywords that the shader declares; null means whatever one asks for.</summary>
         [OwnBehaviour] public List<string> KeywordNames { get; set; }
 
         public bool isSupported { get; [OwnBehaviour] set; } = true;
@@ -69,7 +69,7 @@ namespace UnityEngine
 
         [OwnBehaviour] public List<Kernel> Kernels { get; } = new List<Kernel>();
 
-        /// <summary>What its file declares.</summary>
+        /// <summary>The keywords that the kernel's file declares.</summary>
         [OwnBehaviour] public List<string> KeywordNames { get; set; } = new List<string>();
 
         [OwnBehaviour] public ComputeShader() { }
@@ -97,7 +97,7 @@ namespace UnityEngine
         [Flags]
         public enum Target { Structured = 1 << 4, Raw = 1 << 5, IndirectArguments = 1 << 8 }
 
-        /// <summary>All that are not released.</summary>
+        /// <summary>All buffers that are not released.</summary>
         [OwnBehaviour] public static readonly List<GraphicsBuffer> Living = new List<GraphicsBuffer>();
 
         [OwnBehaviour] public string What { get; }

@@ -20,7 +20,9 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/Terrain/Public/TerrainData.bindings.cs")]
     public sealed partial class TerrainData : Object
     {
-        /// <summary>That heights are kept in: one channel, or two on devices without textures of 16 bits.</summary>
+        /// <summary>
+        /// The format that heights are kept in: one channel, or two on devices without textures of 16 bits.
+        /// </summary>
         [OwnBehaviour] public static GraphicsFormat Format { get; set; } = GraphicsFormat.R16_UNorm;
 
         [OwnBehaviour] public float[,] Heights { get; private set; }

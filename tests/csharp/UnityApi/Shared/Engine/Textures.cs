@@ -44,7 +44,7 @@ namespace UnityEngine
         public RenderTextureFormat format { get; set; }
         public GraphicsFormat graphicsFormat { get; set; }
 
-        /// <summary>The device has lost it.</summary>
+        /// <summary>Whether the device has lost the texture.</summary>
         [OwnBehaviour] public bool Lost { get; set; }
 
         public bool IsCreated() => !Lost;
@@ -68,7 +68,10 @@ namespace UnityEngine
         public Rendering.TextureDimension dimension { get; set; }
         public VRTextureUsage vrUsage { get; set; }
 
-        /// <summary>As RenderingUtils.RTHandleNeedsReAlloc has it before URP 17.5: without slices.</summary>
+        /// <summary>
+        /// Whether the handle needs another allocation, as RenderingUtils.RTHandleNeedsReAlloc tells before URP 17.5:
+        /// it does not compare slices.
+        /// </summary>
         [OwnBehaviour]
         public bool IsSame(in RenderTextureDescriptor other) =>
             width == other.width && height == other.height && msaaSamples == other.msaaSamples &&

@@ -77,10 +77,10 @@ namespace UnityEngine.Rendering
 
     public partial struct CullingResults
     {
-        /// <summary>What the next Cull() sees.</summary>
+        /// <summary>The results that the next Cull() sees.</summary>
         [OwnBehaviour] public static CullingResults Next { get; set; }
 
-        /// <summary>Of the cascades, those of these numbers have no matrices.</summary>
+        /// <summary>The numbers of the cascades that have no matrices.</summary>
         [OwnBehaviour] public static HashSet<int> Missing { get; } = new HashSet<int>();
 
         [OwnBehaviour] public static VisibleLight[] Lights { get; set; } = new VisibleLight[0];
@@ -159,7 +159,7 @@ namespace UnityEngine.Rendering
 
         public void SetShaderPassName(int index, ShaderTagId shaderPassName) => Pass += ", " + shaderPassName.name;
 
-        /// <summary>Tags are the objects' own, the program may be another.</summary>
+        /// <summary>The tags are the objects' own; the program may be another.</summary>
         [OwnBehaviour]
         public string What => overrideShader == null ? Pass : Pass + " by " + overrideShader.PassNames[overrideShaderPassIndex];
 

@@ -24,7 +24,7 @@ namespace UnityEngine
 
     public partial class Component
     {
-        /// <summary>What the component was added to.</summary>
+        /// <summary>The game object that the component was added to.</summary>
         [OwnBehaviour] public GameObject Owner { get; set; }
 
         public GameObject gameObject => Owner;
@@ -79,7 +79,7 @@ namespace UnityEngine
         public Vector3 localScale { get; set; } = Vector3.one;
         [OwnBehaviour] public Transform Above { get; private set; }
 
-        /// <summary>As if nothing were turned.</summary>
+        /// <summary>The vector is returned as if nothing were turned.</summary>
         public Vector3 InverseTransformVector(Vector3 vector) =>
             new Vector3(vector.x / localScale.x, vector.y / localScale.y, vector.z / localScale.z);
 

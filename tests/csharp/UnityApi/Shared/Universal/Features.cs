@@ -106,7 +106,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public partial class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
-        // Serialized.
+        // Unity serializes this field.
         private bool m_MainLightShadowsSupported;
 
         public bool supportsMainLightShadows
@@ -118,7 +118,7 @@ namespace UnityEngine.Rendering.Universal
         public float shadowDepthBias { get; set; }
         public float shadowNormalBias { get; set; }
 
-        /// <summary>In Unity internal, too.</summary>
+        /// <summary>The quality, which is internal in Unity, too.</summary>
         [OwnBehaviour] internal SoftShadowQuality softShadowQuality { get; set; } = SoftShadowQuality.Medium;
 
         [OwnBehaviour] public void SetSoftShadowQuality(SoftShadowQuality quality) => softShadowQuality = quality;
