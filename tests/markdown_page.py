@@ -4,7 +4,7 @@ import sys
 
 
 class Problem(Exception):
-    """What keeps a page from being written."""
+    """The reason why a page cannot be written."""
 
 
 def table(head, rows, left):

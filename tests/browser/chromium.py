@@ -81,7 +81,7 @@ class Chromium:
             self._note(answer)
 
     def _note(self, event):
-        """Keeps what a page must not say."""
+        """Keeps the messages that a page must not write."""
         method, told = event.get("method"), event.get("params", {})
         if method == "Runtime.exceptionThrown":
             details = told["exceptionDetails"]
@@ -120,7 +120,7 @@ class Page:
         return self.browser.call(method, session=self.session, **parameters)
 
     def set_dark(self, dark):
-        """Scrolling jumps, too: what is clicked must not move on."""
+        """Makes scrolling jump, too, because what is clicked must not move on."""
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
                             {"name": "prefers-reduced-motion", "value": "reduce"}])
@@ -134,7 +134,7 @@ class Page:
         return answer["result"].get("value")
 
     def wait(self, condition):
-        """For a JavaScript expression to come true."""
+        """Waits for a JavaScript expression to come true."""
         self.wait_until(lambda: self.ask(condition), condition)
 
     def wait_until(self, is_true, what):
@@ -146,7 +146,7 @@ class Page:
             time.sleep(0.02)
 
     def middle(self, selector, at=(0.5, 0.5)):
-        """Scrolls the element into view; a point of it in the window, in shares of its box."""
+        """Scrolls the element into view, and returns a point of it in the window, in shares of its box."""
         box = self.ask(f"""(() => {{ const e = document.querySelector({json.dumps(selector)});
             e.scrollIntoView({{ block: "center", inline: "center", behavior: "instant" }});
             const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; }})()""")
@@ -174,7 +174,7 @@ class Page:
         self.mouse("mouseReleased", to_x, to_y, button="left", clickCount=1)
 
     def press(self, key):
-        """A key by its name: "Tab", "Enter", "ArrowLeft", "b"."""
+        """Presses a key by its name: "Tab", "Enter", "ArrowLeft", "b"."""
         codes = {"Tab": 9, "Enter": 13, "Escape": 27, "End": 35, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38,
                  "ArrowRight": 39, "ArrowDown": 40, " ": 32}
         text = {"Enter": "\r"}.get(key, key if len(key) == 1 else "")
@@ -184,7 +184,7 @@ class Page:
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key, windowsVirtualKeyCode=code)
 
     def choose(self, selector, value):
-        """Of a select or a range, as its own event says it."""
+        """Sets the value of a select or a range, and sends its own event."""
         self.ask(f"""(() => {{ const e = document.querySelector({json.dumps(selector)}); e.value = {json.dumps(value)};
             for (const kind of ["input", "change"]) e.dispatchEvent(new Event(kind, {{ bubbles: true }})); }})()""")
 

@@ -1,4 +1,4 @@
-"""What the browser's watcher would miss, every other test would pass: so each kind of fault is made once."""
+"""A fault that the browser's watcher missed would pass every other test, so each kind of fault is made once."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -20,7 +20,7 @@ class Watcher(unittest.TestCase):
         return self.browser.open(self.file)
 
     def expect_problems(self, html, *words):
-        """Waits for them: a busy machine's browser may report some of them long after the page stands."""
+        """Waits for the faults: a busy machine's browser may report some of them long after the page stands."""
         with self.open(html) as page:
             page.wait_until(lambda: all(word in "\n".join(self.browser.problems) for word in words), f"reported: {words}")
 

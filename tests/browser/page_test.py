@@ -3,7 +3,7 @@ import unittest
 
 from report_case import ReportCase
 
-# Of every element with words of its own: colour, ground, size and weight, with the contrast of WCAG 2.2.
+# The colour, ground, size and weight of every element with words of its own, with the contrast of WCAG 2.2.
 CONTRASTS = r"""(() => {
   const numbers = colour => {
     const context = new OffscreenCanvas(1, 1).getContext('2d');
@@ -90,7 +90,7 @@ class Page(ReportCase):
         page = self.open()
         for selector in ("nav a", ".figures thead button", ".about", ".unfold", ".divider", ".techniques button"):
             page.ask(f"document.querySelector({selector!r}).focus()")
-            page.press("Tab")  # that the browser knows a keyboard is used
+            page.press("Tab")  # it tells the browser that a keyboard is used
             page.ask(f"document.querySelector({selector!r}).focus()")
             seen = page.ask("""[document.activeElement, ...document.activeElement.children].some(e =>
                 getComputedStyle(e).outlineStyle !== 'none' && parseFloat(getComputedStyle(e).outlineWidth) >= 2)""")

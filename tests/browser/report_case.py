@@ -1,4 +1,4 @@
-"""What every test of the report needs: the made-up reports as files, one browser, and that pages say nothing wrong."""
+"""The base of the report's tests: it has the made-up reports as files and one browser, and pages say nothing wrong."""
 import os
 import subprocess
 import tempfile

@@ -18,8 +18,8 @@ class ViewerCase(ReportCase):
         return page
 
     def samples(self, page, area):
-        """Of an area of the stage's canvas, [x, y, width, height] in JavaScript: red, green, blue and alpha in turn.
-        They are read from a copy: a browser that sees a canvas read often keeps it elsewhere."""
+        """The pixels of an area of the stage's canvas, [x, y, width, height] in JavaScript: red, green, blue and alpha in
+        turn. They are read from a copy: a browser that sees a canvas read often keeps it elsewhere."""
         return page.ask(f"""(c => {{
             const copy = new OffscreenCanvas(c.width, c.height).getContext('2d', {{ willReadFrequently: true }});
             copy.drawImage(c, 0, 0);
@@ -27,7 +27,7 @@ class ViewerCase(ReportCase):
         }})(document.querySelector('.stage canvas'))""")
 
     def pixel(self, page, column, row):
-        """What the stage shows in the middle of a pixel of the picture at zoom 1."""
+        """The colour that the stage shows in the middle of a pixel of the picture at zoom 1."""
         at = f"[Math.floor(({column} + 0.5) * c.width / 48), Math.floor(({row} + 0.5) * c.height / 24), 1, 1]"
         return self.samples(page, at)[:3]
 
@@ -35,7 +35,7 @@ class ViewerCase(ReportCase):
         return [round(255 * value)] * 3
 
     def side(self, page, value):
-        """The border at one end: the left or the right picture alone."""
+        """Moves the border to one end, so that the left or the right picture is alone."""
         page.ask("document.querySelector('.divider').focus()")
         page.press({"left": "End", "right": "Home"}[value])
 

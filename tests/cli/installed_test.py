@@ -1,5 +1,5 @@
-"""What `cmake --install` puts into a folder, after the folder was moved: the program finds its shaders there, all of
-them, and a project finds the C++ library, as the page on installing shows it."""
+"""Moves the folder that `cmake --install` has filled: the program finds its shaders there, all of them, and a project
+finds the C++ library, as the page on installing shows it."""
 import json
 import os
 import re

@@ -39,7 +39,7 @@ def quoted(*patterns):
 
 
 def literals(*patterns):
-    """The texts of C++ sources, each of the literals that stand side by side."""
+    """The texts of C++ sources, each joined from the literals that stand side by side."""
     for pattern in patterns:
         for source in sorted(tests.glob(pattern)):
             for match in re.finditer(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+', re.sub(r'(?m)^#include.*$', '', source.read_text())):
@@ -74,7 +74,7 @@ def results():
 
 
 def pictures():
-    """Two by two pixels, in forms that are written in a few lines; and a PNG without a byte of pixels."""
+    """Pictures of two by two pixels, in forms that are written in a few lines; and a PNG without a byte of pixels."""
     def png(colour, pixels):
         chunks = ((b'IHDR', struct.pack('>IIBBBBB', 2, 2, 8, colour, 0, 0, 0)), (b'IDAT', pixels), (b'IEND', b''))
         return b'\x89PNG\r\n\x1a\n' + b''.join(
@@ -143,13 +143,13 @@ def statements(*patterns):
 
 
 def logged(texts):
-    """Behind lines of a compiler's log about them."""
+    """The texts behind lines of a compiler's log about them."""
     for number, text in enumerate(texts):
         yield f"ERROR: main.hlsl:{2 + number % 9}: 'one' : {ERRORS[number % len(ERRORS)]} \n".encode() + text
 
 
 def in_shaders(texts):
-    """As they are, as the commands of a pass, and as the tags of a sub-shader."""
+    """The texts as they are, as the commands of a pass, and as the tags of a sub-shader."""
     for text in texts:
         yield text
         if b'Shader' not in text:

@@ -1,6 +1,6 @@
-"""Every program of the package, with every keyword set that a build can contain, and of its samples, with some of their
-thousands, through FXC, which is Unity's compiler: no error and no warning, with the macros of each graphics API and for both
-eyes.
+"""FXC, Unity's compiler, takes every program of the package with every keyword set that a build can contain, and those
+of its samples with some of their thousands, without an error or a warning: with the macros of each graphics API and for
+both eyes.
 
 URP's include files are stand-ins of the tests. PENUMBRA_URP_PACKAGES lists folders with com.unity.render-pipelines.core and
 .universal, separated like those of PATH: then they are URP's own of each folder, too, and the stand-ins are held against
@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = os.environ["PENUMBRA_PROGRAM"]
 URP = [Path(folder) for folder in os.environ.get("PENUMBRA_URP_PACKAGES", "").split(os.pathsep) if folder]
 STAND_INS = {"Shaders": ROOT / "tools/programs/shaders/unity", "Samples~": ROOT / "tests/samples/unity"}
-# How each API draws both eyes at once, of which a build has keyword sets. Many texts are the same for all: the cache has
-# their answers from the first.
+# The ways in which each API draws both eyes at once, for which a build has keyword sets. Many texts are the same for
+# all APIs: the cache has their answers from the first.
 APIS = {"d3d11": ["instancing"], "vulkan": ["instancing", "multiview"], "metal": ["instancing"], "glcore": ["instancing"],
         "gles3": ["multiview"], "switch": []}
 PARTS = [f"com.unity.render-pipelines.{part}" for part in ("core", "universal", "universal-config")]

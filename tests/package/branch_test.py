@@ -1,4 +1,4 @@
-"""scripts/package --branch: a commit of the package's files alone, and nothing else of the repository changes."""
+"""scripts/package --branch commits the package's files alone, and nothing else of the repository changes."""
 import json
 import subprocess
 import unittest

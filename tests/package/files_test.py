@@ -1,4 +1,4 @@
-"""Files and their .meta: the unpacked tarball keeps every rule, and breaks each where a test breaks it."""
+"""The rules of files and their .meta: the unpacked tarball keeps each, and breaks it where a test breaks it."""
 import unittest
 
 from scratch import UnpackedTarball, metas

@@ -1,4 +1,4 @@
-"""Includes of shader files: where each leads, and what is said where it leads nowhere."""
+"""Follows the includes of shader files: the tests say where each leads, and what is said where it leads nowhere."""
 import unittest
 
 from scratch import UnpackedTarball

@@ -1,4 +1,4 @@
-"""package.json: each rule on it broken once, with the place of the value."""
+"""Breaks each rule on package.json once: the problem has the place of the value."""
 import json
 import unittest
 

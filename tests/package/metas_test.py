@@ -1,4 +1,4 @@
-"""scripts/package --metas: each .meta that is missing, in the form of those that are there, and nothing else."""
+"""scripts/package --metas writes each .meta that is missing, in the form of those that are there, and nothing else."""
 import hashlib
 import unittest
 

@@ -1,4 +1,4 @@
-"""What scripts/package writes and where, and that it writes nothing when it stops."""
+"""The tests say what scripts/package writes and where, and that it writes nothing when it stops."""
 import json
 import unittest
 

@@ -97,7 +97,7 @@ class Pictures(UnpackedTarball):
 
 
 class Readme(UnpackedTarball):
-    """The package's own, for who has installed it: what Unity's Project window shows when the package is selected."""
+    """The package's own page is for users who have installed it: Unity's Project window shows it for the package."""
 
     def test_is_not_the_repositorys(self):
         self.assertNotEqual((self.folder / "README.md").read_text(), (ROOT / "README.md").read_text())
@@ -118,7 +118,7 @@ class Readme(UnpackedTarball):
 
 
 class Names(unittest.TestCase):
-    """One name for each technique: that of ShadowTechnique's list in the inspector. A test of the C# compares the titles."""
+    """Each technique has one name, that of ShadowTechnique's list in the inspector. A test in C# compares the titles."""
 
     OTHERS = re.compile(r"PCSS HDRP|PCSS Poisson|[Cc]lassic PCSS|Angular PCSS|PCSS by angular diameter|HDRP match|"
                         r"[Tt]ent (?:PCF )?\d x \d|Tent PCF|HDRP's PCSS")

@@ -17,7 +17,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from penumbra_package import metas, rules, tarball, whitelist  # noqa: E402
 from penumbra_package.package import Package, unpacked  # noqa: E402
 
-# What a program in a scratch folder is not to take from the caller: other packages, and a hook's or a user's git.
+# A program in a scratch folder must not take these from the caller: other packages, and a hook's or a user's git.
 OUTSIDE = ("PENUMBRA_URP_PACKAGES", "GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
 SOMEBODY = {f"GIT_{role}_{part}": value for role in ("AUTHOR", "COMMITTER") for part, value in
             (("NAME", "Somebody"), ("EMAIL", "somebody@example.com"), ("DATE", "2026-01-02T03:04:05+01:00"))}
@@ -46,12 +46,12 @@ class Folder(unittest.TestCase):
         return (self.folder / path).read_text()
 
     def write(self, path, text):
-        """The file, without the .meta that it may need."""
+        """Writes the file, without the .meta that it may need."""
         (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / path).write_text(text)
 
     def add(self, path, text):
-        """The file, with every .meta that it needs."""
+        """Writes the file, with every .meta that it needs."""
         self.write(path, text)
         texts, problems = metas.missing_metas(Package(self.folder, [path]))
         self.assertEqual(problems, [])
@@ -64,7 +64,7 @@ class Folder(unittest.TestCase):
         self.write(path, text.replace(old, new))
 
     def place(self, path, text, into=0):
-        """Where the text, which is in the file once, begins, with `into` characters of it passed over."""
+        """The place at which the text, which is in the file once, begins, with `into` characters of it passed over."""
         whole = self.text(path)
         self.assertEqual(whole.count(text), 1, f"{path} has {text!r} not once")
         before = whole[:whole.index(text) + into]
@@ -78,7 +78,7 @@ class Folder(unittest.TestCase):
         self.write("package.json", json.dumps(kept, indent=2))
 
     def add_sample(self, name, file, text):
-        """A sample of one file with its .meta, and its entry in package.json."""
+        """Adds a sample of one file with its .meta, and its entry in package.json."""
         self.add(f"Samples~/{name}/{file}", text)
         samples = json.loads(self.text("package.json")).get("samples", [])
         entry = {"displayName": name, "description": f"{name}, made up.", "path": f"Samples~/{name}"}
@@ -107,7 +107,7 @@ class UnpackedTarball(Folder):
             UnpackedTarball.before = [str(problem) for problem in rules.problems(unpacked(self.folder), {})]
 
     def problems(self, **roots):
-        """What the rules say that they did not say of the tarball itself: one test, in files_test.py, is of that."""
+        """The problems that the rules find here and not in the tarball itself, which a test in files_test.py is about."""
         found = [str(problem) for problem in rules.problems(unpacked(self.folder), roots)]
         return [problem for problem in found if problem not in self.before]
 
@@ -116,7 +116,7 @@ class UnpackedTarball(Folder):
 
 
 class CopiedRepository(Folder):
-    """What of the repository scripts/package reads, with the script itself."""
+    """A copy of the files of the repository that scripts/package reads, with the script itself."""
 
     def fill(self):
         shipped = whitelist.shipped(ROOT).paths

@@ -1,4 +1,4 @@
-"""scripts/package --check on the repository, and what only the repository can break."""
+"""Runs scripts/package --check on the repository, and breaks what only the repository can break."""
 import json
 import subprocess
 import sys
@@ -11,7 +11,7 @@ MANIFEST = "package.json"
 
 class ThisRepository(unittest.TestCase):
     def test_it_keeps_every_rule(self):
-        """With the real files of other packages, where PENUMBRA_URP_PACKAGES says where they are."""
+        """The check runs with the real files of other packages, where PENUMBRA_URP_PACKAGES says where they are."""
         done = subprocess.run([sys.executable, str(ROOT / "scripts" / "package"), "--check"], capture_output=True,
                               text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -20,7 +20,7 @@ class ThisRepository(unittest.TestCase):
 
 class Source(CopiedRepository):
     def refusals(self, *words, **more):
-        """What the check says, without its last line."""
+        """The messages of the check, without its last line."""
         *lines, last = self.assert_run(1, "--check", *words, **more).stderr.splitlines()
         count = f"{len(lines)} problem{'s' if len(lines) > 1 else ''}"
         self.assertEqual(last, f"scripts/package: {count}; nothing is packed")

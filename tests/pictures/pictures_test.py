@@ -1,5 +1,5 @@
-"""scripts/pictures over the pages as they are, and over made-up ones; the program is a stand-in that says what it is
-asked for."""
+"""Runs scripts/pictures over the pages as they are, and over made-up ones; the program is a stand-in that says what it
+is asked for."""
 import os
 import re
 import shutil

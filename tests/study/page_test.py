@@ -1,5 +1,5 @@
-"""The tables of masks, shimmer and splits of samples say what their results say, as means are taken and as masks are told apart; the page
-of figures names every one."""
+"""The tables of masks, shimmer and splits of samples say what their results say: means are taken and masks are told
+apart as there; the page of figures names every table."""
 import importlib.machinery
 import importlib.util
 import json
@@ -12,7 +12,7 @@ loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
 page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
 loader.exec_module(page)
 
-PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # of a record, with fields of their own
+PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # parts of a record with fields of their own
 
 
 COMMIT = "0123456789" * 4
@@ -58,7 +58,7 @@ class Volumetric(unittest.TestCase):
                                 "longest_ray_metres": 50.0, "places_of_the_exact_answer": 256, "block_pixels": 4,
                                 "records": [one("a", False, 0.2, 0.1), one("a", True, 0.3, 0.02),
                                             one("b", False, 0.2, 0.3), one("b", True, 0.3, 0.02)]})
-        # Means 0.2 ± 12.706 * 0.1 where the scenes differ, which goes below 0 and above 1.
+        # Where the scenes differ, the mean is 0.2 ± 12.706 * 0.1, which goes below 0 and above 1.
         self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 [0, 1] | 0.020 ± 0.000 |"), text)
 
 
@@ -97,7 +97,7 @@ class Noise(unittest.TestCase):
 
     def test_differences_are_the_mask_less_gradient_noise_by_scene(self):
         text = page.noise_differences(self.results())
-        # 0.01 and 0.03: mean 0.02, standard error 0.01, t of one degree of freedom 12.706.
+        # 0.01 and 0.03 have the mean 0.02 and the standard error 0.01; t of one degree of freedom is 12.706.
         self.assertIn("| PCSS noise | RMSE in penumbra, one frame | +0.0200 ± 0.1271 |".replace(" noise", ""), text)
         self.assertIn("flicker, history | -0.0100 ± 0.0000 |", text)
 
@@ -160,7 +160,7 @@ class TexelErrors(unittest.TestCase):
 
     def test_gains_are_against_the_best_disc_or_the_default(self):
         text = page.texel_gains(self.results())
-        # 100 x .5 x hypot(.001 / .1, .001 / .2)
+        # The interval is 100 x .5 x hypot(.001 / .1, .001 / .2).
         self.assertIn("| mean of the edges that 4 x 4 allow | the best disc | -50.0 ± 0.6 |", text)
         self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |", text)
 
@@ -184,7 +184,7 @@ class FarSteps(unittest.TestCase):
                           parameters={"heightSteps": [float(steps)]})
 
         text = page.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1), of("b", 16, 0.0, 0.0)))
-        # Root of 3 / 4 of the first ring's.
+        # The second figure of 8 is the root of 3 / 4 of the first ring's.
         self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |", text)
 
 
@@ -228,7 +228,8 @@ class PresetSteps(unittest.TestCase):
         text = page.preset_steps(results(
             preset("low", "a", 0.30), preset("low", "b", 0.10), preset("low", "c", 0.20), record("other", "a"),
             preset("high", "a", 0.28), preset("high", "b", 0.09), preset("high", "c", 0.20)))
-        # Differences 0.02, 0.01 and 0: mean 0.01, standard error 0.01 / sqrt(3), t of two degrees of freedom 4.303.
+        # The differences 0.02, 0.01 and 0 have the mean 0.01 and the standard error 0.01 / sqrt(3); t of two degrees of
+        # freedom is 4.303.
         self.assertTrue(text.endswith("| from, to | 2° light |\n|:--|--:|\n| Low to High | 0.0100 ± 0.0248 (2 of 3) |"), text)
 
     def test_one_scene_has_no_interval(self):
@@ -298,7 +299,7 @@ class WeightedCosts(unittest.TestCase):
     def test_each_pass_counts_by_its_threads(self):
         tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
         text = page.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
-        # 640 / 64 of a thread for 16 pixels, and 6400 / 64 of one for 0.5 and 0.7 of the pixels: 50.6 and 70.6.
+        # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each pixel.
         self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
         self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
         self.assertIn("| cycles, gfx1100 | `flagship` | 1 ± 0 |", text)
@@ -414,7 +415,7 @@ class ScreenFigures(unittest.TestCase):
             "device, mean of 2 scenes, at least 2017 penumbra pixels per scene and light; ± is half the width of the"
             " 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest possible value, [a, b] gives its"
             f" ends.  \nCommand: `penumbra measure --made`, at commit {COMMIT}.\n"), text)
-        # Of two values the interval is 12.706 times half their difference, below 0 here.
+        # The interval of two values is 12.706 times half their difference; here it goes below 0.
         self.assertIn("| t | 0.150 [0, 0.785] | 4.5 [0, 10.9] | 30 | 1.00 | 0.200 | 0.200 |", text)
         self.assertIn("| plain | - | - | - | - | - | - |", text)
 
@@ -441,7 +442,7 @@ class SampleSplit(unittest.TestCase):
         text = page.sample_split(results(
             split(8.0, 16.0, 2.0, 0.10, 10.0), split(8.0, 16.0, 2.0, 0.32, 10.0, "b"),
             split(24.0, 32.0, 2.0, 0.08, 40.0), split(24.0, 32.0, 2.0, 0.28, 40.0, "b")))
-        # Differences 0.02 and 0.04; of two values the interval is 12.706 times half their difference.
+        # The differences are 0.02 and 0.04; the interval of two values is 12.706 times half their difference.
         self.assertIn("| **8** | **16** | **0.210 (+0.030 ± 0.127)** |", text)
         self.assertIn("| **24** | **32** | **0.180 [0, 1]** |", text)
 

@@ -35,12 +35,13 @@ CBUFFER_END
     ray.jitter = _Ray.z;
     ray.channels = _Channels.xy;
     _Visibility[id.x] = HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_Linear), _HeightsAndTexels.zw,
-                                              _Receivers[id.x].xyz, _SunAndHalfDiameter.xyz, _SunAndHalfDiameter.w, ray, ground);
+                                              _Receivers[id.x].xyz, _SunAndHalfDiameter.xyz, _SunAndHalfDiameter.w, ray,
+                                              ground);
 }
 
 [numthreads(64, 1, 1)] void Clouds(uint3 id : SV_DispatchThreadID)
 {
-    // The layer's height and border.
+    // x and y hold the layer's height and border here.
     const CloudLayer layer = BoundedCloudLayer(_Area, _HeightsAndTexels.x, _HeightsAndTexels.y);
     _Visibility[id.x] = CloudVisibility(TEXTURE2D_ARGS(_Clouds, sampler_Linear), _Receivers[id.x].xyz,
                                         _SunAndHalfDiameter.xyz, layer);

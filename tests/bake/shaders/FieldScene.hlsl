@@ -2,7 +2,7 @@
 #include "Platform/Platform.hlsl"
 #include "Fields/DistanceFieldScene.hlsl"
 
-StructuredBuffer<float4> _Receivers; // in the world
+StructuredBuffer<float4> _Receivers; // positions in the world
 RWStructuredBuffer<float> _Visibility;
 TEXTURE3D(_Field);
 SAMPLER(sampler_Linear);
@@ -10,34 +10,35 @@ SAMPLER(sampler_Linear);
 CBUFFER_START(Parameters)
     float4 _Light;  // direction towards it, tan of half its diameter
     float4 _March;  // length, steps
-    float4 _Normal; // of the receivers' surface
+    float4 _Normal; // normal of the receivers' surface
 CBUFFER_END
 
 #define FIELD TEXTURE3D_ARGS(_Field, sampler_Linear)
 
 [numthreads(64, 1, 1)] void Hard(uint3 id : SV_DispatchThreadID)
 {
-    _Visibility[id.x] = FieldSceneHardVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x, int(_March.y));
+    _Visibility[id.x] = FieldSceneHardVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x,
+                                                 int(_March.y));
 }
 
 [numthreads(64, 1, 1)] void Cone(uint3 id : SV_DispatchThreadID)
 {
-    _Visibility[id.x] = FieldSceneConeVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x, _Light.w,
-                                                 int(_March.y));
+    _Visibility[id.x] = FieldSceneConeVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x,
+                                                 _Light.w, int(_March.y));
 }
 
 [numthreads(64, 1, 1)] void Soft(uint3 id : SV_DispatchThreadID)
 {
-    _Visibility[id.x] = FieldSceneSoftVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x, _Light.w,
-                                                 int(_March.y));
+    _Visibility[id.x] = FieldSceneSoftVisibility(FIELD, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x,
+                                                 _Light.w, int(_March.y));
 }
 
-// Of the first object alone: six numbers.
+// Six numbers of the first object alone.
 [numthreads(64, 1, 1)] void Parts(uint3 id : SV_DispatchThreadID)
 {
     const FieldRay ray = RayOfFieldObject(0, _Receivers[id.x].xyz, _Normal.xyz, _Light.xyz, _March.x);
-    const FieldParts parts = FieldPartsVisibility(FIELD, ray.origin, ray.direction, ray.farthest, _Light.w, int(_March.y),
-                                                  ray.box);
+    const FieldParts parts = FieldPartsVisibility(FIELD, ray.origin, ray.direction, ray.farthest, _Light.w,
+                                                  int(_March.y), ray.box);
     for (int i = 0; i < 3; ++i)
     {
         _Visibility[6 * id.x + i] = parts.first[i];
@@ -45,7 +46,7 @@ CBUFFER_END
     }
 }
 
-// To the first object, as the march knows it.
+// The distance to the first object, as the march knows it.
 [numthreads(64, 1, 1)] void Distance(uint3 id : SV_DispatchThreadID)
 {
     const FieldRay ray = RayOfFieldObject(0, _Receivers[id.x].xyz, float3(0.0, 0.0, 0.0), _Light.xyz, _March.x);

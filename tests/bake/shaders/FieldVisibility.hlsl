@@ -2,14 +2,14 @@
 #include "Platform/Platform.hlsl"
 #include "Fields/DistanceFieldMarch.hlsl"
 
-StructuredBuffer<float4> _Receivers; // in the field's space
+StructuredBuffer<float4> _Receivers; // positions in the field's space
 RWStructuredBuffer<float> _Visibility;
 TEXTURE3D(_Field);
 SAMPLER(sampler_Linear);
 
 CBUFFER_START(Parameters)
-    float4 _Corner; // and the largest distance
-    float4 _Size;   // and the edge of a voxel
+    float4 _Corner; // xyz: corner, w: largest distance
+    float4 _Size;   // xyz: size, w: edge of a voxel
     float4 _Light;  // direction towards it, tan of half its diameter
     float4 _March;  // length, steps
 CBUFFER_END

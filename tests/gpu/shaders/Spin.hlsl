@@ -1,5 +1,5 @@
-// Test: takes time in proportion to the groups. A chain of hashes that no compiler shortens; its length stays
-// below the 65535 rounds after which Mesa's software device leaves any loop.
+// Test: takes time in proportion to the groups. It computes a chain of hashes that no compiler shortens, whose length
+// stays below the 65535 rounds after which Mesa's software device leaves any loop.
 RWStructuredBuffer<uint> _Result;
 
 [numthreads(1, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)

@@ -5,7 +5,7 @@ struct Look
 };
 [[vk::push_constant]] ConstantBuffer<Look> _Look;
 
-// Three corners of a triangle over all of the target, or over its left half along the diagonal.
+// The three corners of a triangle over all of the target, or over its left half along the diagonal.
 float4 Whole(uint corner : SV_VertexID) : SV_Position
 {
     return float4(corner == 1 ? 3 : -1, corner == 2 ? 3 : -1, 0.5, 1);

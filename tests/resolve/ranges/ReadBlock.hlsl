@@ -1,5 +1,5 @@
-// Reads one number of a block of a level: of its planes, or half of the bits of one of its cells. No filter for shadows:
-// every number is compared bit by bit.
+// Reads one number of a block of a level: of its planes, or half of the bits of one of its cells. It is no filter for
+// shadows: every number is compared bit by bit.
 #include "Core/ShadowStructs.hlsl"
 struct ReadBlockParameters { int level; int channel; };
 ReadBlockParameters UnpackReadBlockParameters(float4 packed0)

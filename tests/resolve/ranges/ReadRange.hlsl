@@ -1,4 +1,5 @@
-// Reads a map of ranges or moments, a texel of a level for each receiver. No filter for shadows: every number is known.
+// Reads a map of ranges or moments, a texel of a level for each receiver. It is no filter for
+// shadows: every number is known.
 #include "Core/ShadowStructs.hlsl"
 struct ReadRangeParameters { int level; int channel; };
 ReadRangeParameters UnpackReadRangeParameters(float4 packed0)

@@ -1,4 +1,4 @@
-// The light along the view ray of each pixel, up to the surface or 50 m. No technique for surfaces.
+// The light along the view ray of each pixel, up to the surface or 50 m. It is no technique for surfaces.
 Shader "Hidden/Penumbra/Tests/FogRays"
 {
     SubShader

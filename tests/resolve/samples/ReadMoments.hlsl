@@ -1,4 +1,4 @@
-// Reads a map of moments, a texel for each receiver. No filter for shadows: every number is known.
+// Reads a map of moments, a texel for each receiver. It is no filter for shadows: every number is known.
 #include "Core/ShadowStructs.hlsl"
 struct ReadMomentsParameters { int channel; };
 ReadMomentsParameters UnpackReadMomentsParameters(float4 packed0)

@@ -1,4 +1,4 @@
-// Reads the opacity mask, a texel for each receiver. No filter for shadows: every number is known.
+// Reads the opacity mask, a texel for each receiver. It is no filter for shadows: every number is known.
 #include "Core/ShadowStructs.hlsl"
 float ReadOpacity(TEXTURE2D(opacityMask), ShadowReceiver receiver, ShadowTile tile)
 {

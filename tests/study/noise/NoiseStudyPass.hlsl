@@ -1,7 +1,7 @@
 // Penumbra: the main light's visibility at each pixel, by noise of a choice.
 //
-// Computes:   as Shaders/ResolvePass.hlsl without a mask, with disks that turn by the gradient noise of the package or, with
-//             NOISE_MASK, by the spatio-temporal blue-noise mask.
+// Computes:   as Shaders/ResolvePass.hlsl without a mask, with disks that turn by the gradient noise of the package or,
+//             with NOISE_MASK, by the spatio-temporal blue-noise mask.
 // Source:     Wolfe, Morrical, Akenine-Moller and Ramamoorthi, "Spatiotemporal Blue Noise Masks" (2022), for the mask.
 // Inputs:     those of ResolvePass.hlsl; _PenumbraNoiseMaskTexture: slices of 64 x 64 texels below each other, bytes.
 // Cost:       that of ResolvePass.hlsl; the mask takes one fetch more.
@@ -18,7 +18,7 @@
 
 TEXTURE2D(_PenumbraNoiseMaskTexture);
 
-// A byte of 0 .. 255 as a share of 256: 255 is not a whole turn.
+// A byte of 0 .. 255 counts as a share of 256, because 255 is not a whole turn.
 float MaskNoise(int2 pixel, uint frame)
 {
     const int2 texel = (pixel & (MASK_SIDE - 1)) + int2(0, MASK_SIDE * int(frame & (MASK_SLICES - 1)));

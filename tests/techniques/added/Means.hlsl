@@ -1,4 +1,4 @@
-// The filter of Means.technique.json: a mean of depths. No filter for shadows: every number of it is known.
+// The filter of Means.technique.json: a mean of depths. It is no filter for shadows: every number of it is known.
 #include "Core/ShadowStructs.hlsl"
 struct MeansParameters { int level; float scale; };
 MeansParameters UnpackMeansParameters(float4 packed0)

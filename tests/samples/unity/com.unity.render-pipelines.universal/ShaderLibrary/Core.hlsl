@@ -6,7 +6,7 @@
 #include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"
 
-// As URP 14 and 17.0 have it.
+// URP 14 and 17.0 have it so.
 #if defined(_FORWARD_PLUS)
 #define USE_FORWARD_PLUS 1
 #else

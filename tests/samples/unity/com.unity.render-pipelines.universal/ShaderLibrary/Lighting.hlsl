@@ -33,7 +33,7 @@ half4 _AdditionalLightsCount;
 float4 _FPParams0;
 
 #if USE_FORWARD_PLUS
-// Of the two that URP declares: only a loop over clusters needs them.
+// URP declares two of these; only a loop over clusters needs them.
 #define URP_FP_DIRECTIONAL_LIGHTS_COUNT ((uint)_FPParams0.w)
 #define LIGHT_LOOP_BEGIN(lightCount) { uint lightIndex = (uint)inputData.normalizedScreenSpaceUV.x; {
 #define LIGHT_LOOP_END } }
@@ -70,7 +70,8 @@ Light GetAdditionalLight(uint i, float3 positionWS)
     return light;
 }
 
-void InitializeBRDFData(half3 albedo, half metallic, half3 specular, half smoothness, inout half alpha, out BRDFData brdf)
+void InitializeBRDFData(half3 albedo, half metallic, half3 specular, half smoothness, inout half alpha,
+                        out BRDFData brdf)
 {
     brdf.diffuse = albedo * (half(1.0) - metallic) * alpha;
     brdf.specular = lerp(specular, albedo, metallic) * smoothness;
@@ -91,7 +92,8 @@ half3 LightingPhysicallyBased(BRDFData brdf, Light light, half3 normalWS, half3 
 {
     const half cosine = saturate(dot(normalWS, light.direction));
     const half attenuation = half(light.distanceAttenuation) * light.shadowAttenuation;
-    return (brdf.diffuse + brdf.specular * saturate(dot(viewDirectionWS, normalWS))) * light.color * cosine * attenuation;
+    return (brdf.diffuse + brdf.specular * saturate(dot(viewDirectionWS,
+                                                        normalWS))) * light.color * cosine * attenuation;
 }
 
 #endif
