@@ -10,7 +10,8 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Normal's y, ball, direction towards the sun, half its diameter, fade; the receiver is the origin.
+// The inputs are the normal's y, the ball, the direction towards the sun, half its diameter, and the fade;
+// the receiver is the origin.
 const CoreFunction kBlob{
     "BlobShadow",
     "const float4 ball = float4(In(1), In(2), In(3), In(4)), sun = float4(In(5), In(6), In(7), In(8));"

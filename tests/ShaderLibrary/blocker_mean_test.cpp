@@ -54,14 +54,14 @@ TEST(BlockersOfVariance, AreExactForOneBlockerBeforeTheReceiver) {
     exact.push_back(brute_force(depths, receiver));
   }
   const std::vector<float> out = run(kOfVariance, DepthDirection::conventional, inputs);
-  // A variance of 0.05^2 / 25 or more, of moments that are rounded by 2^-25 each.
+  // The variance is 0.05^2 / 25 or more, and the moments are rounded by 2^-25 each.
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_NEAR(out[2 * i], exact[i].share, 2e-3) << i;
     ASSERT_NEAR(out[2 * i + 1], exact[i].gap_sum, 2e-7) << i;
   }
 }
 
-// z_b = (z_avg - p z_r) / (1 - p), word by word, for moments of any distribution.
+// The equation z_b = (z_avg - p z_r) / (1 - p) holds word by word for moments of any distribution.
 TEST(BlockersOfVariance, GiveTheMeanBlockerOfThePaper) {
   Random random(62);
   std::vector<float> inputs;
@@ -109,7 +109,7 @@ TEST(LargestBlockedShare, IsABoundOfWhatLiesBeforeTheReceiver) {
   EXPECT_GT(sum / kRandomCases, 0.2) << "the bound says something";
 }
 
-// Two blockers and the receiver, and two blockers alone: four moments know them.
+// Four moments know two blockers and the receiver, and two blockers alone.
 TEST(BlockersOfMoments, AreExactForTwoBlockers) {
   Random random(64);
   std::vector<float> inputs;
@@ -129,8 +129,9 @@ TEST(BlockersOfMoments, AreExactForTwoBlockers) {
   }
 }
 
-// Distributions of two depths, the receiver's and a blocker's, or neither of them the receiver's, which then
-// lies behind both: nearer than 0.3, the distribution that is mixed in could be the receiver's share.
+// The distributions have two depths: the receiver's and a blocker's, or neither of them the receiver's, which
+// then lies behind both. With a receiver nearer than 0.3, the distribution that is mixed in could be its
+// share.
 TEST(BlockersOfMoments, AreExactForDistributionsOfTwoDepths) {
   Random random(65);
   std::vector<float> inputs;

@@ -14,8 +14,8 @@ constexpr const char* kSelect =
     "s.squaredRadii = float4(In(16), In(17), In(18), In(19));"
     "OutInt(0, SelectCascade(float3(In(1), In(2), In(3)), s, InInt(0)));";
 
-// Count, position, four centres, four squared radii. Nested spheres in front of a camera up to 100 km from
-// the origin; positions anywhere about them.
+// The inputs are a count, a position, four centres and four squared radii: nested spheres in front of a
+// camera up to 100 km from the origin, and positions anywhere about them.
 std::vector<float> random_spheres(Random& random) {
   const float origin = random.integer(0, 3) == 0 ? random.between(-1e5f, 1e5f) : 0.0f;
   const float reach = random.between(5.0f, 200.0f);
@@ -43,11 +43,11 @@ long double squared_distance(const float* p, const float* centre) {
   return sum;
 }
 
-// How near the point lies to any sphere's surface, relative to its squared radius.
+// Whether the point lies near any sphere's surface, relative to its squared radius.
 bool near_a_surface(const float* in) {
   for (int sphere = 0; sphere < 4; ++sphere) {
     const long double radius = in[16 + sphere];
-    // Three differences, products and sums: 6 roundings.
+    // The squared distance has three differences, products and sums: 6 roundings.
     if (std::fabs(squared_distance(in + 1, in + 4 + std::ptrdiff_t{3} * sphere) - radius) <
         6.0L * 0x1p-24L * radius)
       return true;

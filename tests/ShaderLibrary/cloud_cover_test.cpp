@@ -12,7 +12,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Wind, feature size, coverage, density; the place.
+// The inputs are wind, feature size, coverage and density, then the place.
 const CoreFunction kCover{
     "CloudCover",
     "const CloudCover cover = BoundedCloudCover(float2(In(0), In(1)), In(2), In(3), In(4));"
@@ -91,7 +91,7 @@ TEST(CloudTransmittance, IsThatOfTheNoise) {
   int clear = 0, cloudy = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const float* in = &cases[7 * i];
-    // Places of a float are up to 2 mm off, of features that are 30 m wide at the least.
+    // Places of a float are up to 2 mm off, and features are at least 30 m wide.
     ASSERT_NEAR(seen[2 * i], static_cast<double>(transmittance(in)), 3e-3) << i;
     ASSERT_NEAR(seen[2 * i + 1],
                 static_cast<double>(noise_at(static_cast<long double>(in[5]) / in[2],

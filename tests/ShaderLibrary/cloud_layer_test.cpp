@@ -10,7 +10,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Area, height, border; receiver; direction towards the sun.
+// The inputs are area, height and border, the receiver, and the direction towards the sun.
 const CoreFunction kClouds{
     "CloudLayer",
     "const CloudLayer layer = BoundedCloudLayer(float4(In(0), In(1), In(2), In(3)), In(4), In(5));"
@@ -40,7 +40,7 @@ TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
       ++none;
       continue;
     }
-    if (in[10] < 0.02f) continue;  // so low that digits of a float are metres
+    if (in[10] < 0.02f) continue;  // the sun is so low that digits of a float are metres
     const long double way = (static_cast<long double>(in[4]) - in[7]) / in[10];
     ASSERT_NEAR(out[3], static_cast<double>(way), 1e-5 * static_cast<double>(way) + 1e-3) << i;
     const long double u = (in[6] + way * in[9] - in[0]) / in[2], v = (in[8] + way * in[11] - in[1]) / in[3];
@@ -57,7 +57,7 @@ TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
   EXPECT_GT(none, 1000);
 }
 
-// Camera, sun, height, side of the map, texels.
+// The inputs are the camera, the sun, the height, the side of the map and its texels.
 const CoreFunction kAround{
     "CloudLayer",
     "const CloudLayer layer = CloudLayerAround(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), "

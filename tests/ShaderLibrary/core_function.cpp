@@ -85,7 +85,7 @@ std::vector<float> run(const CoreFunction& function, DepthDirection direction,
                        const std::vector<float>& inputs) {
   const std::vector<std::uint32_t> spirv = compile(function, direction);
 
-  // Whole rows of 65536 cases, the last one padded with zeros.
+  // The cases fill whole rows of 65536; the last row is padded with zeros.
   const std::size_t cases = inputs.size() / std::size_t(function.inputs);
   const std::size_t columns =
       std::min<std::size_t>(65536, (cases + kGroupSize - 1) / kGroupSize * kGroupSize);

@@ -17,12 +17,12 @@ enum class DepthDirection { conventional, reversed };
 constexpr DepthDirection kDepthDirections[] = {DepthDirection::conventional, DepthDirection::reversed};
 
 struct CoreFunction {
-  std::string file;       // of `folder`, without its ending
+  std::string file;       // name in `folder`, without its ending
   std::string statement;  // HLSL; reads In(i) or InInt(i), writes Out(i, float) or OutInt(i, int)
   int inputs = 1;         // words per case
   int outputs = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
-  std::string folder = "Core";  // of ShaderLibrary/
+  std::string folder = "Core";  // folder in ShaderLibrary/
   // Every operation of floats has 16 bits instead of 32; arguments are rounded to them.
   bool half = false;
 };
@@ -31,7 +31,8 @@ struct CoreFunction {
 bool has_half_arithmetic();
 std::string device_name();
 
-// One case after the other in `inputs`; results in the same order, on the software device when there is one.
+// Runs one case after the other in `inputs`, and returns results in the same order, from the software device
+// when there is one.
 std::vector<float> run(const CoreFunction& function, DepthDirection direction,
                        const std::vector<float>& inputs);
 

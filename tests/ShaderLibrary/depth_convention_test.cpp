@@ -9,7 +9,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Distance from the light in stored units, whichever way the depth runs.
+// The distance from the light in stored units, whichever way the depth runs.
 long double depth_behind_near(float depth, DepthDirection direction) {
   return direction == DepthDirection::reversed ? 1.0L - depth : static_cast<long double>(depth);
 }
@@ -33,7 +33,7 @@ std::vector<float> depth_pairs() {
 class DepthConvention : public ::testing::TestWithParam<DepthDirection> {};
 INSTANTIATE_TEST_SUITE_P(BothDirections, DepthConvention, ::testing::ValuesIn(kDepthDirections));
 
-// One subtraction, correctly rounded: 1/2 ULP. The product with +-1 is exact.
+// One subtraction, correctly rounded, is off by 1/2 ULP. The product with +-1 is exact.
 TEST_P(DepthConvention, DepthGapIsHowMuchNearerTheMapIs) {
   const CoreFunction scalar{"DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 2, 1};
   const CoreFunction vector{"DepthConvention",

@@ -46,7 +46,8 @@ TEST(DepthDigits, AreDepthAndSquareInStepsOfTheirLastPlace) {
       const double z = centred(depths[i], direction);
       const double depth = std::ldexp(4096.0 * digits[0] + digits[1] - 8388608.0, -24);
       const double square = std::ldexp(4096.0 * digits[2] + digits[3], -26);
-      // Half a step; a whole one at 1/2, which has no digits. The float of the centred depth is off by 2^-25.
+      // The depth is off by half a step, or by a whole one at 1/2, which has no digits. The float of the
+      // centred depth is off by 2^-25.
       ASSERT_NEAR(depth, z, std::ldexp(z > 0.4999999 ? 1.5 : 1.0, -24)) << depths[i];
       ASSERT_NEAR(square, z * z, std::ldexp(z * z > 0.2499999 ? 3.0 : 2.5, -26)) << depths[i];
     }
@@ -70,7 +71,7 @@ TEST(MomentDigits, AreTheStoredMomentsInSixteenBits) {
   }
 }
 
-// Digits summed modulo 2^32 over the largest box that the file allows, and back.
+// Digits are summed modulo 2^32 over the largest box that the file allows, and taken back.
 TEST(DepthDigits, OfTheLargestBoxGiveItsMoments) {
   const CoreFunction back{
       "DepthDigits",
@@ -81,7 +82,7 @@ TEST(DepthDigits, OfTheLargestBoxGiveItsMoments) {
       "Map"};
   constexpr std::uint32_t kTexels = 1u << 20;
   Random random(73);
-  std::vector<float> depths{1.0f, 1.0f, 0.0f, 0.0f};  // the extremes, whose sums are the largest
+  std::vector<float> depths{1.0f, 1.0f, 0.0f, 0.0f};  // the extremes have the largest sums
   while (depths.size() < 2u * kRandomCases) depths.push_back(random.between(0.0f, 1.0f));
   const std::vector<float> digits = run(kDepthDigits, DepthDirection::conventional, depths);
   std::vector<float> inputs;

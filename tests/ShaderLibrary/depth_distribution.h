@@ -1,4 +1,4 @@
-// Distributions of depth of which every moment, and the share at or behind any depth, is known.
+// Distributions of depth whose moments, and whose share at or behind any depth, are known.
 #pragma once
 
 #include <cmath>

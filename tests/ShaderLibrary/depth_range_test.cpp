@@ -14,7 +14,7 @@ CoreFunction depth_range(const std::string& statement, int inputs, int outputs) 
   return {"DepthRange", statement, inputs, outputs, {}, "Map"};
 }
 
-// Every step of the format and the floats around it, and a million others.
+// The depths are every step of the format and the floats around it, and a million others.
 std::vector<float> depths_near_steps() {
   std::vector<float> depths;
   for (int step = 0; step <= 65535; ++step) {
@@ -48,7 +48,7 @@ TEST(DepthRange, RoundsOutwardInAFormatOf16Bits) {
         const long double outward = k == 0 ? toward_light : -toward_light;
         const long double steps = 65535.0L * out[2 * i + k];
         ASSERT_NEAR(static_cast<double>(steps), static_cast<double>(std::round(steps)), 0.01) << depths[i];
-        // What a device makes of the stored integer: its quotient, rounded to a float in any way, twice.
+        // A device makes this of the stored integer: its quotient, rounded to a float in any way, twice.
         const auto exact = static_cast<float>(std::round(steps) / 65535.0L);
         const float inward =
             std::nextafter(std::nextafter(exact, outward > 0 ? 0.0f : 1.0f), outward > 0 ? 0.0f : 1.0f);
@@ -83,7 +83,7 @@ TEST(DepthRange, JoinsHaveTheNearestAndTheFarthest) {
   }
 }
 
-// As the source lists it: rows of floor(sqrt(r^2 - y^2)) texels to each side.
+// The source lists the texels in this way: rows of floor(sqrt(r^2 - y^2)) texels to each side.
 bool listed(int x, int y, int radius) {
   if (std::abs(y) > radius) return false;
   int half = 0;
@@ -112,7 +112,8 @@ TEST(DepthRange, ADilationHasTheCellsOfItsDisc) {
   EXPECT_EQ(cells[0], 1);
 }
 
-// Between the nearest points of the middle cell and of the nearest cell that is left out, in cells.
+// The distance between the nearest points of the middle cell and of the nearest cell that is left out, in
+// cells.
 double distance_left_out(int radius) {
   double nearest = 1e9;
   for (int y = -20; y <= 20; ++y)

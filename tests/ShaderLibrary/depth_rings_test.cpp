@@ -18,7 +18,7 @@ const std::string kRingReceiver =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(4096.0, 4096.0); "
     "r.texelSize = 1.0; r.centre = float2(0.0, 0.0); r.inPerspective = false; r.awayFromAxis = float2(0.0, "
     "0.0); ";
-// Scales of which the sums and the ground need these three.
+// The sums and the ground need these three of the scales.
 std::string ring_scales(const std::string& depth_per_texel, const std::string& texels_per_metre) {
   return "ConeScales s; s.depthPerTexel = " + depth_per_texel + "; s.texelsPerDepth = 1.0 / (" +
          depth_per_texel + "); s.texelsPerMetre = " + texels_per_metre +
@@ -65,7 +65,7 @@ TEST(DepthRings, SharesOfRingsAreThoseOfTheRamps) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Exact exact = share_of_ring(inputs[4 * i], static_cast<int>(inputs[4 * i + 1]), inputs[4 * i + 2],
                                       inputs[4 * i + 3]);
-    // Roundings of a difference of up to 6 cells, a half, and a product.
+    // The share has the roundings of a difference of up to 6 cells, a half, and a product.
     ASSERT_NEAR(out[i], static_cast<double>(exact), 6.0 * 0x1p-23) << i;
     partial += exact > 0.0L && exact < 1.0L ? 1 : 0;
     whole += exact == 1.0L ? 1 : 0;
@@ -92,7 +92,7 @@ TEST(DepthRings, ADiscIsItsRingAndWhatThatEncloses) {
     const Exact end =
         std::min(static_cast<Exact>(inputs[4 * i + 3]) * width, static_cast<Exact>(inputs[4 * i + 2]));
     const Exact exact = std::clamp((end - static_cast<Exact>(inputs[4 * i])) / width + 0.5L, 0.0L, 1.0L);
-    // Roundings of a difference of up to 6 cells and a half.
+    // The share has the roundings of a difference of up to 6 cells and a half.
     ASSERT_NEAR(out[i], static_cast<double>(exact), 6.0 * 0x1p-23) << i;
     partial += exact > 0.0L && exact < 1.0L ? 1 : 0;
   }
@@ -132,7 +132,7 @@ TEST(DepthRings, LevelsReachTheRadiusAndNoFarther) {
     const int most = static_cast<int>(inputs[3 * i + 2]);
     ASSERT_GE(levels, 0) << i;
     ASSERT_LE(levels, most) << i;
-    if (levels < most) {  // within what a device's logarithm is wrong
+    if (levels < most) {  // otherwise the device's logarithm may be wrong by one
       ASSERT_GE(std::ldexp(cells, levels), radius * (1 - 1e-6L)) << i;
     }
     if (levels > 0) {
@@ -148,7 +148,8 @@ struct RingPlane {
   }
 };
 
-// Depth, gradient and place of receivers, and a depth near their plane or anywhere; at either end, too.
+// The inputs are depth, gradient and place of receivers, and a depth near their plane or anywhere, at either
+// end, too.
 std::vector<float> receivers_and_depths(std::uint32_t seed) {
   Random random(seed);
   std::vector<float> inputs;
@@ -182,7 +183,7 @@ TEST(DepthRings, ATexelBlocksAboveThePlaneAndTheReceiver) {
       const float* in = &inputs[6 * i];
       const RingPlane plane{in[0], in[1], in[2]};
       const Exact at = plane.at(direction, in[3], in[4]);
-      // Of three terms, each rounded, and their sums.
+      // The three terms are each rounded, and so are their sums.
       const Exact terms = std::fabs(static_cast<Exact>(in[0])) +
                           std::fabs(static_cast<Exact>(in[1]) * in[3]) +
                           std::fabs(static_cast<Exact>(in[2]) * in[4]) + 1.0L;
@@ -287,7 +288,7 @@ TEST(DepthRings, ACellOfTwoHeightsHasTheShareAndTheHeight) {
     const std::vector<float> out = run(depth_rings(kOfCell, 9, 2), direction, inputs);
     for (std::size_t i = 0; i < known.size(); ++i) {
       const auto [share, gap] = known[i];
-      // The mean is a float: off by 2^-25. What a deviation's error takes from its square: 2 e s, which
+      // The mean is a float, which is off by 2^-25. A deviation's error takes 2 e s from its square, and so
       // lowers the square that the share is a quotient by.
       const Exact above = share * (gap + static_cast<Exact>(inputs[9 * i + 8]));
       const Exact square = above * (gap + static_cast<Exact>(inputs[9 * i + 8]));
@@ -305,8 +306,8 @@ TEST(DepthRings, ACellOfTwoHeightsHasTheShareAndTheHeight) {
   }
 }
 
-// The nearest texel below the plane, of those less deep than eight texels are wide; in whatever order they
-// come.
+// The ground is the nearest texel below the plane, of those less deep than eight texels are wide, in whatever
+// order they come.
 TEST(DepthRings, TheGroundIsTheNearestTexelBelowThePlane) {
   for (const DepthDirection direction : kDepthDirections) {
     Random random(208);
@@ -390,7 +391,7 @@ TEST(DepthRings, SumsWeighBlockersByTheShareOfTheDiscThatTheyHide) {
                               weight(near_reach) / (radius * radius), weight(near_reach) / radius};
     for (std::size_t k = 0; k < 4; ++k) {
       const Exact reach = k < 2 ? radius : near_reach;
-      // Roundings of the reach and of the distance from it, in cells, and of four factors.
+      // The weight has the roundings of the reach and of the distance from it, in cells, and of four factors.
       const Exact of_weight = 8 * 0x1p-24L * (1.0L + (reach + static_cast<Exact>(in[2])) / cell);
       const Exact scale = blocked / (k % 2 == 0 ? radius * radius : radius);
       ASSERT_NEAR(out[5 * i + k], static_cast<double>(blocked * expected[k]),
@@ -444,19 +445,21 @@ TEST(DepthRingSums, QuadsHoldTheAreaOfEveryCellOfTheRings) {
           sum += share_of_ring(std::sqrt(dx * dx + dy * dy), level, radius, cells) * width * width;
         }
     }
-    // A cell's share is off by the roundings of its distance, 1e-6 of a cell or so; sums of some hundred.
+    // A cell's share is off by the roundings of its distance, 1e-6 of a cell or so; some hundred are summed.
     ASSERT_NEAR(out[2 * i], static_cast<double>(sum), static_cast<double>(2e-5L * (sum + 1.0L))) << i;
     ASSERT_EQ(out[2 * i + 1], out[2 * i] > 0.0f ? 1.0f : 0.0f) << i;
   }
 }
 
-// The search over quads of texels and the filter of what it finds: a wall above the receiver's right half.
+// The search goes over quads of texels, and the filter over what it finds: a wall above the receiver's right
+// half.
 TEST(DepthRingSums, AWallOverHalfOfTheDiscHidesHalfOfIt) {
   for (const DepthDirection direction : kDepthDirections) {
     const float wall = direction == DepthDirection::reversed ? 0.6f : 0.4f;
     const float empty = direction == DepthDirection::reversed ? 0.0f : 1.0f;
     std::vector<float> inputs;
-    // The penumbra's radius in texels; whether the wall begins at the receiver or is everywhere.
+    // The cases are the penumbra's radius in texels, and whether the wall begins at the receiver or is
+    // everywhere.
     for (const float radius : {1.2f, 2.5f, 4.0f})
       for (const float first : {64.0f, 0.0f, 128.0f})
         inputs.insert(inputs.end(), {radius, first, wall, empty});
@@ -503,7 +506,7 @@ TEST(DepthRingSums, TheSearchFindsTheGroundAmongTheTexelsNearby) {
   for (const DepthDirection direction : kDepthDirections) {
     const float sign = direction == DepthDirection::reversed ? 1.0f : -1.0f;
     std::vector<float> inputs;
-    for (const float column : {63.0f, 64.0f, 65.0f, 67.0f})  // 2.5 texels and more away: the last one
+    for (const float column : {63.0f, 64.0f, 65.0f, 67.0f})  // 2.5 texels and more away, the last one
       inputs.insert(inputs.end(),
                     {column, 0.5f - sign * 3e-4f, direction == DepthDirection::reversed ? 0.0f : 1.0f});
     const std::string body =

@@ -31,7 +31,8 @@ ExactSpread exact_spread(const float* depths, std::size_t count) {
   return spread;
 }
 
-// 16 depths each: anywhere, close together, of two surfaces, all equal, and at the ends of the range.
+// The cells are of 16 depths each: anywhere, close together, of two surfaces, all equal, and at the ends of
+// the range.
 std::vector<float> cells_of_texels() {
   Random random(83);
   std::vector<float> depths;

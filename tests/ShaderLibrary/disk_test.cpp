@@ -11,11 +11,11 @@ namespace {
 
 const std::vector<std::pair<std::string, std::string>> kUnlimited = {{"PENUMBRA_UNLIMITED", "1"}};
 
-// Vulkan asks of sine and cosine no more than 2^-11 absolute; what is turned by them is made unit length
-// again. The software device does better, which is what this bound holds it to.
-constexpr long double kTrigonometricUlp = 8.0L;  // of 1
+// Vulkan asks of sine and cosine no more than 2^-11 absolute; a vector that is turned by them is made unit
+// length again. The software device does better, and this bound holds it to that.
+constexpr long double kTrigonometricUlp = 8.0L;  // ULP of 1
 
-// The turn modulo one, in long double: exact to 2^-50 for the indices here.
+// The turn modulo one, in long double, is exact to 2^-50 for the indices here.
 long double golden_turn(int index) {
   const long double turns = index * (2.0L - std::numbers::phi_v<long double>);
   return turns - std::floor(turns);
@@ -91,7 +91,8 @@ TEST(Disk, FibonacciRadiusFollowsItsPower) {
       80.0L);
 }
 
-// As many points in every octave: the logarithm of the radius is even. pow as above, its base up to 2^13.
+// Every octave has as many points, so the logarithm of the radius is even. pow is as above, with a base up to
+// 2^13.
 TEST(Disk, GeometricRadiusFillsEveryOctaveAlike) {
   Random random(32);
   std::vector<float> inputs;
@@ -199,7 +200,7 @@ TEST(Disk, CountsAreBoundedToWhatThereIs) {
       0.0L);
 }
 
-// Two products and a sum, at the size of the products.
+// The result has two products and a sum, at the size of the products.
 TEST(Disk, RotationTurnsAndKeepsTheLength) {
   Random random(22);
   std::vector<float> inputs;

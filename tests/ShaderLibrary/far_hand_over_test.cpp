@@ -10,7 +10,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Distance, shadow distance, border; both visibilities.
+// The inputs are distance, shadow distance and border, then both visibilities.
 const CoreFunction kHandOver{"FarHandOver",
                              "const float share = FarShare(In(0), In(1), In(2));"
                              "Out(0, share); Out(1, HandedOver(In(3), In(4), share));",

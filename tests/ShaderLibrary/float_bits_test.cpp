@@ -12,7 +12,7 @@ std::vector<float> any_floats() {
   Random random(3);
   std::vector<float> inputs = special_floats();
   while (inputs.size() < std::size_t(kRandomCases)) {
-    // A third NaN, a third anything, a third around the unit interval.
+    // A third of the inputs is NaN, a third anything, a third around the unit interval.
     const float anything = random.any_bits();
     const auto nan_bits = std::bit_cast<std::uint32_t>(anything) | 0x7F800000u;
     inputs.push_back(std::bit_cast<float>(nan_bits));

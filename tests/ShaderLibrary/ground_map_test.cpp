@@ -10,7 +10,8 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Inputs: area (4), heights (2), position (3), a stored height. Outputs: UV (2), coverage, metres.
+// The inputs are area (4), heights (2), position (3) and a stored height. The outputs are UV (2), coverage
+// and metres.
 const CoreFunction kGround{
     "GroundMap",
     "const GroundMap ground = BoundedGroundMap(float4(In(0), In(1), In(2), In(3)), float2(In(4), In(5)));"

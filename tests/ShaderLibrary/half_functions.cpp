@@ -9,13 +9,13 @@ namespace {
 constexpr Quantity kVisibility{"of visibility", 1.0 / 255.0};    // a step of an 8-bit target
 constexpr Quantity kDisc{"of the disc's radius", 1.0 / 64.0};    // less than a texel of a kernel 64 wide
 constexpr Quantity kTurn{"of a turn", 1.0 / 64.0, true};         // a rotation by so much is not seen
-constexpr Quantity kTexels{"texels", 1.0 / 16.0};                // of the shadow map
+constexpr Quantity kTexels{"texels", 1.0 / 16.0};                // sixteenth of a texel of the shadow map
 constexpr Quantity kDepth{"of the depth range", 1.0 / 65535.0};  // a step of a 16-bit map
 constexpr Quantity kMetres{"metres", 0.01};                      // about a texel of the nearest cascade
-constexpr Quantity kRings{"rings", 1.0 / 4.0};                   // of 32
+constexpr Quantity kRings{"rings", 1.0 / 4.0};                   // quarter of one of 32 rings
 
-// A tile of 2048 texels in an atlas of 4096, of a cascade 5 to 200 m wide and 50 to 500 m deep, under a light
-// of 0.53 to 5 degrees: uvPerMetre, depthPerMetre, depthToRadial, radialToDepth.
+// A tile of 2048 texels in an atlas of 4096, for a cascade 5 to 200 m wide and 50 to 500 m deep, under a
+// light of 0.53 to 5 degrees: uvPerMetre, depthPerMetre, depthToRadial, radialToDepth.
 Case tile(Random& random) {
   const float uv_per_metre = 1.0F / random.between(5.0F, 200.0F);
   const float depth_per_metre = 1.0F / random.between(50.0F, 500.0F);
@@ -43,7 +43,7 @@ Case joined(Case first, const Case& second) {
   return first;
 }
 
-// Moments of two depths in [-1, 1], then a depth near the farther one or behind it.
+// The moments of two depths in [-1, 1], then a depth near the farther one or behind it.
 Case two_depths(Random& random, int moments) {
   const float a = random.between(-1.0F, 1.0F), b = random.between(-1.0F, 1.0F),
               share = random.between(0.0F, 1.0F);
@@ -240,7 +240,8 @@ std::vector<HalfFunction> half_functions() {
         "spheres.squaredRadii = float4(1, 4, 4, 4) * In(3) * In(3); Out(0, NextCascadeWeight(float3(In(0), "
         "In(1), In(2)) * In(3), spheres, 0, 4, 0.2));",
         4, 1},
-       [](Random& random) {  // in the first sphere and the second, whose border is a step of the weight
+       // The positions lie in the first sphere and the second, whose border is a step of the weight.
+       [](Random& random) {
          Case position = direction(random);
          const float radius = random.between(0.0F, 1.0F);
          for (float& coordinate : position) coordinate *= radius;

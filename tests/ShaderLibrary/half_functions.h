@@ -10,7 +10,7 @@
 
 namespace penumbra::shader_library_tests {
 
-// What a result is, and the largest difference that is accepted of it.
+// A result's unit, and the largest difference that is accepted of it.
 struct Quantity {
   const char* unit;
   double accepted;
@@ -20,10 +20,10 @@ struct Quantity {
 using Case = std::vector<float>;
 
 struct HalfFunction {
-  std::string function;  // as the page names it
+  std::string function;  // the name on the page
   Quantity quantity;
   CoreFunction called;
-  Case (*inputs)(Random&);  // of one case
+  Case (*inputs)(Random&);  // makes the inputs of one case
 
   friend void PrintTo(const HalfFunction& tested, std::ostream* out) { *out << tested.function; }
 };

@@ -1,8 +1,8 @@
-// Which functions of the library may be computed with 16-bit half: the largest difference to the same
-// function in float, over the values that scenes have.
+// Tells which functions of the library may be computed with 16-bit half, by the largest difference to the
+// same function in float over the values that scenes have.
 //
-// Prints a line for each function, from which tests/ShaderLibrary/half_page makes the page, and compares it
-// with half_precision.json, which holds the lines of the last run of the page.
+// The test prints a line for each function, from which tests/ShaderLibrary/half_page makes the page, and
+// compares it with half_precision.json, which holds the lines of the last run of the page.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ double smallest_gap(const Depths& depths) {
   return gap;
 }
 
-// Three depths are the canonical representation of their moments: each has its share.
+// Three depths are the canonical representation of their moments, so each has its share.
 TEST(CanonicalWeight, IsTheShareOfOneOfThreeDepths) {
   const CoreFunction weight{
       "HamburgerBound", "Out(0, CanonicalWeight(FactorHankel(float4(In(0), In(1), In(2), In(3))), In(4)));",
@@ -120,7 +120,7 @@ TEST(ReducedPowers, AreOrthogonal) {
   }
 }
 
-// Two occluders and the receiver: the bound is the share at or behind the receiver.
+// With two occluders and the receiver, the bound is the share at or behind the receiver.
 TEST(HamburgerBound, IsExactForThreeDepths) {
   Random random(41);
   std::vector<float> inputs;
@@ -155,7 +155,7 @@ TEST(HamburgerBound, IsABoundForManyDepths) {
 }
 
 // No other bound from these moments is smaller: some distribution of four depths reaches it. The bound must
-// lie below that of two moments, which knows less.
+// lie below that of two moments, which know less.
 TEST(HamburgerBound, IsAtMostThatOfTwoMoments) {
   Random random(43);
   std::vector<float> inputs;
@@ -177,7 +177,7 @@ TEST(HamburgerBound, IsAtMostThatOfTwoMoments) {
   EXPECT_GT(sum / kRandomCases, 0.05) << "four moments know more than two";
 }
 
-// One depth, rounded moments: lit before it, dark behind it beyond what the mix leaves uncertain.
+// One depth with rounded moments is lit before it, and dark behind it beyond what the mix leaves uncertain.
 TEST(HamburgerBound, ToldApartFromOneDepth) {
   Random random(44);
   std::vector<float> inputs;

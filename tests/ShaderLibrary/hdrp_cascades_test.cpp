@@ -1,6 +1,6 @@
-// Pipelines/Hdrp.hlsl on HDRP's shadow data of a fitted sun: the cascade, the place in the atlas and the
-// depth of a camera-relative position, against the fit's own matrices; the border between cascades; what is
-// outside.
+// Compares Pipelines/Hdrp.hlsl on HDRP's shadow data of a fitted sun with the fit's own matrices: the
+// cascade, the place in the atlas and the depth of a camera-relative position, the border between cascades,
+// and what is outside.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ Fitted fit(int cascades, DepthDirection direction) {
   return fitted;
 }
 
-// Positions before the camera, from its near plane to beyond the last sphere, relative to it.
+// The positions lie before the camera, from its near plane to beyond the last sphere, relative to it.
 std::vector<float> positions(int count) {
   Random random(5);
   std::vector<float> values;
@@ -83,7 +83,7 @@ const HdrpFunction kPrepared{
     "Out(6, light.strength);",
     3, 7};
 
-// The first sphere that holds the position, or nothing; no answer within rounding of a sphere.
+// The first sphere that holds the position, or nothing. There is no answer within rounding of a sphere.
 std::optional<int> cascade_of(const Fitted& fitted, const glm::dvec3& position, bool& near_a_sphere) {
   near_a_sphere = false;
   for (const parameters::Cascade& cascade : fitted.set.cascades) {
@@ -139,7 +139,7 @@ TEST(HdrpCascades, PositionsThatAreNoNumbersAreOutside) {
 TEST(HdrpCascades, WithoutAShadowedSunNothingIsCovered) {
   for (const bool no_light : {true, false}) {
     Fitted fitted = fit(4, DepthDirection::reversed);
-    // The sun's come first: what a read out of bounds would take for them.
+    // The sun's shadows come first, where a read out of bounds would find them.
     fitted.frame.shadows.erase(fitted.frame.shadows.begin(), fitted.frame.shadows.begin() + 2);
     (no_light ? fitted.frame.shadow_index : fitted.frame.first_shadow) = -1;
     const std::vector<float> got =
@@ -148,7 +148,7 @@ TEST(HdrpCascades, WithoutAShadowedSunNothingIsCovered) {
   }
 }
 
-// A cascade HDRP did not draw this frame: its squared radius is minus infinity.
+// HDRP did not draw this cascade in this frame: its squared radius is minus infinity.
 TEST(HdrpCascades, ASphereOfNoSizeHoldsNothing) {
   Fitted fitted = fit(2, DepthDirection::reversed);
   fitted.frame.spheres[0].w = -std::numeric_limits<float>::infinity();
@@ -158,8 +158,8 @@ TEST(HdrpCascades, ASphereOfNoSizeHoldsNothing) {
   EXPECT_EQ(got[4], 0.5f);
 }
 
-// One sphere around (0, 0, 10) of radius 4, border a quarter of its squared radius; the camera looks from the
-// origin.
+// One sphere of radius 4 lies around (0, 0, 10), with a border of a quarter of its squared radius; the camera
+// looks from the origin.
 HdrpFrame bordered(std::size_t cascades) {
   HdrpFrame frame;
   for (std::size_t i = 0; i < cascades; ++i) {

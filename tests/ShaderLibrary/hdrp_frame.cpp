@@ -76,7 +76,8 @@ Compiled& compiled(const HdrpFunction& function, HdrpVersion version, DepthDirec
   return passes.emplace(std::pair(text, defines), compile(text, defines)).first->second;
 }
 
-// Words of a structured buffer: a three-vector starts at, and a struct is as long as, a multiple of 16 bytes.
+// The words of a structured buffer: a three-vector starts at, and a struct is as long as, a multiple of 16
+// bytes.
 class Words {
  public:
   Words& add(float value) {
@@ -147,7 +148,7 @@ std::vector<std::byte> loose_uniforms(const shaders::Resource& block, const Hdrp
   return bytes;
 }
 
-// Every resource the module uses, by its name in the shader.
+// Binds every resource that the module uses, by its name in the shader.
 void bind(Compiled& program, const HdrpFrame& frame, const std::map<std::string, gpu::Buffer>& buffers,
           DepthDirection direction) {
   const auto compare = direction == DepthDirection::reversed ? gpu::SamplerKind::compare_greater_equal

@@ -22,14 +22,14 @@
 
 namespace penumbra::shader_library_tests {
 
-// Which declarations the stand-in gives: of HDRP 14; with the parameters HDRP 17 packs; with arrays of six
-// cascades.
+// The declarations that the stand-in gives: those of HDRP 14, with the parameters HDRP 17 packs, or with
+// arrays of six cascades.
 enum class HdrpVersion { v14, v17, six_cascades };
 constexpr HdrpVersion kHdrpVersions[] = {HdrpVersion::v14, HdrpVersion::v17, HdrpVersion::six_cascades};
 
 using HdrpDefines = std::vector<std::pair<std::string, std::string>>;
 
-// The macros by which a shader sees that version: as Unity's own version would tell it.
+// The macros by which a shader sees that version, as Unity's own version would tell it.
 HdrpDefines defines_of(HdrpVersion version);
 std::vector<project::PackageRoot> hdrp_package_roots();
 
@@ -55,11 +55,11 @@ struct HdrpFrame {
   glm::vec2 atlas_texels{1.0f};
   std::vector<float> atlas;       // stored depths, row by row; for shaders that read the map
   std::int32_t shadow_index = 0;  // _DirectionalShadowIndex
-  std::int32_t first_shadow = 0;  // the sun's, in _HDShadowDatas
+  std::int32_t first_shadow = 0;  // the sun's first shadow in _HDShadowDatas
   glm::vec3 forward{0.0f, -1.0f, 0.0f};
   float dimmer = 1.0f;
   glm::vec4 main_light_params{};
-  std::array<glm::vec4, 2> pcss{};  // of ShaderLibrary/Filters/PcssHdrpParameters.hlsl
+  std::array<glm::vec4, 2> pcss{};  // vectors of ShaderLibrary/Filters/PcssHdrpParameters.hlsl
 };
 
 struct HdrpFunction {
@@ -69,7 +69,7 @@ struct HdrpFunction {
   HdrpDefines defines = {};
 };
 
-// Where the depth is reversed or not is the caller's: the projections say it, and the shader's macro.
+// The caller says whether the depth is reversed: the projections tell it, and so does the shader's macro.
 std::vector<float> run(const HdrpFunction& function, HdrpVersion version, DepthDirection direction,
                        const HdrpFrame& frame, const std::vector<float>& inputs);
 

@@ -63,7 +63,7 @@ TEST_P(HdrpInclude, CompilesForEveryVersionDirectionAndTarget) {
       EXPECT_EQ(binds(result, "sampler_PenumbraPointClamp"), GetParam().starts_with("_PENUMBRA_PCSS"));
       shaders::CrossCompiler module(result.spirv);
       for (const shaders::Target target : shaders::all_targets) {
-        // HDRP needs compute shaders, and these have no structured buffers.
+        // HDRP needs compute shaders, and these targets have no structured buffers.
         if (target == shaders::Target::essl300 || target == shaders::Target::glsl410) continue;
         const shaders::CrossCompileResult text = module.to(target);
         for (const hlsl::Diagnostic& diagnostic : text.diagnostics) {
@@ -75,7 +75,7 @@ TEST_P(HdrpInclude, CompilesForEveryVersionDirectionAndTarget) {
   }
 }
 
-// HDRP's own shadow context declares the atlas and the buffers: after it, the binding does not.
+// HDRP's own shadow context declares the atlas and the buffers; after it, the binding does not.
 TEST(HdrpInclude, ComesAfterHdrpsShadowContext) {
   const std::string context =
       "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n"
@@ -90,7 +90,7 @@ TEST(HdrpInclude, ComesAfterHdrpsShadowContext) {
   EXPECT_FALSE(compile(context + kLit, {}).spirv.empty());
 }
 
-// The version decides unless the project does: then HDRP's packed settings are not read.
+// The version decides unless the project does; then HDRP's packed settings are not read.
 TEST(HdrpInclude, LeavesHdrpsSettingsWhereTheProjectSaysSo) {
   HdrpDefines defines = with(defines_of(HdrpVersion::v17), "_PENUMBRA_PCSS_HDRP");
   const std::vector<std::uint32_t> packed = compile(kLit, defines).spirv;

@@ -1,4 +1,4 @@
-// The scales and parameters that Pipelines/Hdrp.hlsl derives from HDRP's shadow data, against the golden
+// Compares the scales and parameters that Pipelines/Hdrp.hlsl derives from HDRP's shadow data with the golden
 // vectors of tools/parameters: the same matrices, taken apart as HDRP uploads them.
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ glm::vec4 vector(const nlohmann::json& values) {
   return {values[0].get<double>(), values[1].get<double>(), values[2].get<double>(), values[3].get<double>()};
 }
 
-// A matrix to atlas UV, of the first tile, as a view of unit rows and a projection: HDRP's shader multiplies
-// m00 of the projection by the view's first row, and halves it for the tile's UV.
+// Takes a matrix to atlas UV, of the first tile, apart into a view of unit rows and a projection: HDRP's
+// shader multiplies m00 of the projection by the view's first row, and halves it for the tile's UV.
 HdrpShadow taken_apart(const nlohmann::json& record, const parameters::AtlasLayout& layout) {
   const nlohmann::json& m = record.at("world_to_shadow");
   const glm::dvec2 extent(double(layout.tile_resolution) / layout.width,
@@ -55,8 +55,8 @@ HdrpShadow taken_apart(const nlohmann::json& record, const parameters::AtlasLayo
   return shadow;
 }
 
-// Those whose scales are of a size that shadow maps have: a micrometre to a thousand kilometres across.
-// Beyond, the package's C# is what is tested; shaders see what HDRP fits around a camera.
+// The golden cascades whose scales are of a size that shadow maps have: a micrometre to a thousand kilometres
+// across. Beyond, the package's C# is what is tested; shaders see what HDRP fits around a camera.
 const std::vector<GoldenCascade>& golden_cascades() {
   static const std::vector<GoldenCascade> cascades = [] {
     std::ifstream file(PENUMBRA_SOURCE_DIR "/tests/golden/parameters.json");
@@ -83,7 +83,7 @@ std::vector<float> run_one(const HdrpFunction& function, HdrpVersion version, co
   return run(function, version, DepthDirection::reversed, frame, {tan_half});
 }
 
-// Where a tangent, a view row's length, a ratio and its inverse each round once.
+// A tangent, a view row's length, a ratio and its inverse each round once.
 constexpr long double kRoundings = 4.0L;
 
 void expect_close(float got, float exact, const std::string& what) {
@@ -94,7 +94,7 @@ TEST(HdrpPacking, GoldenCascadesOfAShadowMapsSizeAreThere) {
   EXPECT_GE(golden_cascades().size(), 20u);
 }
 
-// The last is the scale that PcssHdrp itself works with, per tile UV.
+// The last output is the scale that PcssHdrp itself works with, per tile UV.
 const HdrpFunction kTile{
     "const ShadowTile tile = PenumbraHdrpTile(_HDShadowDatas[0], In(0));"
     "const ConeScales cone = ConeScalesOf(tile);"
@@ -166,7 +166,7 @@ const std::vector<float> kOwnParameters{7.0f, 9.0f, 3.0f, 2.0f, 0.25f, 0.75f, 0.
 TEST(HdrpPacking, WithoutPackedSettingsThePackagesUniformsServe) {
   GoldenCascade golden = golden_cascades().front();
   EXPECT_EQ(run_one(kParameters, HdrpVersion::v14, golden), kOwnParameters);
-  // What HDRP leaves below High quality.
+  // HDRP leaves these values below High quality.
   golden.shadow.params0 = golden.shadow.params1 = glm::vec4(0.0f);
   EXPECT_EQ(run_one(kParameters, HdrpVersion::v17, golden), kOwnParameters);
   const std::vector<float> tile = run_one(kTile, HdrpVersion::v17, golden);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kTileTexels = 64;
 
-// Two tiles side by side. The light looks along +Z of the world from z = 0 and sees 20 m; stored depth 0.5 is
-// z = 10, where the receivers stand.
+// Two tiles lie side by side. The light looks along +Z of the world from z = 0 and sees 20 m; stored depth
+// 0.5 is z = 10, where the receivers stand.
 HdrpFrame two_tiles(DepthDirection direction, float first_tile, float second_tile) {
   HdrpFrame frame;
   const float toward = direction == DepthDirection::reversed ? -1.0f : 1.0f;
@@ -31,7 +31,7 @@ HdrpFrame two_tiles(DepthDirection direction, float first_tile, float second_til
   return frame;
 }
 
-// From the middle of the tile to its right edge, where the other tile begins.
+// The places lead from the middle of the tile to its right edge, where the other tile begins.
 const std::vector<float> kAcross{0.0f, 5.0f, 9.0f, 9.6f, 9.9f, 9.99f};
 
 class HdrpVisibility : public ::testing::TestWithParam<std::string> {

@@ -77,7 +77,7 @@ TEST(HorizonWeights, NeverLeaveTheirRangeWhateverTheDirection) {
   }
 }
 
-// The angle of a horizon that rises by the same amount from each direction to the next.
+// The horizon's angle rises by the same amount from each direction to the next.
 TEST(BlendedHorizon, IsLinearBetweenTwoDirections) {
   const CoreFunction blended{"HorizonBlend",
                              "Out(0, BlendedHorizon(float4(0.0, 0.1, 0.2, 0.3), float4(0.4, 0.5, 0.6, 0.7),"

@@ -12,7 +12,7 @@ namespace penumbra::shader_library_tests {
 
 constexpr int kRandomCases = 20000;
 
-// NaN of both signs, quiet and signalling, several payloads; infinities; the ends of the range.
+// NaN of both signs, quiet and signalling, with several payloads; infinities; the ends of the range.
 inline std::vector<float> special_floats() {
   std::vector<float> values;
   for (const std::uint32_t bits : {0x7FC00000u, 0xFFC00000u, 0x7F800001u, 0xFF800001u, 0x7FFFFFFFu,
@@ -33,7 +33,8 @@ class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
   float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
-  // Either sign, magnitude spread evenly over the exponents between the two powers of ten.
+  // A number of either sign, whose magnitude is spread evenly over the exponents between the two powers of
+  // ten.
   float magnitude(float low_power, float high_power) {
     const float size = std::pow(10.0f, between(low_power, high_power));
     return (engine_() & 1u) != 0 ? size : -size;
@@ -45,7 +46,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-// So many of special_floats(), drawn at random.
+// As many of special_floats(), drawn at random.
 inline std::vector<float> random_special_floats(Random& random, std::size_t count) {
   const std::vector<float> all = special_floats();
   std::vector<float> drawn;

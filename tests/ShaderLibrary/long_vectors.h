@@ -1,4 +1,4 @@
-// Vectors in long double, for what shaders compute in float.
+// Vectors in long double, against which what shaders compute in float is tested.
 #pragma once
 
 #include <array>

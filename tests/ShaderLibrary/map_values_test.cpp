@@ -1,4 +1,4 @@
-// Map/: what is written into filtered maps, against the same values in double precision.
+// Compares the values that Map/ writes into filtered maps with the same values in double precision.
 #include <algorithm>
 #include <cmath>
 
@@ -69,8 +69,8 @@ TEST(StoredDepthMoments, LieBetweenZeroAndOneAndComeBack) {
   }
 }
 
-// A tile of 1024 texels at (1024, 0): in its middle the taps' distances and widths make up the deviation that
-// was asked for; at its border no tap reads beyond, in the coarser of two levels.
+// A tile of 1024 texels lies at (1024, 0). In its middle the taps' distances and widths make up the deviation
+// that was asked for; at its border no tap reads beyond, in the coarser of two levels.
 TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
   const CoreFunction taps{
       "MapLevels",
@@ -106,7 +106,7 @@ TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
   }
 }
 
-// The largest exponents that DepthWarp.hlsl names, in the numbers of both formats.
+// The largest exponents that DepthWarp.hlsl names fit into the numbers of both formats.
 TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
   const CoreFunction warp{
       "DepthWarp",
@@ -120,7 +120,7 @@ TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
     double smallest, largest;  // normal numbers
     float squared, single;     // exponents
   };
-  const double float_sum = 11.0;  // of a blur's weights, before it is divided by it
+  const double float_sum = 11.0;  // weights of a blur before its division
   for (const Format& format : {Format{std::ldexp(1.0, -126), std::ldexp(1.0, 128) / float_sum, 86.0f, 172.0f},
                                Format{std::ldexp(1.0, -14), 65504.0, 9.0f, 19.0f}}) {
     for (const float depth : {0.0f, 1.0f}) {

@@ -12,7 +12,7 @@ namespace {
 const CoreFunction kBound{"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), In(3)));", 4,
                           1};
 
-// An occluder and the receiver behind it: the bound is the receiver's share.
+// With an occluder and the receiver behind it, the bound is the receiver's share.
 TEST(MomentBounds, AreExactForTwoDepths) {
   Random random(31);
   std::vector<float> inputs;

@@ -24,15 +24,15 @@ long double fraction(long double x) {
   return x - std::floor(x);
 }
 
-// The constants as the shader holds them.
+// The noise with the constants as the shader holds them.
 long double gradient_noise(const float* in) {
   const long double move = static_cast<long double>(5.588238f) * (static_cast<int>(in[2]) % 64);
   const long double along = (in[0] + move) * 0.06711056f + (in[1] + move) * 0.00583715f;
   return fraction(static_cast<long double>(52.9829189f) * fraction(along));
 }
 
-// Inside, the dot product reaches 600 and is good to 2 ULP of that, 2^-13; times 53 that is 0.0065 of a turn:
-// noise, but the same noise to within a hundredth on every device.
+// Inside, the dot product reaches 600 and is good to 2 ULP of that, 2^-13; times 53 that is 0.0065 of a turn.
+// It is noise, but the same noise to within a hundredth on every device.
 TEST(Noise, IsJimenezsGradientNoise) {
   const std::vector<float> inputs = pixels();
   const std::vector<float> results =
@@ -48,7 +48,7 @@ TEST(Noise, IsJimenezsGradientNoise) {
   EXPECT_LE(worst, 0.0065);
 }
 
-// Any 3 x 3 neighbourhood holds a low, a middle and a high value: what makes a small blur remove it.
+// Any 3 x 3 neighbourhood holds a low, a middle and a high value, so that a small blur removes the noise.
 TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
   std::vector<float> inputs;
   const int side = 150;
@@ -70,7 +70,7 @@ TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
   }
 }
 
-// Sine and cosine within 8 ULP of 1 on this device, plus the rounding of the angle (2 ULP of 2 pi, 2^-21
+// Sine and cosine are within 8 ULP of 1 on this device, plus the rounding of the angle (2 ULP of 2 pi, 2^-21
 // absolute).
 TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
   std::vector<float> inputs;

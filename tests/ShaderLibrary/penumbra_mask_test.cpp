@@ -18,7 +18,7 @@ TEST(PenumbraMask, TapsAreFourPixelsOfTheBlockInDifferentRowsAndColumns) {
         inputs.insert(inputs.end(), {float(block_x), float(block_y), float(tap)});
     }
   }
-  // 119 x 66: the last blocks are cut off.
+  // The last blocks of 119 x 66 pixels are cut off.
   const std::vector<float> results =
       run({"../Screen/PenumbraMask",
            "const int2 p = MaskTapPixel(int2(InInt(0), InInt(1)), InInt(2), int2(119, 66));"
@@ -59,13 +59,15 @@ TEST(PenumbraMask, IsOneUnlessAllTapsAreAtOneEnd) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto taps = inputs.begin() + static_cast<std::ptrdiff_t>(4 * i);
     const auto [lowest, highest] = std::minmax_element(taps, taps + 4);
-    // A hardware filter's smallest share is 1/256: what is nearer to an end than half of that is the end.
+    // A hardware filter's smallest share is 1/256, so a value that is nearer to an end than half of that is
+    // the end.
     const bool one_end = *highest <= 1.0f / 512.0f || *lowest >= 511.0f / 512.0f;
     ASSERT_EQ(results[i], one_end ? 0.0f : 1.0f);
   }
 }
 
-// tile: 1024 texels of an atlas of 2048, uvPerMetre, depthPerMetre, tan(a/2); mask: penumbra, texels, bound.
+// The tile has 1024 texels of an atlas of 2048, then uvPerMetre, depthPerMetre and tan(a/2); the mask has
+// penumbra, texels and bound.
 const std::string kReach =
     "ShadowTile tile; tile.offsetScale = float4(0.5, 0.0, 0.5, 0.5);"
     "tile.atlasTexelSize = float4(1.0 / 2048.0, 1.0 / 2048.0, 2048.0, 2048.0);"
@@ -88,8 +90,8 @@ std::vector<float> random_receivers() {
   return inputs;
 }
 
-// In metres from the start: the gap to the map's near plane times the tangent, or half the cap; not below the
-// kernel.
+// The reach is in metres from the start: the gap to the map's near plane times the tangent, or half the cap,
+// but not below the kernel.
 long double reach_of(const float* in, DepthDirection direction) {
   const long double to_near_plane =
       (direction == DepthDirection::reversed ? 1.0L - in[0] : static_cast<long double>(in[0])) / in[2];

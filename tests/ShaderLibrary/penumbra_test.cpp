@@ -8,8 +8,8 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// A light of any angular diameter from 0.01 to 30 degrees above a tile: extent, atlas width, uv and depth per
-// metre, depth to radial and its inverse.
+// A light of any angular diameter from 0.01 to 30 degrees shines on a tile: extent, atlas width, uv and depth
+// per metre, depth to radial and its inverse.
 constexpr const char* kScales =
     "ShadowTile tile; tile.offsetScale = float4(0, 0, In(0), In(0)); tile.atlasTexelSize = float4(0, 0, "
     "In(1), In(1));"
@@ -33,7 +33,7 @@ long double tile_texels(const float* in) {
   return static_cast<long double>(in[0]) * in[1];
 }
 
-// Products; one division, 2.5 ULP in Vulkan.
+// The scales are products and one division, 2.5 ULP in Vulkan.
 TEST(ConeScales, AreTheTilesScalesPerTexel) {
   Random random(25);
   std::vector<float> inputs;
@@ -52,14 +52,14 @@ TEST(ConeScales, AreTheTilesScalesPerTexel) {
       2.5L);
 }
 
-// LargestGap, PenumbraRadius and SearchRadius: at most four roundings in a row.
+// LargestGap, PenumbraRadius and SearchRadius have at most four roundings in a row.
 TEST(PenumbraRadius, FollowsSimilarTriangles) {
   for (const DepthDirection direction : kDepthDirections) {
     Random random(26);
     std::vector<float> inputs;
     for (int i = 0; i < kRandomCases; ++i) {
       append_tile(inputs, random);
-      // gap, receiver depth, largest penumbra in metres, floor in texels
+      // The inputs are gap, receiver depth, largest penumbra in metres and floor in texels.
       inputs.insert(inputs.end(), {random.between(-0.1f, 1.0f), random.between(0.0f, 1.0f),
                                    std::pow(10.0f, random.between(-2.0f, 3.0f)), random.between(0.0f, 2.0f)});
     }
@@ -122,7 +122,7 @@ TEST(Penumbra, RadiiAndOffsetsAreFiniteForAnyTile) {
   }
 }
 
-// One division, 2.5 ULP.
+// The result is one division, 2.5 ULP.
 TEST(AverageGap, DividesOnlyByWhatWasWeighed) {
   Random random(29);
   std::vector<float> inputs = {0.0f, 0.0f, 1.0f, 0.0f};
@@ -136,7 +136,7 @@ TEST(AverageGap, DividesOnlyByWhatWasWeighed) {
       2.5L);
 }
 
-// A sum and a division; where one side is exactly zero, no rounding at all.
+// The share is a sum and a division; where one side is exactly zero, nothing is rounded at all.
 TEST(LitShare, IsExactWhereAllOrNothingIsLit) {
   Random random(30);
   std::vector<float> inputs = {0.0f, 0.0f};

@@ -11,7 +11,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Position, plane, light.
+// The inputs are position, plane and light.
 const CoreFunction kOnto{
     "PlanarShadow",
     "const PlanarPoint p = OntoPlane(float3(In(0), In(1), In(2)), float4(In(3), In(4), In(5), In(6)),"
@@ -59,7 +59,7 @@ TEST(OntoPlane, IsOnThePlaneAndOnTheLineThroughTheLight) {
     ++valid;
     ASSERT_NEAR(out[3], static_cast<double>(height), 1e-5) << i;
     const Vector place{out[0], out[1], out[2]};
-    // Digits of a float, of a place far away.
+    // The error is that of a float's digits at a place far away.
     const double error = 1e-4 + 2e-5 * static_cast<double>(std::sqrt(dot(place, place)));
     ASSERT_NEAR(static_cast<double>(dot(normal, place)), in[6], error) << i;
     for (std::size_t axis = 0; axis < 3; ++axis)

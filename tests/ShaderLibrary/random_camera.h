@@ -14,12 +14,12 @@ namespace penumbra::shader_library_tests {
 using Vector = glm::vec<3, long double>;
 
 struct RandomCamera {
-  std::array<float, 16> rows;  // of (uv, depth, 1) to homogeneous world
+  std::array<float, 16> rows;  // rows that take (uv, depth, 1) to homogeneous world
   Vector eye;
 };
 
-// Lenses from 20 to 100 degrees, asymmetric, near planes from 1 cm to 1 m, either depth direction and row
-// order.
+// The lenses have 20 to 100 degrees and are asymmetric; the near planes lie at 1 cm to 1 m; depth direction
+// and row order are either.
 inline RandomCamera random_camera(Random& random) {
   const auto direction = [&] {
     return glm::normalize(

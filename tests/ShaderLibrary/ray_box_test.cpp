@@ -11,7 +11,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Origin, direction, lowest and highest corner, length.
+// The inputs are origin, direction, lowest and highest corner, and length.
 const CoreFunction kThrough{
     "RayBox",
     "const float2 part = RayThroughBox(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)),"
@@ -53,7 +53,7 @@ TEST(RayThroughBox, IsThePartBetweenItsSixPlanes) {
   int met = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const auto [from, to] = clipped(&cases[13 * i]);
-    if (to > from && to - from < 1e-4L) continue;  // grazes a corner
+    if (to > from && to - from < 1e-4L) continue;  // the ray grazes a corner
     ASSERT_NEAR(seen[2 * i], static_cast<double>(from), 1e-4) << i;
     ASSERT_NEAR(seen[2 * i + 1], static_cast<double>(to), 1e-4) << i;
     met += to > from ? 1 : 0;

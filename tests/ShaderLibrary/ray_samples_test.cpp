@@ -91,7 +91,7 @@ TEST(RaySampleShare, RisesWithTheIndexAndStaysInRange) {
     for (const int next : {0, 1})
       cases.insert(cases.end(), {static_cast<float>(index + next),
                                  static_cast<float>(random.integer(0, 1) == 0 ? 64 : 7), odd[0], odd[1]});
-    cases[cases.size() - 3] = cases[cases.size() - 7];  // of the same number of samples
+    cases[cases.size() - 3] = cases[cases.size() - 7];  // the sample counts are equal
   }
   const std::vector<float> seen = run(kSampleShare, DepthDirection::conventional, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {

@@ -34,7 +34,7 @@ Vector unit(const Vector& a) {
 }
 
 // The determinant cancels: its relative error is the ratio of its terms to itself, and the whole result has
-// it. Scale is the sum of the terms over the determinant, times that ratio.
+// it. The scale is the sum of the terms over the determinant, times that ratio.
 std::vector<Exact> exact_from_derivatives(const float* in) {
   const long double ux = in[0], vx = in[1], zx = in[2], uy = in[3], vy = in[4], zy = in[5];
   const long double determinant = ux * vy - vx * uy;
@@ -44,8 +44,8 @@ std::vector<Exact> exact_from_derivatives(const float* in) {
           {(ux * zy - uy * zx) / determinant, (std::fabs(ux * zy) + std::fabs(uy * zx)) * worse}};
 }
 
-// Screen derivatives of a plane under pixels of any size from 1e-12 to 1 of the atlas, at angles from 0.2
-// degrees.
+// The screen derivatives are those of a plane under pixels of any size from 1e-12 to 1 of the atlas, at
+// angles from 0.2 degrees.
 TEST(ReceiverPlane, FromDerivativesInvertsTheJacobian) {
   Random random(10);
   std::vector<float> inputs;
@@ -61,8 +61,8 @@ TEST(ReceiverPlane, FromDerivativesInvertsTheJacobian) {
                 vy = stretch * size * std::sin(angle + between);
     inputs.insert(inputs.end(), {ux, vx, slope_u * ux + slope_v * vx, uy, vy, slope_u * uy + slope_v * vy});
   }
-  // Scaling to unit length rounds each entry once, products once more, the determinant and the quotient again
-  // (a division may be off by 2.5 ULP in Vulkan): 12 ULP of the terms is their sum.
+  // Scaling to unit length rounds each entry once, products round once more, and the determinant and the
+  // quotient again (a division may be off by 2.5 ULP in Vulkan). The sum is 12 ULP of the terms.
   expect_exact({"ReceiverPlane", kFromDerivatives, 6, 2}, DepthDirection::conventional, inputs,
                exact_from_derivatives, 12.0L);
 }
@@ -72,7 +72,8 @@ TEST(ReceiverPlane, DegenerateDerivativesKnowNoPlane) {
   std::vector<float> inputs;
   for (int i = 0; i < kRandomCases; ++i) {
     const float u = random.magnitude(-6.0f, 0.0f), v = random.magnitude(-6.0f, 0.0f);
-    const float factor = i % 3 == 0 ? 0.0f : random.magnitude(-3.0f, 3.0f);  // parallel, or no length at all
+    // The second derivative is parallel to the first, or has no length at all.
+    const float factor = i % 3 == 0 ? 0.0f : random.magnitude(-3.0f, 3.0f);
     inputs.insert(inputs.end(),
                   {u, v, random.between(-1.0f, 1.0f), factor * u, factor * v, random.between(-1.0f, 1.0f)});
   }
@@ -82,7 +83,8 @@ TEST(ReceiverPlane, DegenerateDerivativesKnowNoPlane) {
   }
 }
 
-// Random orthogonal light matrix: rows across the light of one length, the row along it of another.
+// The light's matrix is orthogonal and random: its rows across the light have one length, the row along it
+// another.
 std::vector<float> plane_and_light(Random& random, long double smallest_sine) {
   const auto direction = [&] {
     return unit(
@@ -105,8 +107,8 @@ std::vector<float> plane_and_light(Random& random, long double smallest_sine) {
   }
 }
 
-// The gradient by its own definition: depth and UV of two directions that lie in the plane, solved for the
-// slopes.
+// The gradient comes from its own definition: depth and UV of two directions that lie in the plane, solved
+// for the slopes.
 std::vector<Exact> exact_from_normal(const float* in) {
   const Vector n{in[0], in[1], in[2]};
   const Vector rows[3] = {{in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}};
@@ -123,8 +125,8 @@ std::vector<Exact> exact_from_normal(const float* in) {
   return {{(vt * zs - vs * zt) / determinant, scale}, {(us * zt - ut * zs) / determinant, scale}};
 }
 
-// Three dot products (5 roundings each at the size of their terms), three quotients, and the inputs' own
-// rounding.
+// The roundings are three dot products (5 each at the size of their terms), three quotients, and the inputs'
+// own.
 TEST(ReceiverPlane, FromNormalIsThePlanesSlope) {
   Random random(12);
   std::vector<float> inputs;
@@ -161,7 +163,7 @@ TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
   std::vector<float> inputs;
   inputs.reserve(2 * std::size_t(kRandomCases));
   for (int i = 0; i < 2 * kRandomCases; ++i) inputs.push_back(random.magnitude(-3.0f, 8.0f));
-  // A quotient (2.5 ULP) and a product.
+  // The result is a quotient (2.5 ULP) and a product.
   expect_exact(
       {"ReceiverPlane", "const float2 b = BoundGradient(float2(In(0), In(1))); Out(0, b.x); Out(1, b.y);", 2,
        2},
@@ -174,7 +176,7 @@ TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
       4.0L);
 }
 
-// Two products, two sums; fused operations round less.
+// The depth has two products and two sums; fused operations round less.
 TEST(ReceiverPlane, DepthOnThePlaneStaysInTheMap) {
   Random random(15);
   std::vector<float> inputs;

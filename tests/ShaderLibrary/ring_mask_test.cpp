@@ -12,7 +12,7 @@ namespace {
 
 using Real = long double;
 
-// mask as two 16-bit halves, penumbra, radius, taps, exponent.
+// The inputs are the mask as two 16-bit halves, penumbra, radius, taps and exponent.
 const std::string kVisibility =
     "RingMask mask = EmptyRingMask(); mask.words[0] = uint(In(0)) | (uint(In(1)) << 16);"
     "const float rings = RingsInside(In(2) / In(3), InInt(4), InInt(5)); Out(0, rings);"
@@ -71,14 +71,15 @@ TEST(RingMask, IsTheLitAreaOfTheRingsInsideOfThePenumbra) {
     if ((masks[i] & all) == all) {
       ASSERT_EQ(seen, 0.0f) << i;
     }
-    // The tap of the outermost ring: half of its area lies inside of it, or half of its width.
+    // The tap of the outermost ring lies where half of the ring's area is inside, or half of its width.
     const Real inner = disc.border(disc.taps - 1) / disc.radius;
     const Real middle = disc.exponent == 1 ? std::sqrt((inner * inner + 1) / 2) : (inner + 1) / 2;
     ASSERT_NEAR(out[3 * i + 2], static_cast<double>(middle), 1e-6) << i;
   }
 }
 
-// Sixteen random bits, which half of the word they are, the word's first ring, exponent.
+// The inputs are sixteen random bits, which half of the word they are, the word's first ring, and the
+// exponent.
 TEST(RingMask, AddsTheAreasOfBitsByCounts) {
   Random random(74);
   std::vector<float> inputs;

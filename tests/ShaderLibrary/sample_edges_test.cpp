@@ -10,7 +10,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// The tables of the Direct3D 11.3 functional specification, 19.2.4, in 16ths of a pixel.
+// The tables are those of the Direct3D 11.3 functional specification, 19.2.4, in 16ths of a pixel.
 TEST(SampleEdges, SamplesLieWhereDirect3DHasThem) {
   const std::vector<std::vector<float>> patterns{
       {4, 4, -4, -4}, {-2, -6, 6, -2, -6, 2, 2, 6}, {1, -3, -1, 3, 5, 1, -3, -5, -5, 5, -7, -1, 3, 7, 7, -7}};
@@ -31,8 +31,8 @@ TEST(SampleEdges, SamplesLieWhereDirect3DHasThem) {
   }
 }
 
-// Two samples: position, normal and whether it is seen, of each; the first is 10 m away, where a pixel is 2
-// cm wide.
+// The inputs are, for each of two samples, position, normal and whether it is seen; the first is 10 m away,
+// where a pixel is 2 cm wide.
 std::vector<float> differ(const std::vector<float>& inputs) {
   return run({"SampleEdges",
               "EdgeParameters p; p.edgeSamples = 4; p.depthTolerance = 1.0; p.normalCosine = 0.9;"

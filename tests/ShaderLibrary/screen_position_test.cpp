@@ -41,7 +41,7 @@ std::vector<float> random_points(std::uint32_t seed) {
 struct ExactPoint {
   Vector position;
   long double w;
-  Vector size;  // what the terms of each coordinate add up to, without their signs
+  Vector size;  // sum of each coordinate's terms without their signs
 };
 
 ExactPoint exact_point(const float* in, long double u, long double v, long double depth) {
@@ -53,7 +53,7 @@ ExactPoint exact_point(const float* in, long double u, long double v, long doubl
     terms[row] = std::fabs(m[0] * u) + std::fabs(m[1] * v) + std::fabs(m[2] * depth) + std::fabs(m[3]);
   }
   const long double w = std::fabs(h[3]);
-  const long double worse = terms[3] / w;  // by how much the terms of w cancel
+  const long double worse = terms[3] / w;  // ratio by which the terms of w cancel
   return {Vector(h[0], h[1], h[2]) / h[3], h[3], Vector(terms[0], terms[1], terms[2]) / w * worse};
 }
 
@@ -71,7 +71,7 @@ TEST(ScreenPosition, IsTheMatrixApplied) {
       6.0L);
 }
 
-// The derivative against a central difference in long double over a step a million times smaller.
+// The derivative is compared with a central difference in long double over a step a million times smaller.
 TEST(ScreenPosition, TangentsAreDerivativesOfThePosition) {
   expect_exact(
       {"ScreenPosition",
@@ -134,7 +134,7 @@ TEST(ScreenPosition, NormalsAreThoseOfThePlaneThatMadeTheDepths) {
     const Vector x = glm::normalize(right.position - at.position);
     const Vector y = glm::normalize(down.position - at.position);
     const Vector across = glm::cross(x, y);
-    if (glm::length(across) < 0.01L) continue;  // edge-on: rounding decides
+    if (glm::length(across) < 0.01L) continue;  // the surface is edge-on, and rounding decides
     inputs.insert(inputs.end(), camera.rows.begin(), camera.rows.end());
     inputs.insert(inputs.end(), {u, v, depth, slope_x, slope_y, 0.0f});
     normals.push_back(glm::normalize(across));
@@ -170,7 +170,7 @@ TEST(ScreenPosition, NormalsOfWhatMakesNoSenseAreZeroOrUnit) {
           DepthDirection::conventional, inputs);
   for (const float squared : results)
     ASSERT_TRUE(squared == 0.0f || std::abs(squared - 1.0f) < 1e-5f) << squared;
-  // A slope that is not known.
+  // The slope is not known here.
   std::vector<float> unknown = random_points(66);
   for (std::size_t i = 0; i < unknown.size(); i += kRow) unknown[i + 19 + (i / kRow) % 2] = 2.0f;
   for (const float squared :
@@ -199,7 +199,7 @@ TEST(ScreenPosition, NeitherSkyNorNearPlaneNorNanIsASurface) {
   }
 }
 
-// Five depths in a row: planes, edges, sky beside them, and rubbish.
+// The lines are five depths in a row: planes, edges, sky beside them, and rubbish.
 std::vector<float> random_lines(std::uint32_t seed) {
   Random random(seed);
   const std::vector<float> special = special_floats();

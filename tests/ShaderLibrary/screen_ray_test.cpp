@@ -31,7 +31,7 @@ Matrix matrix_of(const std::array<long double, 16>& rows) {
   return matrix;
 }
 
-// What a ray from (u, v, depth) has at its end, and how much its depth along the view has grown there.
+// The end of a ray from (u, v, depth), and how much its depth along the view has grown there.
 struct Projected {
   Vector point;
   long double growth;
@@ -61,8 +61,8 @@ Vector seen_by(const std::array<long double, 16>& rows, const Vector& world) {
   return Vector(h) / h.w;
 }
 
-// By how much the way over the screen changes, so many times the rounding: of every entry of the matrix, and
-// of the position that its tangents are taken at, which is not where they would be exact.
+// The change of the way over the screen, times the rounding of every entry of the matrix, and of the position
+// that its tangents are taken at, which is not where they would be exact.
 Vector sensitivity(const float* in) {
   constexpr long double kStep = 1e-7L;
   const std::array<long double, 16> rows = rows_of(in);
@@ -127,7 +127,7 @@ TEST(ScreenRay, LengthsComeBackAndARayBehindTheCameraHasNoEnd) {
           DepthDirection::conventional, rays);
   for (std::size_t i = 0; i < back.size(); ++i)
     ASSERT_NEAR(back[i], rays[i * kRayRow + 22], 2e-5 * rays[i * kRayRow + 22]) << i;
-  // bend, metres
+  // The inputs are bend and metres.
   const std::vector<float> inputs{-0.5f, 1.0f, -0.5f, 2.0f, -0.5f, 3.0f, 0.0f, 3.0f, 1.0f, 3.0f};
   const std::vector<float> along =
       run({"ScreenRay", "ScreenRay ray; ray.bend = In(0); Out(0, ScreenRayAlong(ray, In(1)));", 2, 1},
@@ -139,7 +139,7 @@ TEST(ScreenRay, LengthsComeBackAndARayBehindTheCameraHasNoEnd) {
   EXPECT_FLOAT_EQ(along[4], 0.75f);
 }
 
-// The end, by bisection over the points of the line.
+// The end is found by bisection over the points of the line.
 TEST(ScreenRay, EndsAtTheBorderOfThePicture) {
   Random random(73);
   std::vector<float> inputs;

@@ -1,4 +1,4 @@
-// Core/ScreenScale.hlsl: every screen from 1 to 400 pixels wide, halved.
+// Tests Core/ScreenScale.hlsl on every screen from 1 to 400 pixels wide, halved.
 #include <algorithm>
 
 #include "ShaderLibrary/core_function.h"

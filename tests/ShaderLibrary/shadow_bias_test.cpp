@@ -8,7 +8,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-// Two products.
+// The bias is two products.
 TEST(ShadowBias, CasterBiasGrowsWithTexelAndKernel) {
   Random random(16);
   std::vector<float> inputs;
@@ -68,8 +68,8 @@ TEST(ShadowBias, CastersMoveAwayFromTheLightAndInward) {
       4.0L);
 }
 
-// 1 - c^2 cancels near c = 1, where the slope itself is small: error at the size of one slope unit. Square
-// root and division: 2.5 ULP each in Vulkan.
+// The difference 1 - c^2 cancels near c = 1, where the slope itself is small: the error is of the size of one
+// slope unit. Square root and division have 2.5 ULP each in Vulkan.
 TEST(ShadowBias, SlopeScaledBiasFollowsTheTangent) {
   Random random(18);
   std::vector<float> inputs;
@@ -83,7 +83,8 @@ TEST(ShadowBias, SlopeScaledBiasFollowsTheTangent) {
       [](const float* in) {
         const long double c = std::clamp(static_cast<long double>(in[2]), 1e-3L, 1.0L);
         const long double slope = std::sqrt(1.0L - c * c) / c;
-        // d slope / d(1 - c^2) = 1 / (2 c sqrt(1 - c^2)): one rounding of 1 - c^2, magnified.
+        // The slope's derivative by 1 - c^2 is 1 / (2 c sqrt(1 - c^2)), which magnifies one rounding of 1 -
+        // c^2.
         const long double magnified = in[1] / (c * std::sqrt(1.0L - c * c));
         return std::vector<Exact>{
             {std::min(in[0] + in[1] * slope, 0.25L), std::max(in[0] + in[1] * slope, magnified)}};
@@ -98,7 +99,7 @@ TEST(ShadowBias, AdaptiveBiasIsThePlanesRiseUnderTheKernel) {
     inputs.insert(inputs.end(), {random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
                                  random.between(0.0f, 0.01f), random.between(0.0f, 0.01f)});
   }
-  // The highest corner of the kernel, found by looking at all four. Two products and a sum.
+  // The highest corner of the kernel is found by looking at all four. The bias has two products and a sum.
   expect_exact(
       {"ShadowBias", "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(3)), 0.25));", 4, 1},
       DepthDirection::conventional, inputs,

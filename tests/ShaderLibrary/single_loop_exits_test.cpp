@@ -1,5 +1,5 @@
-// What Filters/SingleLoopExits.hlsl concludes from a range holds for every texel in it, however the
-// receiver's plane lies; and the exit for surfaces that face away.
+// The conclusions of Filters/SingleLoopExits.hlsl from a range hold for every texel in it, however the
+// receiver's plane lies; and so does the exit for surfaces that face away.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kReceivers = 1000000;
 
-// Range, receiver's depth, gradient, reach; a texel of the range and the tap that reads it, from the
-// receiver. The texel blocks as it does in SingleLoop.hlsl.
+// The inputs are range, receiver's depth, gradient and reach, then a texel of the range and the tap that
+// reads it, from the receiver. The texel blocks as it does in SingleLoop.hlsl.
 const std::string kDecision =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
     "1.0;"
@@ -28,7 +28,7 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
     Random random(75);
     std::vector<float> inputs;
     for (int i = 0; i < kReceivers; ++i) {
-      // A narrow range close to the receiver's plane, where decisions are made, or any.
+      // The range is narrow and close to the receiver's plane, where decisions are made, or any.
       const float depth = random.between(0.0f, 1.0f);
       const float reach = random.between(0.0f, 60.0f);
       const float slope = i % 4 == 0 ? 0.0f : std::fabs(random.magnitude(-6.0f, -2.0f));
@@ -41,7 +41,7 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
       if (i % 5 == 0) a = depth;
       const float nearest = reversed ? std::max(a, b) : std::min(a, b);
       const float farthest = reversed ? std::min(a, b) : std::max(a, b);
-      // The texel at one of the range's ends, uphill or downhill at the end of the reach, or anywhere
+      // The texel lies at one of the range's ends, uphill or downhill at the end of the reach, or anywhere
       // between.
       const float texel = i % 3 == 0   ? nearest
                           : i % 3 == 1 ? farthest
@@ -67,8 +67,8 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
   }
 }
 
-// Sixteen depths: of a plane, of one with a thin layer of noise, of two surfaces, or of nothing but noise;
-// receivers near their plane, or anywhere. The block lies anywhere around the receiver.
+// The sixteen depths are those of a plane, of one with a thin layer of noise, of two surfaces, or of nothing
+// but noise; receivers are near their plane, or anywhere. The block lies anywhere around the receiver.
 const std::string kPlanes =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
     "1.0;"

@@ -1,5 +1,6 @@
-// What every shader file keeps, read from its text: no unsafe test for NaN, the depth direction and the
-// pipelines each in their one place, includes that go the right way, a header that tells what the file is.
+// Reads from the text of every shader file what all of them keep: no unsafe test for NaN, the depth direction
+// and the pipelines each in their one place, includes that go the right way, a header that tells what the
+// file is.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -11,14 +11,16 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 const CoreFunction kShare{"SphereShadow", "Out(0, DiscShareBesideDisc(In(0), In(1), In(2)));", 3, 1};
-// Receiver at the origin; centre, radius, direction towards the sun, half its diameter.
+// The receiver is the origin; the inputs are centre, radius, direction towards the sun, and half its
+// diameter.
 const CoreFunction kSphere{
     "SphereShadow",
     "Out(0, SphereVisibility(float3(0.0, 0.0, 0.0), float3(In(0), In(1), In(2)), In(3),"
     " float3(In(4), In(5), In(6)), In(7)));",
     8, 1};
 
-// Of points of the first disc, those outside of the other: rows of 1 / 2000 of it, each exactly.
+// The share of the first disc's points that lie outside of the other, in rows of 1 / 2000 of it, each
+// exactly.
 long double counted_share(long double light, long double blocker, long double apart) {
   constexpr int kRows = 2000;
   long double free = 0.0L, all = 0.0L;
@@ -61,7 +63,7 @@ TEST(DiscShareBesideDisc, StaysInRangeForAnyNumbers) {
     ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }
 
-// Rays over the sun's disc: 64 rings of 64.
+// The rays go over the sun's disc in 64 rings of 64.
 long double traced(const float* in) {
   const std::array<long double, 3> sun{in[4], in[5], in[6]};
   const int least = std::fabs(in[4]) < std::fabs(in[5]) ? 0 : 1;
@@ -108,8 +110,8 @@ TEST(SphereVisibility, IsTheShareOfRaysThatPassTheSphere) {
       sun += one[4 + axis] * one[4 + axis];
     }
     for (std::size_t axis = 0; axis < 3; ++axis) one[4 + axis] /= std::sqrt(sun);
-    one[7] = random.between(0.0045f, 0.05f);  // the sun to 5 degrees
-    // Beside the sun's direction by up to both radii.
+    one[7] = random.between(0.0045f, 0.05f);  // the sun's to 5 degrees
+    // The ball lies beside the sun's direction by up to both radii.
     const float distance = random.between(2.0f, 20.0f);
     one[3] = distance * random.between(0.01f, 0.4f);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -148,7 +150,7 @@ TEST(CircularSegment, IsHalfTheCircleAtItsCentreAndAllOfItBehind) {
   EXPECT_NEAR(seen[0], 0.5f * area, 1e-5f);
   EXPECT_NEAR(seen[1], area, 1e-5f);
   EXPECT_EQ(seen[2], 0.0f);
-  // Thin and thick, of a circle of radius 1.
+  // The segments are thin and thick, of a circle of radius 1.
   std::vector<float> angles, cases;
   for (float angle = 0.001f; angle < 3.1f; angle *= 1.01f) {
     angles.push_back(angle);

@@ -1,5 +1,5 @@
-// Core/SpotLight.hlsl's depths, penumbrae and its source's image, against similar triangles in long double
-// and against parameters/spot_light.h.
+// Compares Core/SpotLight.hlsl's depths, penumbrae and its source's image with similar triangles in long
+// double and with parameters/spot_light.h.
 #include "parameters/spot_light.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(float4(In(0), In(1), In(2), In(3)));";
 constexpr int kMapWords = 4;
 
-// Near plane, far plane, tan of half the angle, source radius.
+// A map has near plane, far plane, tan of half the angle, and source radius.
 void append_map(std::vector<float>& inputs, Random& random) {
   const float near = std::pow(10.0f, random.between(-2.0f, 0.0f));
   const float far = near * std::pow(10.0f, random.between(0.31f, 2.5f));
@@ -41,8 +41,8 @@ Real axial(const float* in, Real stored, DepthDirection direction) {
   return 1.0L / (1.0L / in[1] + above_far(stored, direction) * depth_range(in));
 }
 
-// A difference, two products, a sum, a division (2.5 ULP in Vulkan); of conventional depth one more
-// difference.
+// A depth has a difference, two products, a sum and a division (2.5 ULP in Vulkan); conventional depth has
+// one more difference.
 TEST(SpotDepth, StoredDepthBecomesMetresAndComesBack) {
   for (const DepthDirection direction : kDepthDirections) {
     Random random(61);
@@ -67,7 +67,7 @@ TEST(SpotDepth, StoredDepthBecomesMetresAndComesBack) {
   }
 }
 
-// The lines from both ends of the source over an edge at d_b, to the receiver's plane at d_r.
+// The lines lead from both ends of the source over an edge at d_b, to the receiver's plane at d_r.
 Real penumbra_by_lines(Real radius, Real receiver, Real blocker) {
   const auto over_edge = [&](Real from) { return from + (0.0L - from) * receiver / blocker; };
   return std::fabs(over_edge(radius) - over_edge(-radius)) / 2.0L;
@@ -88,11 +88,11 @@ TEST(SpotPenumbra, FollowsSimilarTriangles) {
     const Real receiver = in[4];
     const Real blocker = 1.0L / (1.0L / receiver + in[5] * depth_range(in));
     const Real radius = penumbra_by_lines(in[3], receiver, blocker);
-    // The nearest blocker's: the source seen over an edge on the near plane. There, the search's radius is
-    // what lines from the receiver to the source cut out.
+    // The nearest blocker's penumbra is the source seen over an edge on the near plane. Lines from the
+    // receiver to the source cut out the search's radius there.
     const Real search = penumbra_by_lines(in[3], receiver, std::min<Real>(in[0], receiver));
     const Real on_near_plane = in[3] * std::max(receiver - in[0], 0.0L) / receiver;
-    const Real map_width = 2.0L * in[2] * receiver;  // at the receiver, metres
+    const Real map_width = 2.0L * in[2] * receiver;  // width at the receiver, metres
     return std::vector<Exact>{{receiver - blocker, std::max(receiver - blocker, 1e-30L)},
                               {radius},
                               {search},
@@ -100,7 +100,7 @@ TEST(SpotPenumbra, FollowsSimilarTriangles) {
                               {radius / map_width},
                               {radius / map_width}};
   };
-  // At most nine roundings and two divisions in a row.
+  // There are at most nine roundings and two divisions in a row.
   expect_exact(
       {"SpotLight",
        std::string(kMap) +
@@ -141,7 +141,7 @@ TEST(SpotPenumbra, TheTilesScalesAreTheSlopesAtTheReceiver) {
       10.0L);
 }
 
-// The library's own light, in double: what its map stores, and the radius of its penumbra.
+// The library's own light gives, in double, what its map stores and the radius of its penumbra.
 TEST(SpotPenumbra, IsThatOfTheLightsOwnMap) {
   for (const DepthDirection direction : kDepthDirections) {
     parameters::SetupGenerator generator(64);
@@ -181,7 +181,7 @@ TEST(SpotPenumbra, IsThatOfTheLightsOwnMap) {
   }
 }
 
-// A source that faces the receiver, drawn point by point: lines from the receiver to points of its circle
+// A source that faces the receiver is drawn point by point: lines from the receiver to points of its circle
 // meet the plane of a blocker's depth, and the map has what they meet where it lies from the light.
 TEST(SpotSource, LooksLikeAnEllipseAwayFromTheAxis) {
   constexpr Real kRadius = 1e-4L;  // metres: the ellipse is exact to first order in it
@@ -209,12 +209,14 @@ TEST(SpotSource, LooksLikeAnEllipseAwayFromTheAxis) {
     const Real receiver_depth = 2.0L, blocker_depth = 1.0L;
     const Vector receiver{(in[4] - 0.5L) * 2.0L * in[2] * receiver_depth,
                           (in[5] - 0.5L) * 2.0L * in[2] * receiver_depth, receiver_depth};
-    // Axes of the source's disc: across the way to the receiver, the first also across the light's axis.
+    // The axes of the source's disc lie across the way to the receiver, the first also across the light's
+    // axis.
     const Vector way = unit(receiver);
     Vector across = cross({0, 0, 1}, way);
     if (dot(across, across) < 1e-12L) continue;
     across = unit(across);
-    const Vector outward = cross(across, way);  // in the plane of axis and receiver
+    // The second axis lies in the plane of the light's axis and the receiver.
+    const Vector outward = cross(across, way);
     const Real cosine = way[2];
     // The point of the circle whose image the shader's point at this angle is: its part away from the axis is
     // the image's outward one. Both signs of `outward` appear in the random angles.
@@ -226,7 +228,7 @@ TEST(SpotSource, LooksLikeAnEllipseAwayFromTheAxis) {
     const Real side = dot(outward, radial_in_map) > 0 ? 1.0L : -1.0L;
     const Vector source =
         along(along({0, 0, 0}, kRadius * radial * side, outward), kRadius * tangential, across);
-    // Where the line from the receiver to that point crosses the blocker's depth.
+    // The line from the receiver to that point crosses the blocker's depth here.
     const Real share = (receiver_depth - blocker_depth) / (receiver_depth - source[2]);
     const Vector met = along(receiver, share, along(source, -1.0L, receiver));
     const Real scale = kRadius * (1.0L / blocker_depth - 1.0L / receiver_depth);

@@ -1,5 +1,5 @@
-// What follows from a spot light's matrix: coordinates in its map, the map's slice and planes, the slope of
-// the receiver's plane. Against projections in long double.
+// Compares what follows from a spot light's matrix with projections in long double: coordinates in its map,
+// the map's slice and planes, and the slope of the receiver's plane.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(float4(In(0), In(1), In(2), In(3)));";
 
-// Matrix rows, position; of a light anywhere within a hundred metres.
+// The inputs are the rows of the matrix and a position, for a light anywhere within a hundred metres.
 std::vector<float> light_and_position(parameters::SetupGenerator& generator, DepthDirection direction,
                                       parameters::SpotShadow& map) {
   parameters::SpotLight light;
@@ -42,7 +42,7 @@ constexpr const char* kMatrix =
     "In(10), "
     "In(11), In(12), In(13), In(14), In(15));";
 
-// Rows of the matrix times (p, 1), in long double; the sum of the terms' sizes in `terms`.
+// The rows of the matrix times (p, 1), in long double; `terms` gets the sum of the terms' sizes.
 std::array<Real, 4> project(const float* in, const Vector& p, Real* terms = nullptr) {
   std::array<Real, 4> result{};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -102,7 +102,7 @@ TEST(SpotCoordinate, CoversWhatLiesInTheMapsPyramid) {
   }
 }
 
-// What a pipeline tells is the matrix and the cone; the rest follows from them.
+// A pipeline tells the matrix and the cone; the rest follows from them.
 TEST(SpotMap, FollowsFromItsMatrixAndCone) {
   for (const DepthDirection direction : kDepthDirections) {
     parameters::SetupGenerator generator(69);
@@ -148,17 +148,18 @@ TEST(SpotMap, FollowsFromItsMatrixAndCone) {
     for (std::size_t i = 0; i < truths.size(); ++i) {
       const float* out = &results[i * 8];
       const Truth& truth = truths[i];
-      // A hundredth of a texel of the largest atlas: filters round slices to texels.
+      // The bound is a hundredth of a texel of the largest atlas, because filters round slices to texels.
       for (int axis = 0; axis < 2; ++axis) ASSERT_NEAR(out[axis], truth.corner[axis], 0.01 / 4096) << i;
       ASSERT_EQ(out[2], float(truth.extent)) << i;
       ASSERT_EQ(out[3], float(truth.extent)) << i;
       const double near = truth.map.light.shadow_near_plane_metres, far = truth.map.light.range_metres;
-      // s is the difference of terms as large as the way from the origin to the light, q of terms about 1.
+      // s is the difference of terms as large as the way from the origin to the light, and q that of terms
+      // about 1.
       const double of_s = 4e-7 * 60.0 / near, of_q = 4e-7 * (far - near) / near;
       ASSERT_NEAR(out[4] / near, 1.0, of_s + of_q) << i;
       ASSERT_NEAR(out[5] / far, 1.0, of_s + of_q) << i;
-      // Eight roundings; and of the matrix's own floats, up to about 1, of whose row the light's part is this
-      // long.
+      // There are eight roundings, and those of the matrix's own floats, up to about 1, of whose row the
+      // light's part is this long.
       const double of_row = 5e-7 + 2e-7 / (truth.extent * truth.map.uv_per_tangent);
       ASSERT_NEAR(out[6] * 2.0 * truth.map.uv_per_tangent, 1.0, of_row) << i;
       ASSERT_EQ(out[7], 0.25F);
@@ -166,7 +167,7 @@ TEST(SpotMap, FollowsFromItsMatrixAndCone) {
   }
 }
 
-// A plane of the world is a plane in the map: through three of its points, projected.
+// A plane of the world is a plane in the map, through three of its points, projected.
 TEST(SpotReceiverPlane, FromNormalIsTheSlopeOfTheProjectedPlane) {
   for (const DepthDirection direction : kDepthDirections) {
     parameters::SetupGenerator generator(67);
@@ -203,7 +204,8 @@ TEST(SpotReceiverPlane, FromNormalIsTheSlopeOfTheProjectedPlane) {
       const Real v = (to_s[0] * to_t[2] - to_s[2] * to_t[0]) / determinant;
       if (std::max(std::fabs(u), std::fabs(v)) > 1000.0L) continue;
       // shadowCoord, given in float, is off by half an ULP at 1, and each row less coordinate times row 3 by
-      // that much of a unit row; over |J0| = UV per metre times depth, and the sine twice.
+      // that much of a unit row. This is divided by |J0|, which is UV per metre times depth, and by the sine
+      // twice.
       const Real scale = (1.0L + std::fabs(u) + std::fabs(v)) / (map.uv_per_tangent * sine * sine);
       exact.push_back({u, scale});
       exact.push_back({v, scale});

@@ -38,7 +38,8 @@ std::vector<float> offsets() {
 class TentWeights : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(EverySize, TentWeights, ::testing::Values(2, 3, 4));
 
-// Summed as a filter does, in float, in both directions: exactly 1, so fully lit is exactly 1.
+// The weights are summed as a filter does, in float, in both directions: the sum is exactly 1, so fully lit
+// is exactly 1.
 TEST_P(TentWeights, SumToExactlyOneInAnyOrder) {
   const std::vector<float> inputs = offsets();
   const std::vector<float> results =
@@ -52,9 +53,9 @@ TEST_P(TentWeights, SumToExactlyOneInAnyOrder) {
   }
 }
 
-// Taken apart into texels by the fetch's place between their centres, each weighs its area under the tent.
-// Weights lie on a grid of 2^-23 (two ULP of 1 for the fetch that takes the rest); the place of a fetch, a
-// float near 4, is good to 2^-22, and moves weight between its two texels.
+// Each fetch is taken apart into texels by its place between their centres; each texel then weighs its area
+// under the tent. Weights lie on a grid of 2^-23 (two ULP of 1 for the fetch that takes the rest); the place
+// of a fetch, a float near 4, is good to 2^-22, and moves weight between its two texels.
 TEST_P(TentWeights, WeighEveryTexelByItsAreaUnderTheTent) {
   const int taps = GetParam();
   const long double width = 2.0L * taps - 1.0L;
@@ -82,7 +83,8 @@ TEST_P(TentWeights, WeighEveryTexelByItsAreaUnderTheTent) {
   EXPECT_LE(worst, 4.0L * 0x1p-23L) << "in units of weight; the whole tent weighs 1";
 }
 
-// Sums of products without cancellation: four roundings of each side, one of the sum, one of the scale.
+// The area has sums of products without cancellation: four roundings of each side, one of the sum, one of the
+// scale.
 TEST(TentMass, IsTheAreaBetweenItsBounds) {
   Random random(4);
   std::vector<float> inputs;
@@ -105,8 +107,8 @@ TEST(RoundToWeightGrid, GivesTheNearestMultiple) {
   Random random(5);
   std::vector<float> inputs = {0.0f, 1.0f, 0.5f, 0x1p-24f, 0x1p-23f};
   while (inputs.size() < std::size_t(kRandomCases)) inputs.push_back(random.between(0.0f, 1.0f));
-  // 2^23 w + 1/2 may itself round up to a whole number when w lies just below the middle: hence not quite
-  // 1/2.
+  // 2^23 w + 1/2 may itself round up to a whole number when w lies just below the middle, so the bound is not
+  // quite 1/2.
   expect_exact(
       {"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, DepthDirection::conventional, inputs,
       [](const float* in) {

@@ -14,7 +14,7 @@ constexpr const char* kTile =
     "tile.uvPerMetre = 0.0; tile.depthPerMetre = 0.0; tile.depthToRadial = 0.0; tile.radialToDepth = 0.0;"
     "const TileBounds bounds = BoundsInTexels(tile);";
 
-// A tile of URP's atlases: cascades, size of the atlas, which tile.
+// A tile of URP's atlases: the number of cascades, the size of the atlas, and which tile it is.
 struct Tile {
   float x, y, width, height;  // atlas UV
   float atlas_width, atlas_height;
@@ -30,7 +30,7 @@ Tile random_tile(Random& random) {
           cascades == 2 ? width / 2.0f : width};
 }
 
-// Tile, then a coordinate: inside, on the edges, outside, or no number at all.
+// The inputs are a tile, then a coordinate: inside, on the edges, outside, or no number at all.
 std::vector<float> tiles_and_coordinates(bool in_texels) {
   Random random(6);
   const std::vector<float> specials = special_floats();
@@ -72,7 +72,7 @@ TEST(TileBounds, AreTheTilesWholeTexels) {
       0.0L);
 }
 
-// One product, exact for sizes that are powers of two.
+// The coordinate is one product, exact for sizes that are powers of two.
 TEST(TileBounds, TexelCoordinatesStayInTheTile) {
   expect_exact(
       {"TileBounds",

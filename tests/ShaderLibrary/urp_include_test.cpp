@@ -22,7 +22,7 @@ shaders::CompileResult compile_with(const std::string& umbrellas, const std::str
                  expression + "; }\n";
   request.stage = hlsl::Stage::fragment;
   request.defines = defines;
-  request.prepare = true;  // of [fastopt], an attribute of FXC's, glslang would warn
+  request.prepare = true;  // glslang would warn of [fastopt], an attribute of FXC's
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
   request.include_directories = {
       std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
@@ -84,8 +84,8 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   // The single loop loads depths without any sampler.
   const bool gathers = !compares && GetParam() != "_PENUMBRA_SINGLE_LOOP";
   EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
-  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later, and OpenGL. WebGPU
-  // is treated as OpenGL.
+  // There is also no gather where the API has one, but not of a texture that compares: OpenGL ES 3.1 and
+  // later, and OpenGL. WebGPU is treated as OpenGL.
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE", "SHADER_API_WEBGPU"}) {
     for (const char* target : {"35", "45"}) {
       EXPECT_FALSE(binds(compile_umbrella({{GetParam(), "1"}, {api, "1"}, {"SHADER_TARGET", target}}),
@@ -100,7 +100,8 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   }
 }
 
-// Alone and beside the other, which reads raw depths or compares; also where raw reads are undefined.
+// The file compiles alone and beside the other, which reads raw depths or compares; also where raw reads are
+// undefined.
 TEST_P(UrpInclude, OfRaysComparesAloneAndBesideIt) {
   for (const std::string& umbrellas :
        {kVolumetricShadows, kVolumetricShadows + kShadows, kShadows + kVolumetricShadows}) {
@@ -130,7 +131,7 @@ TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
       compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}});
   ASSERT_FALSE(bound.spirv.empty());
   EXPECT_TRUE(binds(bound, "_PenumbraMomentsTexture"));
-  // What stands in for it there reads none.
+  // The filter that stands in for it there reads no map.
   EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
@@ -156,7 +157,8 @@ TEST(UrpIncludeOfMaps, BindsThoseOfTheFlagshipAndTheShadowMap) {
   }
 }
 
-// Alone, and beside the other in either order; with URP's arrays and with its structured buffers.
+// The file compiles alone, and beside the other in either order; with URP's arrays and with its structured
+// buffers.
 TEST(UrpSpotInclude, CompilesAndBindsTheAtlas) {
   for (const std::string& umbrellas : {kSpotShadows, kSpotShadows + kShadows, kShadows + kSpotShadows}) {
     const bool both = umbrellas != kSpotShadows;

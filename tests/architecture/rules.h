@@ -1,6 +1,5 @@
 // The walls of the project as checks over its text. Each rule takes a tree (path from the repository's root,
-// with
-// '/', to the file's text) and returns what breaks it, as "path:line: why".
+// with '/', to the file's text) and returns what breaks it, as "path:line: why".
 #pragma once
 
 #include <map>
@@ -12,19 +11,19 @@ namespace penumbra::architecture {
 using Tree = std::map<std::string, std::string>;
 using Violations = std::vector<std::string>;
 
-// tools/: an include of another room goes down cli, measurement (study, lighting, bake, reference, resolve,
-// scene),
-// checking (cost, validation, lint), programs (gpu, techniques, shaders, preprocessing, preparation,
-// variants, shaderlab, project, fxc, hlsl, spirv), base (parameters, platform, input). Measurement and
-// checking know nothing of each other, and checking and programs nothing of parameters. Every room stands in
-// its group's folder.
+// In tools/, an include of another room goes down this list: cli, measurement (study, lighting, bake,
+// reference, resolve, scene), checking (cost, validation, lint), programs (gpu, techniques, shaders,
+// preprocessing, preparation, variants, shaderlab, project, fxc, hlsl, spirv), base (parameters, platform,
+// input). Measurement and checking know nothing of each other, and checking and programs nothing of
+// parameters. Every room stands in its group's folder.
 Violations tool_includes_point_down(const Tree& tree);
 
-// The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.
+// The rule of includes also holds for the rooms that a room's CMakeLists.txt names: after USES, or as
+// penumbra::NAME.
 Violations tool_links_point_down(const Tree& tree);
 
-// Shaders, the umbrella beside the folders, Pipelines, then Filters, Screen and Far (which know each other as
-// little as they know the pipelines), Core, Platform.
+// Includes of shaders go down this list: Shaders, the umbrella beside the folders, Pipelines, then Filters,
+// Screen and Far (which know each other as little as they know the pipelines), Core, Platform.
 Violations shader_includes_point_down(const Tree& tree);
 
 // Headers of an operating system stand in tools/base/platform alone.
@@ -38,7 +37,7 @@ Violations public_headers_stay_light(const Tree& tree);
 // Nothing is left unfinished: no word that marks work to be done.
 Violations nothing_is_unfinished(const Tree& tree);
 
-// No path of the machine it was written on, no host it was downloaded from.
+// No file names a path of the machine it was written on, or a host it was downloaded from.
 Violations nothing_names_a_machine(const Tree& tree);
 
 }  // namespace penumbra::architecture

@@ -14,7 +14,7 @@ struct Layer {
   std::string folder;
 };
 
-// Nothing for a path that is none of the package's.
+// The layer of a path; nothing for a path that is none of the package's.
 std::optional<Layer> layer_of(std::string_view path) {
   static const std::map<std::string, int, std::less<>> heights{{"Platform", 0}, {"Core", 1},     {"Map", 2},
                                                                {"Filters", 3},  {"Screen", 3},   {"Far", 3},

@@ -1,4 +1,4 @@
-// Reading a tree: its includes, line by line.
+// Reads a tree's includes, line by line.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Include {
   std::string target;  // between the quotes or brackets
 };
 
-// Of C++ and HLSL files whose path begins with prefix.
+// The includes of C++ and HLSL files whose path begins with prefix.
 std::vector<Include> includes_of(const Tree& tree, std::string_view prefix);
 
 void for_each_line(const std::string& text,
@@ -24,7 +24,8 @@ void for_each_line(const std::string& text,
 
 std::string violation(const std::string& path, int line, const std::string& why);
 
-// "tools/measurement/scene/frame.cpp" -> "scene"; empty when the path has no folder below prefix.
+// The folder below prefix: "tools/measurement/scene/frame.cpp" gives "scene". Empty when the path has no
+// folder below it.
 std::string folder_below(std::string_view path, std::string_view prefix);
 
 }  // namespace penumbra::architecture

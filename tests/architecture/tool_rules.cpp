@@ -15,7 +15,7 @@ struct Room {
   std::string_view group;  // its folder in tools/; empty: it stands in tools/ itself
 };
 
-// Each may include those behind it.
+// Each room may include those behind it.
 constexpr std::array<Room, 24> kRooms{{{"cli", ""},
                                        {"study", "measurement"},
                                        {"lighting", "measurement"},
@@ -59,7 +59,8 @@ bool is_group(std::string_view name) {
   return std::any_of(kRooms.begin(), kRooms.end(), [&](const Room& room) { return room.group == name; });
 }
 
-// As includes name it: "tools/measurement/scene/frame.cpp" -> "scene/frame.cpp". Empty outside of tools/.
+// The path as includes name it: "tools/measurement/scene/frame.cpp" gives "scene/frame.cpp". Empty outside of
+// tools/.
 std::string included_as(std::string_view path) {
   constexpr std::string_view tools = "tools/";
   if (!path.starts_with(tools)) return {};
@@ -173,7 +174,7 @@ std::map<std::string, const Include*> reached_from(const std::string& header,
   return reached;
 }
 
-// Headers under tools/ that a file of another room (or another room's tests) includes.
+// The headers under tools/ that a file of another room (or another room's tests) includes.
 std::set<std::string> public_headers(const Tree& tree) {
   std::set<std::string> headers;
   for (const std::string_view prefix : {"tools/", "tests/"}) {

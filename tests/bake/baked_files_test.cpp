@@ -1,4 +1,4 @@
-// What is written is what is read again, and what the numbers of the pictures mean.
+// Files are read as they were written, and the numbers of the pictures mean what they should.
 #include "bake/baked_files.h"
 
 #include <gmock/gmock.h>
@@ -77,7 +77,7 @@ TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
   const BakedFiles files = baked_files(angles, "hz");
   ASSERT_EQ(files.pictures.size(), 2U);
   for (int picture = 0; picture < 2; ++picture) {
-    // Four channels are not heights.
+    // Four channels are refused, because they are not heights.
     expect_input_error(
         [&] {
           scene::decode_height_image(files.pictures.at("hz-" + std::to_string(picture) + ".png"), "hz.png",
@@ -97,8 +97,8 @@ TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
   EXPECT_EQ(json["corner_metres"], (nlohmann::json{-30.0, 12.5}));
 }
 
-// Slice by slice as Unity's importer cuts the sheet: from the top left corner, each with its smallest y at
-// the bottom.
+// The sheet is cut slice by slice as Unity's importer does it: from the top left corner, each with its
+// smallest y at the bottom.
 TEST(BakedFiles, ADistanceFieldIsASheetOfSlices) {
   DistanceField field{{3, 2, 5}, {{-1.0, -2.0, -3.0}, {2.0, 0.0, 2.0}}, {}, 4};
   for (int i = 0; i < 30; ++i) field.metres.push_back(0.1F * static_cast<float>(i - 10));

@@ -45,7 +45,7 @@ TEST(DistanceField, OfABoxIsExact) {
       1e-6);
 }
 
-// The mesh lies inside of the surface that it is cut from: by at most its sagitta.
+// The mesh lies inside of the surface that it is cut from, by at most its sagitta.
 TEST(DistanceField, OfASphereAndOfATorusAreThoseOfTheirEquations) {
   const double apart = 1.0 - std::cos(kHalfTurn / 64.0) + 1.0 - std::cos(kHalfTurn / 128.0);
   expect_distances(
@@ -67,12 +67,12 @@ TEST(DistanceField, OfAMeshThatIsTurnedInsideOutIsTheSame) {
   EXPECT_EQ(bake_distance_field(turned, {16, 0.1}).metres, field.metres);
 }
 
-// Shape by shape 10^5 places: the search of the hierarchy against a loop over all triangles.
+// For each shape the search of the hierarchy is compared with a loop over all triangles, at 10^5 places.
 TEST(ClosestSurface, IsTheNearestOfAllTriangles) {
   std::mt19937 bits(5);
   const auto chance = [&] { return static_cast<double>(bits()) * 0x1p-32; };
   std::vector<scene::Scene> scenes{box({1.0F, 0.2F, 0.7F}), sphere(1.0, 9, 6), torus(1.0, 0.4, 9, 7)};
-  // Slivers, and triangles that are segments or points.
+  // The triangles are slivers, segments or points.
   std::vector<glm::vec3> positions;
   for (int i = 0; i < 60; ++i)
     positions.emplace_back(glm::vec3(glm::dvec3(chance(), 1e-6 * chance(), chance()) - 0.5));
@@ -98,8 +98,7 @@ TEST(ClosestSurface, IsTheNearestOfAllTriangles) {
   }
 }
 
-// At edges and corners of every sharpness, where the normal of one triangle of several may point the wrong
-// way.
+// The normal of one triangle of several may point the wrong way at edges and corners, of every sharpness.
 TEST(ClosestSurface, KnowsTheInsideOfAnyTetrahedron) {
   std::mt19937 bits(8);
   const auto place = [&](double size) {
@@ -111,7 +110,7 @@ TEST(ClosestSurface, KnowsTheInsideOfAnyTetrahedron) {
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 4; ++i) corners.emplace_back(glm::vec3(place(1.0)));
     if (round % 3 == 0)
-      corners[3] = corners[0] + 0.02F * (corners[3] - corners[0]);  // a needle's or a blade's edges
+      corners[3] = corners[0] + 0.02F * (corners[3] - corners[0]);  // its edges are a needle's or a blade's
     const scene::Scene scene = mesh_of(corners, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
     const reference::EmbreeScene rays(scene);
     const reference::ClosestSurface surface(rays, scene);
@@ -120,7 +119,7 @@ TEST(ClosestSurface, KnowsTheInsideOfAnyTetrahedron) {
       return glm::dot(at - corner(a), glm::cross(corner(b) - corner(a), corner(c) - corner(a)));
     };
     for (int i = 0; i < 300; ++i) {
-      // Half of them near: inside is small.
+      // Half of the places are near, because inside is small.
       const glm::dvec3 at =
           i % 2 == 0 ? place(3.0) : glm::dvec3(corners[static_cast<std::size_t>(i / 2 % 4)]) + place(0.1);
       const std::array sides{side(at, 0, 2, 1), side(at, 0, 1, 3), side(at, 0, 3, 2), side(at, 1, 2, 3)};
@@ -136,7 +135,7 @@ TEST(ClosestSurface, KnowsTheInsideOfAnyTetrahedron) {
   EXPECT_GT(inside, 1000);
 }
 
-// By steps of a thousandth over the triangle.
+// The other points are taken in steps of a thousandth over the triangle.
 TEST(NearestOnTriangle, IsNearerThanAnyOtherPoint) {
   std::mt19937 bits(6);
   const auto place_in = [&](double size) {
@@ -159,12 +158,12 @@ TEST(NearestOnTriangle, IsNearerThanAnyOtherPoint) {
 
 TEST(DistanceField, OpenEdgesAreCounted) {
   scene::Scene open = box({1.0F, 1.0F, 1.0F});
-  open.mesh.indices.resize(open.mesh.indices.size() - 6);  // without a side
+  open.mesh.indices.resize(open.mesh.indices.size() - 6);  // one side is missing
   EXPECT_EQ(bake_distance_field(open, {4, 0.1}).open_edges, 4U);
   const scene::Scene sheet = mesh_of({{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}, {0, 2, 1});
   const DistanceField field = bake_distance_field(sheet, {9, 0.5});
   EXPECT_EQ(field.open_edges, 3U);
-  // Its sides have the two signs.
+  // Both sides of the mesh have their sign.
   const int middle = field.voxels[1] / 2;
   EXPECT_LT(field.at(3, 0, 3) * field.at(3, 2 * middle, 3), 0.0F);
 }

@@ -1,4 +1,4 @@
-// Far shadows as shaders compute them, against the exact horizon of the same height field.
+// Compares far shadows as shaders compute them with the exact horizon of the same height field.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ const Area kGround{{-500.0, 200.0}, {1280.0, 1280.0}};
 
 struct Parameters {
   float area[4];
-  float sun[4];  // towards it, and half its diameter
+  float sun[4];  // direction towards the sun, and half its diameter
   float heights_and_texels[4];
   float ray[4];
   float channels[4] = {1.0F, 0.0F, 0.0F, 0.0F};
@@ -79,7 +79,7 @@ class FarVisibility : public testing::Test {
     return share_above(std::atan(std::max(slope, 0.0)), sun);
   }
 
-  // As the files hold them: 16 bits.
+  // The picture holds the angles as the files do, in 16 bits.
   gpu::Image picture(const HorizonAngles& angles, int first) const {
     std::vector<std::uint16_t> samples;
     for (std::size_t i = 0; i < angles.radians[0].size(); ++i)
@@ -124,7 +124,8 @@ class FarVisibility : public testing::Test {
     return run("Angles", {{"_First", &first}, {"_Second", &second}}, parameters(sun), receivers);
   }
 
-  // As a terrain of Unity holds them: up to 32766 of 65535, in one channel of 16 bits or two of 8.
+  // The image holds the heights as a terrain of Unity does: up to 32766 of 65535, in one channel of 16 bits
+  // or two of 8.
   gpu::Image terrain(bool in_two_channels) const {
     std::vector<std::uint16_t> words;
     std::vector<std::uint8_t> bytes;
@@ -180,7 +181,7 @@ class FarVisibility : public testing::Test {
   const double high_ = *std::max_element(field_.metres.begin(), field_.metres.end());
 };
 
-// At the centres of texels, in the directions that were baked, nothing is interpolated: the sun's disc is 0.5
+// Nothing is interpolated at the centres of texels, in the directions that were baked: the sun's disc is 0.5
 // degrees and a step of 16 bits 0.0014.
 TEST_F(FarVisibility, ByAnglesIsExactWhereTheyWereBaked) {
   const HorizonAngles angles = bake_horizon_angles(field_, {48, 48, 30.0});
@@ -248,7 +249,7 @@ TEST_F(FarRidge, LiesBetweenNoTwoOf64Steps) {
     ASSERT_LT(exact(places[i], sun, 20.0), 0.01) << i;
     ASSERT_LT(seen[i], 0.5F) << i;
   }
-  // The ridge is what hides the sun.
+  // The ridge hides the sun.
   EXPECT_THAT(by_trace(64, 20.0, {12.0 * kDegree, 0.0}, places), testing::Each(1.0F));
 }
 
@@ -259,7 +260,7 @@ TEST_F(FarVisibility, ByTraceReadsATerrainsHeights) {
   const std::vector<float> baked = by_trace(32, 30.0, sun, places);
   const double scale = 65535.0 / kTerrainTop;
   const glm::dvec2 one_channel{scale, 0.0}, two_channels{scale / 257.0, scale * 256.0 / 257.0};
-  // A step of 15 bits at 30 metres.
+  // The slack is a step of 15 bits at 30 metres.
   const double step = (high_ - low_) / kTerrainTop;
   for (const bool two : {false, true}) {
     const std::vector<float> seen =
@@ -280,7 +281,7 @@ TEST_F(FarVisibility, ByTraceNeverFindsShadowThatIsNone) {
     const Sun sun{elevation * kDegree, 4.1};
     const std::vector<glm::vec4> places = receivers(2048, 9);
     const std::vector<float> seen = by_trace(16, 30.0, sun, places);
-    // Heights of 16 bits, at 30 metres.
+    // The slack is that of heights of 16 bits, at 30 metres.
     const double slack = std::atan((high_ - low_) / 65535.0 / 30.0) / sun.half_diameter + 1e-3;
     for (std::size_t i = 0; i < seen.size(); ++i)
       ASSERT_GE(seen[i], exact(places[i], sun, 29.0) - slack) << elevation << " " << i;
@@ -308,7 +309,7 @@ TEST_F(FarVisibility, BesideTheMapAllIsLit) {
   EXPECT_THAT(by_trace(8, 30.0, sun, beside), testing::Each(1.0F));
 }
 
-// A layer that a formula makes: on each receiver lies the shadow of the cloud between it and the sun.
+// A formula makes the layer: on each receiver lies the shadow of the cloud between it and the sun.
 TEST_F(FarVisibility, CloudsAreThoseOnTheWayToTheSun) {
   const auto transmittance = [](double u, double v) {
     return 0.5 + 0.4 * std::sin(9.0 * u + 1.0) * std::cos(7.0 * v);

@@ -1,6 +1,6 @@
-// Errors of soft shadows through distance fields against ray tracing: of several marches by the penumbra's
-// width, and of several ways to combine objects. Writes JSON, from which tests/bake/page makes the tables of
-// Documentation~/distance-fields.md.
+// Measures errors of soft shadows through distance fields against ray tracing: those of several marches by
+// the penumbra's width, and those of several ways to combine objects. It writes JSON, from which
+// tests/bake/page makes the tables of Documentation~/distance-fields.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Random {
   std::mt19937 bits_;
 };
 
-// With its longest side 1 m, its middle at the origin.
+// The scene scaled so that its longest side is 1 m, with its middle at the origin.
 scene::Scene of_one_metre(scene::Scene scene) {
   const parameters::Bounds bounds = scene.bounds();
   const glm::dvec3 size = bounds.maximum - bounds.minimum, middle = 0.5 * (bounds.maximum + bounds.minimum);
@@ -54,7 +54,7 @@ struct Receivers {
   std::vector<double> exact;
 };
 
-// Of a plane across the light, so far below the origin: places in a penumbra.
+// Places in a penumbra, on a plane across the light, so far below the origin.
 Receivers in_penumbra(const reference::EmbreeScene& rays, const SeenDisc& light, double below, double reach) {
   Receivers all;
   Random random(3);
@@ -130,7 +130,7 @@ Json errors_of(const gpu::Device& device, const std::string& name, const scene::
 
 constexpr std::size_t kParts = 6;
 
-// Of several objects, in the three ways.
+// The shares of several objects, combined in the three ways.
 struct Shares {
   double product = 1.0, least = 1.0, covered = 0.0;
 
@@ -148,7 +148,7 @@ struct SceneParameters {
   float normal[4];
 };
 
-// Each object's share alone, and combined in the three ways.
+// The errors of each object's share alone, and of the shares combined in the three ways.
 Json errors_of_objects(const gpu::Device& device, const std::string& name,
                        const std::vector<scene::Scene>& objects, double width) {
   const scene::Scene scene = joined(objects);

@@ -115,8 +115,8 @@ TEST_F(FieldScene, OutsideOfTheBoxTheDistanceIsKnownFromBelow) {
     const double voxel = (bounds.maximum.x - bounds.minimum.x) / fields.objects[0].field.voxels[0];
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double exact = surface.distance(glm::dvec3(places[i]));
-      // What lies between voxels is interpolated: of a convex function never too small, and by less than this
-      // too large.
+      // Distances between voxels are interpolated: those of a convex function are never too small, and too
+      // large by less than this.
       ASSERT_LE(seen[i], exact + 0.13 * voxel) << glm::length(glm::dvec3(places[i]));
       ASSERT_GE(seen[i], exact / std::sqrt(2.0) - voxel) << glm::length(glm::dvec3(places[i]));
     }
@@ -157,7 +157,7 @@ TEST_F(FieldScene, AHardShadowIsThatOfRaysButForAVoxelBesideItsEdge) {
   EXPECT_GT(dark, 300);
 }
 
-// Turned, moved and twice as large: the rows say so, and rays meet a mesh that is.
+// The object is turned, moved and twice as large: the rows say so, and rays meet a mesh that is.
 TEST_F(FieldScene, AnObjectMayBeTurnedMovedAndScaled) {
   const scene::Scene shape = torus(0.5, 0.2, 64, 32);
   const ObjectFields fields = bake_object_fields(shape, {1, {48, 0.1}});
@@ -194,7 +194,8 @@ TEST_F(FieldScene, AnObjectMayBeTurnedMovedAndScaled) {
   EXPECT_LT(std::sqrt(sum / 256.0), 0.03);
 }
 
-// By light and shape, over places in the penumbra; Documentation~/distance-fields.md has more of them.
+// The bounds are by light and shape, over places in the penumbra; Documentation~/distance-fields.md has more
+// of them.
 TEST_F(FieldScene, ASoftShadowIsNearThatOfRays) {
   struct Case {
     scene::Scene shape;
@@ -232,7 +233,7 @@ TEST_F(FieldScene, ASoftShadowIsNearThatOfRays) {
   }
 }
 
-// Places from which the way to the light's middle misses the box, and with it all that the texture knows.
+// From these places the way to the light's middle misses the box, and with it all that the texture knows.
 TEST_F(FieldScene, APenumbraReachesBeyondTheBox) {
   for (const scene::Scene& shape : {sphere(0.5, 64, 48), box({0.5F, 0.3F, 0.2F})}) {
     const ObjectFields fields = bake_object_fields(shape, {1, {64, 0.0}});
@@ -261,7 +262,8 @@ TEST_F(FieldScene, APenumbraReachesBeyondTheBox) {
   }
 }
 
-// Neither more than the darkest object alone leaves free, nor less than all of them together cover.
+// The objects leave free no more than the darkest of them alone does, and no less than all of them together
+// cover.
 TEST_F(FieldScene, SeveralObjectsLeaveFreeWhatEachOfThemDoes) {
   const ObjectFields fields = bake_object_fields(three_objects(), {16, {32, 0.1}});
   const gpu::Image image = texture_of(device_, fields.voxels, fields.texels());

@@ -19,7 +19,7 @@ struct FieldParameters {
   float march[4];
 };
 
-// The field of a sphere about the origin, from its equation: what is tested is the march.
+// The field of a sphere about the origin comes from its equation, so that the march is tested.
 DistanceField field_of_sphere(double radius, int voxels, double half_box) {
   DistanceField field{{voxels, voxels, voxels}, {glm::dvec3(-half_box), glm::dvec3(half_box)}, {}, 0};
   for (int z = 0; z < voxels; ++z)
@@ -29,8 +29,8 @@ DistanceField field_of_sphere(double radius, int voxels, double half_box) {
   return field;
 }
 
-// The share of a disc of radius `light` that one of radius `blocker` at a distance leaves free, both angles
-// and small.
+// The share of a disc of radius `light` that one of radius `blocker` at a distance leaves free; both angles
+// are small.
 double free_share(double light, double blocker, double apart) {
   if (apart >= light + blocker) return 1.0;
   if (apart <= std::abs(light - blocker))
@@ -91,7 +91,7 @@ class FieldVisibility : public testing::Test {
     return run_kernel(device_, "FieldVisibility.hlsl", entry, {{"_Field", &image}}, parameters, receivers);
   }
 
-  // Receivers on a line under the sphere, from its middle outwards.
+  // The receivers lie on a line under the sphere, from its middle outwards.
   static std::vector<glm::vec4> line(double below, double reach, int count) {
     std::vector<glm::vec4> all;
     for (int i = 0; i < count; ++i)
@@ -119,7 +119,8 @@ TEST_F(FieldVisibility, AHardShadowIsTheSpheresOwnToAVoxel) {
   }
 }
 
-// The error over the penumbra falls as the light is small against the sphere, as its edge is straighter.
+// The error over the penumbra falls as the light gets smaller against the sphere, because the sphere's edge
+// gets straighter.
 TEST_F(FieldVisibility, ASoftShadowIsThatOfTheDiscLight) {
   const DistanceField field = field_of_sphere(1.0, 96, 1.5);
   const double below = 6.0;
@@ -148,10 +149,9 @@ TEST_F(FieldVisibility, ASoftShadowIsThatOfTheDiscLight) {
   }
 }
 
-// The marches that the library is compared with: the least of distance / length along the ray, in radii of
-// the disc, is known for a sphere. Quilez's first is dark where it is 0 or less, his later one is its
-// smoothstep over
-// [-1, 1].
+// The library is compared with these marches: the least of distance / length along the ray, in radii of the
+// disc, is known for a sphere. Quilez's first is dark where it is 0 or less; his later one is its smoothstep
+// over [-1, 1].
 TEST_F(FieldVisibility, PublishedMarchesAreTheirFormulasOfASphere) {
   const DistanceField field = field_of_sphere(1.0, 96, 1.5);
   const gpu::Image image = texture(field);

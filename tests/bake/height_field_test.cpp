@@ -16,7 +16,7 @@ using testing::ThrowsMessage;
 
 constexpr Area kArea{{-3.0, 10.0}, {6.0, 2.0}};
 
-// A product of linear functions is bilinear, so that it is met everywhere.
+// A product of linear functions is bilinear, so the field meets it everywhere.
 TEST(HeightField, IsBilinearBetweenItsSamples) {
   const auto height = [](glm::dvec2 at) { return (1.0 + 2.0 * at.x) * (3.0 - at.y); };
   const HeightField field = made_field(4, 3, kArea, height);

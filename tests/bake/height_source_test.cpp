@@ -1,4 +1,4 @@
-// Heights of a scene against the triangles it is made of, and of an image against its numbers.
+// Compares heights of a scene with the triangles it is made of, and those of an image with its numbers.
 #include "bake/height_source.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// A slope y = 1 + x / 2 over [0, 4] x [0, 2], and over a part of it a level roof at y = 5.
+// The scene is a slope y = 1 + x / 2 over [0, 4] x [0, 2], and over a part of it a level roof at y = 5.
 scene::Scene slope_and_roof() {
   scene::Scene scene;
   scene.name = "slope";
@@ -34,7 +34,7 @@ TEST(HeightSource, OfASceneIsItsHighestSurface) {
   const scene::Scene scene = slope_and_roof();
   const Area area = area_of(scene);
   EXPECT_EQ(area, (Area{{0.0, 0.0}, {4.0, 2.0}}));
-  // A little inside of the edges, on which a ray may pass.
+  // The area lies a little inside of the edges, past which a ray may go.
   const HeightField field = heights_of_scene(scene, {{0.01, 0.01}, {3.98, 1.98}}, {5, 3});
   for (int z = 0; z < 3; ++z) {
     for (int x = 0; x < 5; ++x) {
@@ -53,7 +53,7 @@ TEST(HeightSource, BesideTheSceneIsItsLowestHeight) {
   EXPECT_NEAR(field.at(2, 0), 5.0, 1e-5) << "x = 2";
 }
 
-// Its bounds are the area that is covered by default: rays along all four sides meet it.
+// The scene's bounds are the area that is covered by default: rays along all four sides meet it.
 TEST(HeightSource, OfASceneReachesToItsEdges) {
   for (const char* name : {"valley-20", "street", "garden"}) {
     const scene::Scene scene = scene::built_in(name);

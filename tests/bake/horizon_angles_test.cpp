@@ -21,7 +21,8 @@ BakeOptions with_jobs(int jobs) {
   return options;
 }
 
-// A cone of 10 m on level ground, seen from far outside: in its direction the horizon is its top.
+// A cone of 10 m stands on level ground and is seen from far outside: in its direction the horizon is its
+// top.
 TEST(HorizonAngles, OfAConeAreThoseOfItsTop) {
   const auto cone = [](glm::dvec2 at) { return std::max(10.0 - std::hypot(at.x, at.y), 0.0); };
   const HeightField field = made_field(401, 401, {{-100.0, -100.0}, {200.0, 200.0}}, cone);
@@ -41,8 +42,8 @@ TEST(HorizonAngles, OfAConeAreThoseOfItsTop) {
         if (along < 0.0 || aside > 11.0) {
           EXPECT_EQ(radians, 0.0F);
         } else if (aside < 9.0) {
-          // In the plane of the ray the cone is a hyperbola, 10 - sqrt(aside^2 + s^2): its steepest tangent
-          // line from the ground, by search.
+          // In the plane of the ray the cone is a hyperbola, 10 - sqrt(aside^2 + s^2). A search finds its
+          // steepest tangent line from the ground.
           double slope = 0.0;
           for (double s = -10.0; s <= 10.0; s += 1e-3) {
             slope = std::max(slope, (10.0 - std::hypot(aside, s)) / (along + s));

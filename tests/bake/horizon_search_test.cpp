@@ -1,4 +1,4 @@
-// The closed form over cells and the pyramid against slopes to points along the line, one by one.
+// Compares the closed form over cells and the pyramid with slopes to points along the line, one by one.
 #include "bake/horizon_search.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ bool inside(const Area& area, glm::dvec2 at) {
   return at.x >= area.corner.x && at.y >= area.corner.y && at.x <= far_corner.x && at.y <= far_corner.y;
 }
 
-// The steepest of so many points, evenly spread from `nearest` to the far end of the area.
+// The steepest slope to so many points, evenly spread from `nearest` to the far end of the area.
 double steepest_point(const HeightField& field, glm::dvec2 from, double height, glm::dvec2 direction,
                       double nearest, int points) {
   const double reach = std::hypot(field.area.size.x, field.area.size.y) + std::hypot(from.x, from.y);
@@ -66,8 +66,8 @@ TEST(HorizonSearch, FindsWhatMarchingFinds) {
 TEST(HorizonSearch, FindsTheTopOfASaddleWithinACell) {
   const HeightField field{2, 2, {{0.0, 0.0}, {1.0, 1.0}}, {0.0F, 1.0F, 1.0F, 0.0F}};
   const HorizonSearch search(field);
-  // Along the diagonal, at u = t / sqrt(2), the surface is 2 u (1 - u). From a height of 0.1 the slope
-  // (2 u (1 - u) - 0.1) / t is largest where 2 u^2 = 0.1.
+  // Along the diagonal, at u = t / sqrt(2), the surface is 2 u (1 - u). From a height of 0.1 the slope (2 u
+  // (1 - u) - 0.1) / t is largest where 2 u^2 = 0.1.
   const glm::dvec2 diagonal = glm::dvec2(1.0, 1.0) / std::sqrt(2.0);
   const double u = std::sqrt(0.05);
   const double expected = (2.0 * u * (1.0 - u) - 0.1) / (u * std::sqrt(2.0));

@@ -1,4 +1,4 @@
-// Height fields of tests.
+// Height fields that tests use.
 #pragma once
 
 #include <cmath>

@@ -17,7 +17,7 @@
 
 namespace penumbra::bake {
 
-// A disc light seen in a direction, of half the tangent's angle; rays are uniform on it.
+// A disc light seen in a direction, whose half angle has this tangent; rays are uniform on it.
 struct SeenDisc {
   glm::dvec3 towards{0.0, 1.0, 0.0};
   double tan_half = 0.0;
@@ -75,7 +75,7 @@ inline std::vector<glm::vec4> field_uniforms(const ObjectFields& fields) {
   return all;
 }
 
-// Meshes as one.
+// Joins meshes into one.
 inline scene::Scene joined(const std::vector<scene::Scene>& scenes) {
   scene::Scene all;
   all.name = "mesh";

@@ -189,7 +189,7 @@ TEST(ObjectFields, AreThoseOfTheObjectsAlone) {
   }
 }
 
-// A margin of less than a voxel would leave the surface where the texture knows nothing.
+// With a margin of less than a voxel, the texture would know nothing where the surface is.
 TEST(ObjectFields, HaveAVoxelAroundTheObject) {
   const ObjectFields fields = bake_object_fields(two_objects(), {16, {8, 0.0}});
   const DistanceField& field = fields.objects[0].field;

@@ -78,7 +78,7 @@ scene::Receivers seen_by_camera(const scene::Scene& scene, const EmbreeScene& em
   return receivers;
 }
 
-// One frame's worth of rays, and nothing else.
+// Traces one frame's worth of rays, and does nothing else.
 class BareLoop {
  public:
   BareLoop(const EmbreeScene& embree, const scene::Receivers& receivers, const DiscLight& light)

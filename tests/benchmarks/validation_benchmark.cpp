@@ -153,7 +153,7 @@ std::vector<CompileUnit> for_vulkan(const std::vector<CompileUnit>& units) {
   return all;
 }
 
-// One source for each graphics API, as the command has it without --api.
+// The units, one source for each graphics API, as the command has it without --api.
 std::vector<CompileUnit> for_every_api(const std::vector<CompileUnit>& units) {
   using variants::GraphicsApi;
   const std::vector<std::pair<variants::Platform, std::string>> platforms = {
@@ -181,7 +181,8 @@ const char* short_stage(hlsl::Stage stage) {
   return stage == hlsl::Stage::fragment ? "frag" : "comp";
 }
 
-// Each variant's folder: the source with its includes, the prepared text, and a script of the seven steps.
+// Writes each variant's folder: the source with its includes, the prepared text, and a script of the seven
+// steps.
 fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::size_t number) {
   const fs::path folder = scratch / std::to_string(number);
   shaders::PreprocessedSource prepared = shaders::preprocess(unit.compile);
@@ -210,7 +211,7 @@ fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::si
   return folder / "run.sh";
 }
 
-// Of this process and of all that it started and that have ended, workers included.
+// The processor time of this process and of all that it started and that have ended, workers included.
 double processor_milliseconds() {
   double total = 0.0;
   for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -261,8 +262,8 @@ constexpr Way ways[] = {{"alone", Sharing::nothing, false, false, false, false},
                         {"default", Sharing::everything, true, true, true, false},
                         {"warm", Sharing::everything, true, true, true, true}};
 
-// What there is to validate, and the same with one source for each graphics API; empty where that is not how
-// the command does it.
+// The units to validate, and the same with one source for each graphics API; empty where the command does not
+// work so.
 struct Measured {
   std::vector<CompileUnit> units;
   std::vector<CompileUnit> every_api;
@@ -294,7 +295,7 @@ void measure(benchmark::State& state, const Measured& measured) {
     scripts += write_pipeline(scratch, units[i], i).string() + "\n";
   Spent shell;
   std::map<std::string, Spent> spent;
-  std::pair<std::size_t, std::size_t> one_source;  // texts and modules
+  std::pair<std::size_t, std::size_t> one_source;  // numbers of texts and modules
   EngineRun run;
   for ([[maybe_unused]] auto iteration : state) {
     shell.add([&] { run_shell(scripts); });

@@ -43,7 +43,7 @@ void add_findings(ReportContent& content) {
 int main(int argc, char** argv) {
   const std::string kind = argc == 2 ? argv[1] : "";
   ReportContent content = penumbra::study::synthetic::report_content();
-  // What sorting must not mistake: an absent figure, one that text would put last, two that are equal when
+  // Sorting must not mistake these: an absent figure, one that text would put last, two that are equal when
   // rounded.
   content.results.records[3].metrics.rmse_all = std::nullopt;
   content.results.records[5].metrics.rmse_all = 1e-5;

@@ -1,4 +1,4 @@
-// action.yml as GitHub reads it, and its script as a runner runs it.
+// Tests action.yml as GitHub reads it, and its script as a runner runs it.
 #include <yaml-cpp/yaml.h>
 
 #include <nlohmann/json.hpp>
@@ -132,7 +132,7 @@ TEST_F(GithubTag, ACachedProgramIsOfOneImageAndOneSetOfSources) {
   EXPECT_NE(key_of({"ImageOS=ubuntu24", "ImageVersion=20261101.1"}), key);
 }
 
-// The last step with its inputs, as the runner sets its environment.
+// Runs the last step with its inputs, as the runner sets its environment.
 class GithubRun : public ProjectFolder {
  protected:
   platform::ChildResult run_step(std::map<std::string, std::string> inputs) {
@@ -165,7 +165,7 @@ TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
                                        "hlsl::unknown variable 'glow'%0A"));
   EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("variants"), 4);
   EXPECT_EQ(read_json("penumbra-reports/penumbra.sarif").at("runs").at(0).at("results").size(), 1u);
-  // Each target is made from a source of its own: the mistake is in both.
+  // Each target is made from a source of its own, so the mistake is in both.
   EXPECT_THAT(read("penumbra-reports/penumbra.xml"), HasSubstr("failures=\"2\""));
   EXPECT_THAT(read("summary.md"),
               AllOf(HasSubstr("Broken.hlsl:3:22: error:"), HasSubstr("```text\n"), EndsWith("\n```\n")));
@@ -174,7 +174,7 @@ TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
             "junit=penumbra-reports/penumbra.xml\n");
 }
 
-// A line of a shader that closes a fence and goes on in Markdown.
+// A line of a shader closes a fence and goes on in Markdown.
 TEST_F(GithubRun, TheSummarysFenceIsLongerThanAnyInTheText) {
   const std::string backticks(12, '`');
   write("Assets/Broken.hlsl", "float4 Main() : SV_Target {\n" + backticks + "\n}\n");
@@ -249,7 +249,7 @@ TEST_F(GithubRun, NothingIsRemovedBehindALinkedFolder) {
   EXPECT_FALSE(std::filesystem::exists(path("elsewhere/new")));
 }
 
-// It would check the tool's own library, and be green whatever the project holds.
+// The run would check the tool's own library, and be green whatever the project holds.
 TEST_F(GithubRun, WithoutAnythingToValidateItFails) {
   for (const char* arguments : {"", "  ", "--target spirv", "--unity-version 6000.0 --jobs 2"}) {
     const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", arguments}});

@@ -1,4 +1,4 @@
-// VS Code's problem matcher over what the program really prints.
+// Tests VS Code's problem matcher over what the program really prints.
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -21,7 +21,7 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
-// As VS Code applies a list of matchers: each line to each of them.
+// The problems that VS Code finds: it applies each of a list of matchers to each line.
 std::vector<Problem> problems_in(const std::string& output) {
   std::ifstream file(repository + "/ci/vscode-tasks.json");
   const nlohmann::json matchers = nlohmann::json::parse(file).at("tasks").at(0).at("problemMatcher");

@@ -1,5 +1,5 @@
-// A user's own shadow function through the command: what follows the file, whose includes, from where it
-// looks.
+// Tests a user's own shadow function through the command: what follows the file, whose includes, and from
+// where it looks.
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -119,7 +119,7 @@ class DownloadedText : public AdapterCommand {
     write("home/.netrc", "machine git.example password hunter2\n");
   }
 
-  // The program's output, started in the folder `place` of this home.
+  // The program's output, when it is started in the folder `place` of this home.
   platform::ChildResult in_home(const std::string& place, const std::string& arguments) const {
     return shell("cd " + path("home/" + place).string() + " && HOME=" + path("home").string() + " " +
                  PENUMBRA_PROGRAM + " " + arguments + " --cache " + path("cache").string() + " 2>&1");
@@ -170,8 +170,8 @@ TEST_F(DownloadedText, AManifestReadsNothingOfTheHomeFolder) {
     }
 }
 
-// Its file is included by its whole name: that the program's text and the user's are both mine.hlsl is no
-// matter.
+// The technique's file is included by its whole name, so it is no matter that the program's text and the
+// user's are both mine.hlsl.
 TEST_F(DownloadedText, AnAdapterOfTheFoldersOwnNameIsMeasured) {
   write("home/own/mine.hlsl",
         "#include \"lit.hlsl\"\nfloat ShadowVisibility(float3 p, float3 n, float2 x) { return kLit; }\n");
@@ -188,7 +188,8 @@ TEST_F(AdapterCommand, TheCameraStandsWhereItIsTold) {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return nlohmann::json::parse(result.output).at("records").at(0).at("pixels").get<int>();
   };
-  // From high above, looking a little aside of straight down, every pixel sees the ground; into the sky none.
+  // A camera high above, looking a little aside of straight down, sees the ground in every pixel; one that
+  // looks into the sky sees none.
   EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "0", "0.1", "30"}), 32 * 18);
   EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "16", "1"}), 0);
   for (const std::vector<std::string>& camera :

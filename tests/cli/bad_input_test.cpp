@@ -1,4 +1,5 @@
-// Every kind of bad input answered: exit code 2, the file and the line, the way out, and nothing left behind.
+// Every kind of bad input is answered: exit code 2, the file and the line, the way out, and nothing left
+// behind.
 #include "cli/program.h"
 
 namespace penumbra {
@@ -53,7 +54,7 @@ TEST_F(BadInput, ACameraThatLooksStraightUp) {
                         {"camera/up is parallel to camera/forward"});
 }
 
-// Before anything is compiled or traced: a run may take an hour.
+// The answer comes before anything is compiled or traced, because a run may take an hour.
 TEST_F(BadInput, WhatAMeasurementWouldEndWithIsRefusedAtItsBeginning) {
   const auto page = write("page.md", "no markers\n");
   const auto markers = run({"measure", "--readme", page.string()});

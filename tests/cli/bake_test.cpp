@@ -51,7 +51,7 @@ TEST_F(BakeProgram, AHorizonFromAHeightFieldIsThatFromItsScene) {
   EXPECT_NE(read("a-0.png"), read("c-0.png")) << "nothing nearer than 20 m";
 }
 
-// The same bytes, from a RAW file and with its rows in the other order.
+// A RAW file with its rows in the other order gives the same bytes.
 TEST_F(BakeProgram, ARawImageNeedsItsUnits) {
   const std::string raw = write("hill.raw", std::string("\x00\x00\xff\xff\x00\x80\x00\x40", 8)).string();
   EXPECT_EQ(
@@ -134,7 +134,7 @@ TEST_F(BakeProgram, SaysWhyABakeWouldBeUseless) {
                  AllOf(HasSubstr("--metres-per-unit"), testing::Not(HasSubstr("height in metres"))));
 }
 
-// Whoever opened one would wait for somebody who writes.
+// A reader that opened a pipe would wait for somebody who writes.
 TEST_F(BakeProgram, ReadsOnlyRegularFiles) {
   const std::string to = file("x.json");
   const std::string field = heights_of_street();

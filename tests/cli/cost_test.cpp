@@ -49,7 +49,7 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   EXPECT_EQ(run(command).output, once.output);
 }
 
-// As Unity's inspector counts them, for the macros of Direct3D 11.
+// The counts are those of Unity's inspector, for the macros of Direct3D 11.
 TEST_F(Cost, BytecodeIsCountedWithoutADriver) {
   PENUMBRA_NEEDS_FXC();
   const std::string file =
@@ -160,7 +160,7 @@ TEST_F(Cost, WhatHasNoEffectOrIsNoShaderIsRefused) {
               HasSubstr("View Generated Shader"));
 }
 
-// What compiles beside it has its row.
+// A shader that compiles beside it has its row.
 TEST_F(Cost, AShaderThatEndsTheCompilerIsNamedAndTheOthersAreMeasured) {
   const std::string main = "float4 Main() : SV_Target";
   const std::string crashes = write("crashes.hlsl", comma_chain(main)).string();
@@ -186,7 +186,7 @@ TEST_F(Cost, AShaderThatNeverEndsOrFillsTheMemoryEndsAtTheLimit) {
 }
 
 #ifdef PENUMBRA_FILTERS_SYSTEM_CALLS
-// It waits for its module: by then it has given up what it does not need.
+// The driver's process waits for its module: by then it has given up what it does not need.
 TEST_F(Cost, TheDriversProcessIsConfinedBeforeItReadsAModule) {
   ASSERT_EQ(shell("mkfifo '" + path("module").string() + "'").exit_code, 0);
   const auto result = shell(

@@ -59,7 +59,8 @@ std::string until_it_takes(int signal) {
          "while kill -0 $program 2>/dev/null && ! handled; do sleep 0.05; done\n";
 }
 
-// Ended by SIGINT, once it listens for it, while it renders: the shell's 128 + 2, and no half sheet.
+// The program is ended by SIGINT once it listens for it, while it renders: the code is the shell's 128 + 2,
+// and there is no half sheet.
 TEST_F(ExitCode, AnInterruptionIs130) {
   const auto result =
       shell(PENUMBRA_PROGRAM " render --size 1920x1080 --reference-samples 65536 --scene trees --cache " +

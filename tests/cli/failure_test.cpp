@@ -1,4 +1,4 @@
-// Which exit code and which words each kind of exception becomes.
+// Each kind of exception becomes an exit code and words.
 #include "cli/failure.h"
 
 #include <gmock/gmock.h>

@@ -17,7 +17,7 @@ class FinishedStudy : public ProgramTest {
            path("cache").string() + " -o " + path("out").string();
   }
 
-  // Its last record takes long enough for something to happen before it is there.
+  // The last record of the command takes long enough for something to happen before it is there.
   std::string slow_command() const {
     return command() + " --adapter slow=" +
            write("slow.hlsl",

@@ -1,4 +1,4 @@
-// penumbra constants --golden: what other implementations are compared with.
+// Other implementations are compared with what penumbra constants --golden writes.
 #include "cli/program.h"
 
 namespace penumbra {

@@ -16,8 +16,8 @@ constexpr const char* kVisibility =
 
 class HostileFiles : public ProgramTest {
  protected:
-  // In seconds of processor time. `endless` for files that never end; what ends in another way gets a time
-  // that a busy machine does not reach either.
+  // The limits are in seconds of processor time: `endless` for files that never end; what ends in another way
+  // gets a time that a busy machine does not reach either.
   enum class TimeLimit { endless = 2, ample = 60 };
 
   static platform::ChildResult run_limited(std::vector<std::string> arguments, TimeLimit limit) {
@@ -68,7 +68,7 @@ TEST_F(HostileFiles, AModelThatCrashesItsReader) {
   expect_refused(import(file), file, "the importer crashed with SIG", "the file is damaged, or");
 }
 
-// An accessor of 200,000,000 positions, of which one is given.
+// The file has an accessor of 200,000,000 positions, of which one is given.
 TEST_F(HostileFiles, AModelThatFillsTheMemory) {
   std::string json =
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
@@ -90,7 +90,7 @@ TEST_F(HostileFiles, AModelThatFillsTheMemory) {
                  "reduce it, or raise --time-limit");
 }
 
-// 18 bytes that say 8192 x 8192 pixels, as a file and as a model's texture.
+// The picture has 18 bytes that say 8192 x 8192 pixels, as a file and as a model's texture.
 TEST_F(HostileFiles, APictureThatFillsTheMemory) {
   std::string tga(18, '\0');
   tga[2] = 10;

@@ -5,14 +5,15 @@
 
 namespace penumbra {
 
-// `function`: its head; the body ends in what is returned. glslang calls itself for each comma.
+// A chain of commas. `function` is the function's head; the body ends in what is returned. glslang calls
+// itself for each comma.
 inline std::string comma_chain(const std::string& function) {
   std::string text = function + "\n{\n    float a = 0;\n    a += 1";
   for (int i = 0; i < 60'000; ++i) text += ", a += 1";
   return text + ";\n    return 0;\n}\n";
 }
 
-// 2^39 expansions.
+// The text needs 2^39 expansions.
 inline std::string macro_bomb(const std::string& function) {
   std::string text = "#define M0 1 +\n";
   for (int i = 1; i < 40; ++i) {

@@ -1,4 +1,4 @@
-// Ended in the middle: the old file survives, and long work goes on where it stopped.
+// The program is ended in the middle: the old file survives, and long work goes on where it stopped.
 #include "cli/program.h"
 
 namespace penumbra {
@@ -17,7 +17,8 @@ TEST_F(Interrupted, KilledInsideAWriteKeepsTheOldFile) {
   EXPECT_EQ(read("out.json"), "old");
 }
 
-// Interrupted as soon as the first rows of the reference are kept; the same command then has less left to do.
+// The command is interrupted as soon as the first rows of the reference are kept; the same command then has
+// less left to do.
 TEST_F(Interrupted, MeasureStopsCleanlyAndKeepsWhatWasFinished) {
   const std::string kept = path("cache").string() + "/reference";
   const auto stopped =

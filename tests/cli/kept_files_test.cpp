@@ -1,4 +1,4 @@
-// What a run reads, and source files, are not replaced by what it writes.
+// A run does not replace the files that it reads, or source files, by what it writes.
 #include "cli/program.h"
 
 namespace penumbra {

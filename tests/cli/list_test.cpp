@@ -1,4 +1,4 @@
-// Lists: by commas, by repeating the option, or both; and several numbers with blanks or commas.
+// Lists are given by commas, by repeating the option, or both; and several numbers with blanks or commas.
 #include "cli/option_values.h"
 #include "cli/program.h"
 

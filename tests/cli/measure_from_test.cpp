@@ -1,4 +1,4 @@
-// What penumbra measure writes, penumbra measure --from takes again; and who runs at which settings.
+// penumbra measure --from takes what penumbra measure has written; and each technique runs at its settings.
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -47,7 +47,8 @@ TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
     refused("hard", option);
   refused("far-heights-8", "--horizon-texels");
   refused("far-horizon", "--field-voxels");
-  // What a technique reads, and what its bake is made of. The run ends at a device that is not there.
+  // The test shows what a technique reads, and what its bake is made of. The run ends at a device that is not
+  // there.
   const auto taken = [&](const std::string& technique, const std::string& option) {
     const auto result = run(small(
         {"--scene", "slabs", "--technique", technique, option, "64", "--device", "no device has this name"}));

@@ -1,4 +1,4 @@
-// penumbra measure --set: values of a technique's parameters measured side by side.
+// penumbra measure --set measures values of a technique's parameters side by side.
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -44,7 +44,7 @@ TEST_F(MeasureSweep, EveryValueIsARecordWithItsOwnNameAndParameters) {
   EXPECT_EQ(names.size(), 4);
 }
 
-// Of one technique only; what is set for it takes the place of what is set for all.
+// A value that is set for one technique takes the place of what is set for all.
 TEST_F(MeasureSweep, AParameterOfOneTechniqueLeavesTheOthersAsTheyAre) {
   const auto result = run(small({"--technique", "pcss-angular-24-16,godot-pcss-8,pcss-angular-64-64", "--set",
                                  "godot-pcss-8:samples=3", "--set", "pcss-angular-24-16:blockerSamples=5",

@@ -1,4 +1,5 @@
-// Ten thousand damaged shaders through the whole program: it ends in time, with an answer for every file.
+// Sends ten thousand damaged shaders through the whole program: it ends in time, with an answer for every
+// file.
 //
 // A compiler may crash or hang on some of them, in its worker; the program may not.
 #include <nlohmann/json.hpp>
@@ -24,8 +25,8 @@ std::string repeated(const std::string& text, std::size_t times) {
   return all;
 }
 
-// "#define M0 x", "#define M1 M0 <join> M0" and so on, used at once: of depth 13, or rarely a bomb of
-// depth 32.
+// The text "#define M0 x", "#define M1 M0 <join> M0" and so on is used at once: of depth 13, or rarely a bomb
+// of depth 32.
 std::string nested_macros(std::size_t depth, const std::string& join) {
   std::string text = "#define M0 1\n";
   for (std::size_t i = 1; i < depth; ++i) {

@@ -1,4 +1,4 @@
-// Where output cannot go is said before any work begins, by every subcommand that writes.
+// Every subcommand that writes says before any work begins where output cannot go.
 #include "cli/program.h"
 
 namespace penumbra {
@@ -9,8 +9,7 @@ using testing::IsEmpty;
 
 class Output : public ProgramTest {
  protected:
-  // The work itself would fail, too, in each of these commands: with another message, as the output comes
-  // first.
+  // The work itself would fail, too, in each of these commands, with another message; the output comes first.
   std::vector<std::vector<std::string>> commands_with_files() const {
     const std::string none = path("none").string();
     return {{"constants", "--config", none, "-o"},

@@ -17,7 +17,8 @@ std::string read(const std::filesystem::path& file) {
   return text.str();
 }
 
-// Of fenced blocks, where a backslash goes on in the next line, and of lines "Command: `penumbra ...`".
+// The commands of fenced blocks, where a backslash goes on in the next line, and of lines "Command: `penumbra
+// ...`".
 std::vector<std::string> commands_of(std::string page) {
   static const std::regex start("^(?:source <\\()?(?:build/release/)?penumbra +(.*)$");
   static const std::regex generated("^Command: `penumbra +([^`]*)`.*$");

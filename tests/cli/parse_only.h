@@ -1,4 +1,4 @@
-// The program's command line parsed without its work: what parsing alone refuses.
+// Parses the program's command line without its work: what parsing alone refuses.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ namespace penumbra::cli {
 class ParseOnly {
  public:
   ParseOnly() : app_(command_line(context_)) {
-    // After a subcommand's own checks, and before its work.
+    // The command ends after a subcommand's own checks, and before its work.
     for (CLI::App* command : shown_subcommands(*app_)) {
       command->parse_complete_callback([this] {
         if (const auto unexpected = app_->remaining(true); !unexpected.empty())
@@ -24,7 +24,7 @@ class ParseOnly {
     }
   }
 
-  // The arguments as typed, without the program's name; empty where they parse.
+  // Refuses the arguments as typed, without the program's name; empty where they parse.
   std::string refusal(std::vector<std::string> arguments) {
     std::reverse(arguments.begin(), arguments.end());
     try {

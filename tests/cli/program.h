@@ -1,4 +1,4 @@
-// The built program run as a person runs it, in a folder of its own.
+// Runs the built program as a person runs it, in a folder of its own.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -16,12 +16,12 @@ namespace penumbra {
 
 class ProgramTest : public testing::Test {
  public:
-  // Without FXC, which not every machine has: what is said is the same on all of them.
+  // The program runs without FXC, which not every machine has, so that it says the same on all of them.
   static platform::ChildResult run(std::vector<std::string> arguments) {
     return run_program(PENUMBRA_PROGRAM, std::move(arguments));
   }
 
-  // With FXC where it is found.
+  // The program runs with FXC where it is found.
   static platform::ChildResult run_with_fxc(std::vector<std::string> arguments) {
     return run_program(PENUMBRA_PROGRAM, std::move(arguments), {});
   }
@@ -73,7 +73,7 @@ class ProgramTest : public testing::Test {
     command.program = program;
     command.arguments = std::move(arguments);
     command.environment = std::move(environment);
-    command.timeout = std::chrono::minutes(25);  // for what hangs, however busy the machine is
+    command.timeout = std::chrono::minutes(25);  // a limit for what hangs, however busy the machine is
     return platform::run_child(command);
   }
 

@@ -1,4 +1,4 @@
-// Progress by a clock of the test's own: when a line is due, what it says, and when nothing is said.
+// Tests progress by a clock of the test's own: when a line is due, what it says, and when nothing is said.
 #include "cli/progress.h"
 
 #include <gmock/gmock.h>

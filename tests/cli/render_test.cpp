@@ -1,4 +1,4 @@
-// penumbra render: what it refuses before anything is drawn, and one small sheet from end to end.
+// penumbra render refuses bad options before anything is drawn, and makes one small sheet from end to end.
 #include <set>
 
 #include "cli/program.h"
@@ -70,7 +70,7 @@ TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
     refused("hard", option);
   refused("far-heights-8", "--horizon-texels");
   refused("far-horizon", "--field-voxels");
-  // Both end at a device that is not there.
+  // Both runs end at a device that is not there.
   const auto taken = [&](const std::string& technique, const std::string& option) {
     const auto result =
         run(small({"--technique", technique, option, "64", "--device", "no device has this name"}));
@@ -190,7 +190,7 @@ TEST_F(Render, OptionsOfASheetNeedOne) {
   EXPECT_THAT(listing(), IsEmpty());
 }
 
-// The reference and two values with a mask each: five cells in three rows of two.
+// The sheet has the reference and two values with a mask each: five cells in three rows of two.
 TEST_F(Render, OneCommandMakesASheet) {
   const auto result = run(small({"--technique", "screen-pcss-angular-24-16-masked", "--set",
                                  "blockerSamples=1,64", "--show", "result,mask", "--crop", "8,4,48,24",

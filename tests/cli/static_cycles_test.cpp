@@ -29,7 +29,7 @@ study::ProgramCycles of(const std::string& technique) {
   return facts().techniques.at(technique).cycles.value();
 }
 
-// The row of one program, by another way: a variant with this one keyword.
+// The row of one program found in another way: a variant with this one keyword.
 double row(const std::string& technique, const std::string& entry) {
   for (const cost::CostRow& each : report().rows) {
     if (each.family != "navi21" || each.entry != entry) continue;

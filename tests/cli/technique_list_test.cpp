@@ -32,7 +32,7 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
   EXPECT_EQ(record.at("technique"), "means");
   EXPECT_EQ(record.at("fetches_mean"), 1.0);
-  // 1 + 5 + 5 for each of 128 x 128 texels, and 4 for each of 64 x 64.
+  // There are 1 + 5 + 5 fetches for each of 128 x 128 texels, and 4 for each of 64 x 64.
   EXPECT_EQ(record.at("preprocess_fetches_per_pixel"), (11.0 * 128 * 128 + 4.0 * 64 * 64) / (32 * 16));
 
   const nlohmann::json& rows = record.at("passes").at(1);
@@ -122,7 +122,8 @@ TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
 TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
   const auto valid = run({"validate", "--technique-list", added("Layers"), "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
-  // Two passes of two stages with and without alpha test, and the filter's two; in both directions of depth.
+  // There are two passes of two stages with and without alpha test, and the filter's two; in both directions
+  // of depth.
   EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
 
   const auto measured =

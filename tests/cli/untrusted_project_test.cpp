@@ -1,4 +1,4 @@
-// Projects and names made to mislead or to hang: what is printed stays one message, and an end comes.
+// Projects and names are made to mislead or to hang: what is printed stays one message, and an end comes.
 #include <sys/stat.h>
 
 #include "cli/program.h"
@@ -75,7 +75,7 @@ TEST_F(UntrustedProject, APathThatNoLineDirectiveCanNameIsRefused) {
   }
 }
 
-// The others are checked, and it is an error of the report.
+// The other files are checked, and the folder is an error of the report.
 TEST_F(UntrustedProject, AFileInAFolderThatCannotBeReadIsReportedBesideTheOthers) {
   const std::string shader =
       "Shader \"T\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"

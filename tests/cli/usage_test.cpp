@@ -1,4 +1,4 @@
-// What a mistyped command is answered: the nearest right name, and where the help is.
+// A mistyped command is answered with the nearest right name, and with where the help is.
 #include "cli/option_values.h"
 #include "cli/parse_only.h"
 #include "cli/program.h"
@@ -132,7 +132,7 @@ TEST_F(Usage, ANameOfAnotherKindOfTextIsRefused) {
   refused("--scene", "<!-- results:end -->.obj", "holds '<!--'");
 }
 
-// "$UNSET" of a script.
+// An empty name comes from "$UNSET" of a script.
 TEST_F(Usage, AnEmptyNameOfAFileIsRefused) {
   int options = 0;
   cli::ParseOnly names;

@@ -12,8 +12,8 @@ using testing::Not;
 
 class ValidateFxc : public ProgramTest {
  protected:
-  // One variant that both compilers take, one that FXC alone refuses, one that glslang alone refuses, and one
-  // that both do.
+  // There is one variant that both compilers take, one that FXC alone refuses, one that glslang alone
+  // refuses, and one that both do.
   std::string four_variants() const {
     write("Include.hlsl", "#if defined(RESERVED)\nint Wrong() { int pass = 1; return pass; }\n#endif\n");
     return write("Four.compute",
@@ -79,7 +79,7 @@ TEST_F(ValidateFxc, TheReportHasCountsAndIsReadAgain) {
   EXPECT_EQ(run({"merge", path("report.json").string()}).exit_code, 1);
 }
 
-// Both read the same text: FXC's verdict is not glslang's, in whatever order they are asked.
+// Both compilers read the same text: FXC's verdict is not glslang's, in whatever order they are asked.
 TEST_F(ValidateFxc, TheCacheTellsTheCompilersApart) {
   PENUMBRA_NEEDS_FXC();
   const std::string file =

@@ -1,4 +1,4 @@
-// penumbra validate on shader files: what is compiled, counted, refused, parted and joined.
+// penumbra validate compiles, counts, refuses, parts and joins shader files.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -261,7 +261,7 @@ TEST_F(Validate, NoVariantsLessThanNoneAreAskedFor) {
   }
 }
 
-// What crashed goes where no other user of the machine can read it, or put something first.
+// The text that crashed goes where no other user of the machine can read it, or put something first.
 TEST_F(Validate, WithoutACacheWhatCrashedIsKeptInANewFolderOfTheUsersAlone) {
   const std::filesystem::path temporary = path("temporary");
   std::filesystem::create_directory(temporary);
@@ -309,7 +309,7 @@ TEST_F(Validate, ExplainShowsAVariantWithTheOriginOfEveryLine) {
   EXPECT_THAT(shown.output, AllOf(HasSubstr("Library.hlsl\n/* 2 */ float4 Tint(float x)"),
                                   HasSubstr("/* 5 */ x *= 2.0;"), HasSubstr("/* 15 */ float4 Frag()")));
   EXPECT_THAT(run(command({"--explain", "Frag: WARM"})).output, Not(HasSubstr("x *=")));
-  // What is shown is the whole shader.
+  // The whole shader is shown.
   const std::string file = path("Shown.hlsl").string();
   EXPECT_EQ(run(command({"--explain", "Frag: WARM BRIGHT", "-o", file})).exit_code, 0);
   EXPECT_EQ(run({"validate", file, "--entry", "Frag", "--no-cache"}).exit_code, 0);
@@ -346,14 +346,14 @@ TEST_F(Validate, MinimizeNamesTheKeywordsThatAnErrorNeeds) {
   EXPECT_EQ(minimal[0]["error"]["line"], 5);
   EXPECT_THAT(run(command({"--target", "spirv", "--minimize"})).output,
               HasSubstr("  enough for it: WARM BRIGHT\n"));
-  // Two ways to one error: one of them is enough.
+  // There are two ways to one error: one of them is enough.
   std::string either = kLibrary;
   either.replace(either.find("defined(WARM) && defined(BRIGHT)"), 32, "defined(A) || defined(B)       ");
   write("Library.hlsl", "#define FACTOR undefined_factor\n" + either);
   const auto one = report({"--target", "spirv", "--minimize"})["minimal_keywords"];
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0]["keywords"].size(), 1U);
-  // No keyword at all.
+  // There is no keyword at all.
   write("Library.hlsl", "float4 Tint(float x) { return undefined; }\n");
   EXPECT_THAT(run(command({"--target", "spirv", "--minimize"})).output,
               HasSubstr("  without any keyword as well\n"));

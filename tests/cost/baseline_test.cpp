@@ -62,7 +62,7 @@ TEST(Baseline, SpillsWhereNoneWereAreBeyondAnyPercentage) {
   EXPECT_FALSE(compare_with_baseline(now, before, {}, 1000.0).passed());
 }
 
-// As of two passes with one name, in one shader.
+// Two passes of one shader may have one name.
 TEST(Baseline, RowsOfEqualNamesAreComparedInTheirOrder) {
   CostReport report = made_up::report();
   report.rows.push_back(report.rows[0]);

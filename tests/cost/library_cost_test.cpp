@@ -1,4 +1,4 @@
-// The library's own figures: a change of a shader that costs an instruction more is seen here.
+// Compares the library's own figures: a change of a shader that costs an instruction more is seen here.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ const Figures& figures_of_technique(const CostReport& report, const std::string&
   return none;
 }
 
-// True of any compiler worth the name.
+// The order is true of any compiler worth the name.
 void expect_order(const CostReport& report) {
   const auto instructions = [&report](const char* technique) {
     return figures_of_technique(report, technique).instructions.value_or(0);
@@ -59,7 +59,7 @@ void expect_order(const CostReport& report) {
     EXPECT_EQ(row.measured.figures.spilled_vgprs, 0U) << row_name(row);
     EXPECT_EQ(row.measured.figures.spilled_sgprs, 0U) << row_name(row);
     EXPECT_EQ(row.measured.figures.scratch_bytes, 0U) << row_name(row);
-    // What Vulkan promises every group (maxComputeSharedMemorySize), and OpenGL ES 3.1.
+    // This is what Vulkan promises every group (maxComputeSharedMemorySize), and OpenGL ES 3.1.
     EXPECT_LE(row.measured.figures.lds_bytes.value_or(0), 16384U) << row_name(row);
   }
 }
@@ -94,8 +94,8 @@ TEST(LibraryCost, IsTheCommittedOne) {
   }
 }
 
-// What OpenGL ES 3.1 and Vulkan promise every group. Bytecode is the one form in which a group's memory does
-// not depend on a driver.
+// OpenGL ES 3.1 and Vulkan promise every group this memory. Bytecode is the one form in which a group's
+// memory does not depend on a driver.
 TEST(LibraryCost, BytecodeIsTheCommittedOneAndGroupsHaveTheirMemory) {
   PENUMBRA_NEEDS_FXC();
   const CostReport committed = read_cost_report(PENUMBRA_SOURCE_DIR "/Documentation~/results/cost.json");
@@ -139,7 +139,7 @@ TEST(LibraryCost, PresetsThatAreUniformsShareARow) {
   EXPECT_EQ(report.rows[2].variants, both);
 }
 
-// Two bodies that differ in precision alone, as Unity's libraries have them: glslang refuses the second.
+// The two bodies differ in precision alone, as Unity's libraries have them: glslang refuses the second.
 TEST(LibraryCost, AUsersFileMayBeWrittenAsUnitysAre) {
   const std::filesystem::path folder = testing::TempDir();
   std::ofstream(folder / "cost-twins.hlsl") << "half4 Tint(half4 a) { return a * a; }\n"

@@ -1,4 +1,4 @@
-// The driver as it is on this machine, on a GPU that is not there.
+// Tests the driver as it is on this machine, on a GPU that is not there.
 #include "cost/null_radv.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ Figures figures(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragme
   return measured.figures;
 }
 
-// The average of `taps` comparisons along a line, all written out.
+// The shader's average of `taps` comparisons along a line is all written out.
 std::string taps_shader(int taps) {
   std::string text =
       "Texture2D<float> map; SamplerComparisonState s;\n"
@@ -84,7 +84,7 @@ TEST(NullRadv, EveryFigureIsThere) {
   const Measurement measured = measure_one(radv(), module_of(taps_shader(4)));
   ASSERT_THAT(measured.failure, IsEmpty());
   for (const FigureName& name : figure_names()) {
-    // Those from here are of Direct3D's bytecode.
+    // The figures from here on are of Direct3D's bytecode.
     if (name.value == &Figures::arithmetic) break;
     EXPECT_TRUE((measured.figures.*name.value).has_value()) << name.key << " of " << name.driver_name;
   }
@@ -193,7 +193,7 @@ TEST(NullRadv, AStageWithoutAMeasureIsAFailure) {
   EXPECT_THAT(measure_one(radv(), module).failure, HasSubstr("geometry shaders are not measured"));
 }
 
-// Programs that end as a driver's compiler might, in the worker's place.
+// These programs end as a driver's compiler might, in the worker's place.
 class Ending : public testing::Test {
  protected:
   NullRadv worker(const std::string& script) const {

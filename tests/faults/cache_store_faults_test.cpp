@@ -1,5 +1,4 @@
-// Kept answers when memory or the disk fails: an entry is the old one, the new one, or
-// absent.
+// Kept answers survive when memory or the disk fails: an entry is the old one, the new one, or absent.
 #include <array>
 
 #include "faults/every_fault.h"
@@ -77,7 +76,8 @@ TEST(CacheStoreFaults, ReadingGivesTheAnswerOrNone) {
                     }});
 }
 
-// Not without memory: GCC's directory iterators call std::terminate then (their advance() is noexcept).
+// The works run without faults of memory, because GCC's directory iterators call std::terminate then (their
+// advance() is noexcept).
 TEST(CacheStoreFaults, TrimmingRemovesOldEntriesAndNothingElse) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "cache", stranger = folder / "01" / "notes.txt";

@@ -16,7 +16,7 @@ namespace {
 
 using penumbra::faults::FileCall;
 
-// The library's own function of that name.
+// Finds the library's own function of that name.
 template <typename Function>
 Function next(const char* name) {
   return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
@@ -72,8 +72,8 @@ int fclose(std::FILE* stream) {
   return failed ? EOF : result;
 }
 
-// Not passed on: whether bytes have reached the disk cannot be seen here, and waiting for it takes most of
-// the time.
+// The call is not passed on: whether bytes have reached the disk cannot be seen here, and waiting for it
+// takes most of the time.
 int fsync(int /*descriptor*/) {
   return fails(FileCall::changes) ? -1 : 0;
 }

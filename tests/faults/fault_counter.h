@@ -1,4 +1,4 @@
-// Asked by every call that may be made to fail. Internal to injected_fault.h.
+// Every call that may be made to fail asks here. The header is internal to injected_fault.h.
 #pragma once
 
 namespace penumbra::faults {

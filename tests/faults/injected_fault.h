@@ -1,7 +1,7 @@
 // Makes the n-th allocation, or the n-th call that opens, reads, writes or names a file, fail: this test
 // program's own operator new, and the C library's functions as this program and the C++ library call them.
 //
-// As SQLite's tests do: the same work again and again, with n from 0 until nothing failed any more.
+// The work is done again and again, as in SQLite's tests, with n from 0 until nothing failed any more.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ enum class Extent {
   from_there  // every call from the n-th on fails
 };
 
-// While one lives faults may happen, on any thread. One at a time.
+// While an object lives faults may happen, on any thread. Only one may live at a time.
 class InjectedFault {
  public:
   InjectedFault(Kind kind, Extent extent, std::size_t number);
@@ -30,7 +30,7 @@ class InjectedFault {
   bool happened() const;
 };
 
-// Nothing fails while one lives, on this thread: for what a test does besides.
+// While an object lives nothing fails on this thread: a test uses it for what it does besides.
 class NoFault {
  public:
   NoFault();

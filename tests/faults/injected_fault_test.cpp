@@ -20,7 +20,7 @@ TEST(InjectedFaults, OneForEachAllocation) {
     const std::vector<int> numbers(1000, static_cast<int>(text.size()));
     const std::vector<std::string> copies(2, text);
   };
-  EXPECT_EQ(failures(Kind::memory, allocate), 5U);  // text, numbers, copies, their characters
+  EXPECT_EQ(failures(Kind::memory, allocate), 5U);  // text, numbers, copies and their characters
 }
 
 TEST(InjectedFaults, OneForEachStepOfAWrittenFile) {
@@ -28,7 +28,7 @@ TEST(InjectedFaults, OneForEachStepOfAWrittenFile) {
   const fs::path file = scratch.path() / "file";
   const auto write = [&] { platform::write_file_atomically(file, std::string_view("text")); };
   EXPECT_EQ(failures(Kind::full, write), 6U);    // fopen, fwrite, fflush, fsync, fclose, rename
-  EXPECT_GT(failures(Kind::broken, write), 6U);  // and stat
+  EXPECT_GT(failures(Kind::broken, write), 6U);  // the calls above and stat
 }
 
 TEST(InjectedFaults, OneForEachStepOfAStream) {

@@ -1,4 +1,4 @@
-// Writers of reports without memory: the whole report or std::bad_alloc.
+// Writers of reports without memory write the whole report or throw std::bad_alloc.
 #include "faults/every_fault.h"
 #include "reference/scratch_folder.h"
 #include "validation/report_fixture.h"
@@ -21,8 +21,8 @@ ValidationReport report() {
   return made;
 }
 
-// Not the forms made of JSON: the destructor of nlohmann's documents needs memory. penumbra answers that with
-// its exit code (answer_uncaught_exceptions() in cli/failure.h).
+// The forms made of JSON are not tested: the destructor of nlohmann's documents needs memory. penumbra
+// answers that with its exit code (answer_uncaught_exceptions() in cli/failure.h).
 TEST(ReportFaults, AReportIsWholeOrNotWritten) {
   const ValidationReport made = report();
   for (const ReportForm form : {ReportForm::text, ReportForm::junit, ReportForm::github}) {

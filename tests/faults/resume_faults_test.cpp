@@ -1,4 +1,4 @@
-// References that are kept and continued when memory or the disk fails: the image is right, or there is none.
+// References are kept and continued when memory or the disk fails: the image is right, or there is none.
 #include "faults/every_fault.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
@@ -35,7 +35,7 @@ RunOptions options() {
   return run;
 }
 
-// The beginning that an interrupted run leaves: one block.
+// Leaves the beginning of an interrupted run: one block.
 void leave_beginning(const ReferenceCache& cache) {
   RunOptions run = options();
   run.cancelled = [&, asked = 0]() mutable { return ++asked > 3; };

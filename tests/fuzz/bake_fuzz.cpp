@@ -1,4 +1,4 @@
-// The JSON file of a height field, beside a picture of which it has the hash.
+// Reads the JSON file of a height field, beside a picture of which it has the hash.
 #include "bake/height_file.h"
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
@@ -7,7 +7,8 @@ namespace penumbra::fuzz {
 
 void targets::bake(std::string_view bytes) {
   static const ScratchFolder folder;
-  static const std::filesystem::path picture = folder.write("field.png", "picture");  // as seeds.py has it
+  // The text is that of seeds.py.
+  static const std::filesystem::path picture = folder.write("field.png", "picture");
   const std::filesystem::path file = folder.write("field.json", bytes);
   read([&] {
     const bake::HeightFile read = bake::read_height_file(file);

@@ -1,4 +1,4 @@
-// Direct3D bytecode, which FXC gives, as counts and reflection read it.
+// Counts and reflects Direct3D bytecode, which FXC gives.
 #include <stdexcept>
 #include <string>
 

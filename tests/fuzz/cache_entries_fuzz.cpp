@@ -1,4 +1,4 @@
-// Entries of the caches: files of any content, and whole entries of any payload.
+// Reads entries of the caches: files of any content, and whole entries of any payload.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
 #include "platform/cache_store.h"

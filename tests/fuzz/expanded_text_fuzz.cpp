@@ -1,5 +1,5 @@
-// Expanded HLSL: declarations, what an entry point reaches, brackets left open, a compiler's log about it and
-// what is taken out around its errors.
+// Reads expanded HLSL: declarations, what an entry point reaches, brackets left open, a compiler's log about
+// it and what is taken out around its errors.
 #include <algorithm>
 #include <numeric>
 #include "fuzz/fuzz_input.h"
@@ -53,7 +53,7 @@ void read_log(const std::string& text, const hlsl::SourceFiles& sources) {
   }
 }
 
-// The text as a compiler's log of itself: its lines that begin like errors are errors of its tokens.
+// Takes the text as a compiler's log of itself: its lines that begin like errors are errors of its tokens.
 void place_errors(const std::string& text, const hlsl::SourceFiles& sources) {
   const auto log_of = [&](const std::string&) { return text; };
   const shaders::ParseFailure failure{text, "main.hlsl", std::nullopt, text, log_of};

@@ -1,4 +1,4 @@
-// A cost report as a baseline, and results.json of measure.
+// Reads a cost report as a baseline, and results.json of measure.
 #include "cost/baseline.h"
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

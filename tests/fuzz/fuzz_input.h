@@ -1,4 +1,4 @@
-// What every fuzz target does with its bytes: reads them, and holds the answer against what the header
+// Every fuzz target does this with its bytes: it reads them, and holds the answer against what the header
 // promises.
 //
 // A target fails by a sanitizer's message, by an exception that is no answer, or by require().
@@ -16,7 +16,7 @@
 
 namespace penumbra::fuzz {
 
-// The first byte, which goes; 0 when there is none.
+// Takes the first byte away and returns it; 0 when there is none.
 inline std::uint8_t take_byte(std::string_view& bytes) {
   if (bytes.empty()) return 0;
   const auto first = static_cast<std::uint8_t>(bytes.front());
@@ -24,14 +24,14 @@ inline std::uint8_t take_byte(std::string_view& bytes) {
   return first;
 }
 
-// A finding when it does not hold; `claim` says what should have.
+// Reports a finding when the condition does not hold; `claim` says what should have.
 inline void require(bool holds, const char* claim) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", claim);
   std::abort();
 }
 
-// Text that a terminal or a CI system reads: newlines and tabs alone of the control characters.
+// Requires text for a terminal or a CI system: newlines and tabs are its only control characters.
 inline void require_harmless(std::string_view text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -39,7 +39,7 @@ inline void require_harmless(std::string_view text) {
   }
 }
 
-// Runs it; an InputError or an EnvironmentError is an answer, if its message may be shown.
+// Runs the reader; an InputError or an EnvironmentError is an answer, if its message may be shown.
 template <typename Reads>
 void read(const Reads& reads) {
   try {
@@ -53,7 +53,7 @@ void read(const Reads& reads) {
   }
 }
 
-// A folder of this process, for readers that take files. Gone when the process ends.
+// A folder of this process, for readers that take files. It is gone when the process ends.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -61,7 +61,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  // The file's path. Makes its folders; `name` may have some.
+  // Writes the file and returns its path. It makes the file's folders; `name` may have some.
   std::filesystem::path write(const std::string& name, std::string_view content) const;
   const std::filesystem::path& path() const { return path_; }
 

@@ -1,5 +1,6 @@
-// Mutations of JSON documents that stay JSON: libFuzzer's own, of bytes, seldom get past the parser. A
-// document's own names and values are what its values are replaced by, so that many mutants are nearly valid.
+// Mutates JSON documents so that they stay JSON: libFuzzer's own mutations, of bytes, seldom get past the
+// parser. A document's values are replaced by its own names and values, so that many mutants are nearly
+// valid.
 #include "fuzz/json_mutator.h"
 
 #include <cmath>
@@ -90,7 +91,7 @@ class Mutation {
       for (json& element : value) collect(element);
   }
 
-  // A value of the document, of the same type as often as not, or an edge.
+  // A value of the document, as often as not of the same type, or an edge.
   json other(const json& value) {
     if (below(3) == 0) return edges()[below(edges().size())];
     for (int attempt = 0; attempt < 8; ++attempt) {

@@ -1,4 +1,4 @@
-// Pages and messages that hold texts of untrusted files.
+// Makes pages and messages that hold texts of untrusted files.
 #include <algorithm>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

@@ -1,4 +1,4 @@
-// Models of any numbers, as far as they are ours to read: the importer, which is not instrumented, is given
+// Reads models of any numbers, as far as the code is ours: the importer, which is not instrumented, is given
 // whole files. The first byte says which kind; the rest are its numbers.
 #include <algorithm>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace penumbra::fuzz {
 
 namespace {
 
-// Triangles of any bits: a normal, three corners and two bytes each.
+// Triangles of any bits, each a normal, three corners and two bytes.
 std::string stl(std::string_view bytes) {
   constexpr std::size_t triangle = 50;
   const auto count = static_cast<std::uint32_t>(bytes.size() / triangle);

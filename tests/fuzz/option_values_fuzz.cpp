@@ -1,4 +1,4 @@
-// Values of options, versions, patterns and names.
+// Reads values of options, versions, patterns and names.
 #include "cli/option_text.h"
 #include "project/editor_includes.h"
 #include "project/editor_version.h"

@@ -1,4 +1,4 @@
-// Pictures: the textures of models and adapters.
+// Reads pictures: the textures of models and adapters.
 #include <span>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

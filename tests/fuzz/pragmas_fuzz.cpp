@@ -1,4 +1,4 @@
-// The #pragma lines of a program, and the variants they declare.
+// Reads the #pragma lines of a program, and the variants they declare.
 #include <set>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

@@ -1,5 +1,5 @@
-// The preparation of preprocessed HLSL: each pass alone, or all of them, with the checks of an entry point or
-// without. The first byte says which.
+// Prepares preprocessed HLSL: each pass alone, or all of them, with the checks of an entry point or without.
+// The first byte says which.
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -31,7 +31,7 @@ void print_untouched(const std::string& text) {
   }
 }
 
-// The text's last function as the entry point of some stage, for either of Unity's compilers.
+// The text's last function serves as the entry point of some stage, for either of Unity's compilers.
 preparation::EntryPoint entry_of(const std::string& text, std::size_t choice) {
   preparation::EntryPoint entry{"Frag"};
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);

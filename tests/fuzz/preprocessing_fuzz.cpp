@@ -1,6 +1,6 @@
-// HLSL before the preprocessor, read by the project's own and by glslang's: what the first has a text for has
-// the same text from the second, which has nothing to say of it. The first byte says whether the source is
-// prepared.
+// Reads HLSL before the preprocessor with the project's own and with glslang's: what the first has a text for
+// has the same text from the second, which has nothing to say of it. The first byte says whether the source
+// is prepared.
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
@@ -39,7 +39,7 @@ std::optional<std::string> own_text(const std::string& source) {
   return preprocessor.run(given, cut, name, includes);
 }
 
-// Nothing when it says something.
+// Returns nothing when glslang says something.
 std::optional<std::string> text_of_glslang(const std::string& source) {
   static const bool initialised = glslang::InitializeProcess();
   require(initialised, "glslang starts");
