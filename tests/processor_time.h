@@ -1,5 +1,5 @@
-// Processor time of this process, for tests of how work grows: other programs' load is not in it, nor is the
-// system's time, which is for new pages of memory and depends on the machine's state.
+// Measures processor time of this process, for tests of how work grows. It has neither other programs' load
+// nor the system's time, which is for new pages of memory and depends on the machine's state.
 #pragma once
 
 #include <sys/resource.h>

@@ -48,7 +48,8 @@ std::optional<std::string> text_of_glslang(const std::string& source) {
   const char* const names[] = {name};
   glslang::TShader shader(EShLangFragment);
   shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
-  const std::string preamble = std::string("#undef VULKAN\n") + definitions;  // as SourceShader has it
+  // The preamble is SourceShader's.
+  const std::string preamble = std::string("#undef VULKAN\n") + definitions;
   shader.setPreamble(preamble.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangFragment, glslang::EShClientVulkan, 100);
   glslang::TShader::ForbidIncluder includer;
@@ -69,7 +70,7 @@ void targets::preprocessing(std::string_view bytes) {
   if (prepared)
     source = preparation::with_own_names_marked(
         preparation::bare_source(preparation::prepare_source(std::move(source)).text));
-  if (source.find("GL_") != std::string::npos) return;  // names that glslang alone defines, for GLSL
+  if (source.find("GL_") != std::string::npos) return;  // glslang alone defines these names, for GLSL
   if (!source.ends_with('\n')) source += '\n';
   const std::optional<std::string> own = own_text(source);
   if (!own) return;

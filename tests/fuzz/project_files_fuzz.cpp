@@ -1,4 +1,5 @@
-// The JSON files of a Unity project, and its editor's version. The first byte says which file the rest is.
+// Reads the JSON files of a Unity project, and its editor's version. The first byte says which file the rest
+// is.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
 #include "project/package_versions.h"

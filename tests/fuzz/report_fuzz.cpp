@@ -1,4 +1,4 @@
-// A report of validate, read for merge and written in every form.
+// Reads a report of validate for merge, and writes it in every form.
 #include <nlohmann/json.hpp>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

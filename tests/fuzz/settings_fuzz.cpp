@@ -1,4 +1,4 @@
-// Settings of a frame (--config) and dumped matrices (--matrices).
+// Reads settings of a frame (--config) and dumped matrices (--matrices).
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
 #include "input/located_json.h"

@@ -1,4 +1,4 @@
-// Shader files: the tree of a .shader, the kernels of a .compute.
+// Reads shader files: the tree of a .shader, the kernels of a .compute.
 #include <algorithm>
 #include <limits>
 #include "fuzz/fuzz_input.h"

@@ -1,4 +1,4 @@
-// HLSL before the preprocessor: what is blanked, dropped and rewritten there moves no line.
+// Reads HLSL before the preprocessor: what is blanked, dropped and rewritten there moves no line.
 #include <algorithm>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"

@@ -1,4 +1,4 @@
-// Stripping files, and the pipeline's assets that Unity writes as text.
+// Reads stripping files, and the pipeline's assets that Unity writes as text.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
 #include "variants/stripping.h"

@@ -1,4 +1,4 @@
-// The list of techniques.
+// Reads the list of techniques.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
 #include "techniques/parameter_emit.h"

@@ -1,4 +1,4 @@
-// What goes between a run and its workers: frames (the first byte cuts them) and what they hold.
+// Reads messages between a run and its workers: frames (the first byte cuts them) and what they hold.
 #include <algorithm>
 #include <stdexcept>
 #include "fuzz/fuzz_input.h"
@@ -12,7 +12,7 @@
 namespace penumbra::fuzz {
 
 namespace {
-using validation::encode;  // of a list of lists of messages, too
+using validation::encode;  // also for a list of lists of messages
 
 constexpr std::size_t largest = 1 << 16;
 
@@ -31,7 +31,7 @@ std::string frames_of(std::string_view bytes, std::size_t piece) {
   return all;
 }
 
-// What is decoded and encoded stays what it is.
+// A message that is decoded and encoded stays what it is.
 template <typename Decode>
 void decode(std::string_view bytes, const Decode& decodes) {
   const auto value = decodes(bytes);

@@ -1,4 +1,4 @@
-// What bytecode says of a program's cost, of programs whose cost is known, and of damaged bytes.
+// Counts bytecode for a program's cost: programs whose cost is known, and damaged bytes.
 #include "fxc/bytecode.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Where FXC is searched, and what is said where it is not. The answer is kept, so each case is a process of
-// its own.
+// Tests where FXC is searched, and what is said where it is not. The answer is kept, so each case is a
+// process of its own.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

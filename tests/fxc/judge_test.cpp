@@ -1,4 +1,4 @@
-// FXC itself, in its confined process.
+// Runs FXC itself, in its confined process.
 #include "fxc/judge.h"
 
 #include <gmock/gmock.h>
@@ -44,7 +44,7 @@ TEST(FxcJudge, CompilesManyProgramsInOneProcess) {
   }
 }
 
-// As URP's macros name them for mobile platforms.
+// URP's macros give the types these names for mobile platforms.
 TEST(FxcJudge, KnowsUnitysTypesWithAPrecision) {
   PENUMBRA_NEEDS_FXC();
   Judge fxc = judge();

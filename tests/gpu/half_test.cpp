@@ -9,7 +9,7 @@ namespace {
 
 using Pair = std::array<float, 2>;
 
-// To the nearest number of 11 significant bits, ties to even; of a size that half has.
+// Rounds to the nearest number of 11 significant bits, ties to even; the number has a size that half has.
 float rounded_to_half(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);

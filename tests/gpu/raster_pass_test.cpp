@@ -72,7 +72,7 @@ TEST_F(GpuRaster, DrawsBothFaces) {
   EXPECT_EQ(depth.download<float>(), std::vector<float>(16, 0.5F));
 }
 
-// Which of the depths 1/4, 1/2 and 3/4 passes over a target that holds 1/2.
+// The tests tell which of the depths 1/4, 1/2 and 3/4 passes over a target that holds 1/2.
 TEST_F(GpuRaster, EveryDepthTestKeepsWhatItsNameSays) {
   const std::vector<std::pair<DepthTest, std::array<bool, 3>>> passing{
       {DepthTest::less, {true, false, false}},      {DepthTest::greater, {false, false, true}},
@@ -109,7 +109,7 @@ TEST_F(GpuRaster, KeepsTheNearerSurfaceInEitherDirection) {
   EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 0.75F));
 }
 
-// A sheet twice the tile's size in clip space, so that only the scissor keeps it in.
+// The sheet has twice the tile's size in clip space, so that only the scissor keeps it in.
 TEST_F(GpuRaster, DrawsNothingOutsideItsTile) {
   std::vector<Corner> corners = sheet(0.5F);
   for (Corner& corner : corners) {
@@ -129,7 +129,7 @@ TEST_F(GpuRaster, DrawsNothingOutsideItsTile) {
 }
 
 TEST_F(GpuRaster, EachTileReadsItsOwnPushConstants) {
-  RasterPass pass = pass_of(shaders(Format::depth16, true), sheet(0.2F));  // 13107 / 65535
+  RasterPass pass = pass_of(shaders(Format::depth16, true), sheet(0.2F));  // depth is 13107 / 65535
   const Image colour(*device, Format::rgba32f, 2, 1);
   const Image second(*device, Format::r32f, 2, 1);
   const Image depth(*device, Format::depth16, 2, 1);
@@ -153,14 +153,14 @@ TEST_F(GpuRaster, ClampsToTheDepthRangeWhenAskedAndClipsOtherwise) {
 
 class GpuStencil : public GpuRaster {
  protected:
-  // Depth 1/2, and this stencil.
+  // Begins with depth 1/2 and this stencil.
   void begin(std::uint8_t stencil) {
     RasterShaders made = shaders(Format::depth32s8, false);
     made.stencil.emplace().reference = stencil;
     made.stencil->front.pass = StencilOperation::replace;
     pass_of(made, sheet(0.5F)).draw({{}, &*image_, 1.0F}, {tile_at(0, 0, 2, 6)});
   }
-  // A sheet at that depth, which is drawn where it is nearer.
+  // Draws a sheet at that depth, which is seen where it is nearer.
   void draw(const StencilState& state, float depth, bool turned = false) {
     std::vector<Corner> corners = sheet(depth);
     if (turned)
@@ -209,7 +209,7 @@ class GpuStencil : public GpuRaster {
   std::optional<Image> image_;
 };
 
-// Front faces before the depth, behind it, back faces, and fragments that fail the stencil test.
+// There are front faces before the depth and behind it, back faces, and fragments that fail the stencil test.
 TEST_F(GpuStencil, EachFaceAndOutcomeHasItsOperation) {
   StencilState state;
   state.reference = 9;

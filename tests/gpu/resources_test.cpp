@@ -11,7 +11,7 @@
 namespace penumbra::gpu {
 namespace {
 
-constexpr int kWidth = 37;  // odd: a row is no multiple of anything
+constexpr int kWidth = 37;  // odd, so that a row is no multiple of anything
 constexpr int kHeight = 11;
 
 std::vector<std::byte> random_bytes(std::size_t count) {
@@ -21,7 +21,8 @@ std::vector<std::byte> random_bytes(std::size_t count) {
   return bytes;
 }
 
-// Bit patterns a shadow map should never hold and must survive: NaNs with payload, infinities, out of range.
+// These are bit patterns that a shadow map should never hold and must survive: NaNs with payload, infinities,
+// out of range.
 std::vector<float> poison() {
   using Limits = std::numeric_limits<float>;
   return {std::bit_cast<float>(0x7FC0'0000U),
@@ -94,7 +95,7 @@ TEST_F(GpuLoad, PoisonedDepthsReachTheShaderBitForBit) {
   }
 }
 
-// A unorm texel is its integer over the largest: 0, 1 and an arbitrary one.
+// A unorm texel is its integer over the largest. The texels are 0, 1 and an arbitrary one.
 TEST_F(GpuLoad, UnormDepthsReachTheShaderAsFractions) {
   Image depth16(*device, Format::depth16, 3, 1);
   depth16.upload(std::vector<std::uint16_t>{0, 65535, 12345});

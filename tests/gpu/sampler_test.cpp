@@ -33,7 +33,7 @@ class GpuSampler : public Gpu {
   }
 };
 
-// Texel centres of a 2 x 2 map, where the bilinear footprint is one texel:
+// The four are at texel centres of a 2 x 2 map, where the bilinear footprint is one texel:
 //   0.25 0.75      row 0 is v = 0
 //   0.50 0.50
 const std::vector<float> kFourDepths{0.25F, 0.75F, 0.5F, 0.5F};
@@ -55,7 +55,8 @@ TEST_F(GpuSampler, LessEqualIsLitInFrontOfAndOnTheTexel) {
             (std::vector<float>{1, 1, 0, 1, 1, 0, 1, 0}));
 }
 
-// Of columns 0, 1, 2 and 3, right of the picture and left of it, where each way to go on differs.
+// The samples lie in columns 0, 1, 2 and 3, right of the picture and left of it, where each way to go on
+// differs.
 TEST_F(GpuSampler, WrapsEachAxisInItsOwnWay) {
   Image map(*device, Format::r32f, 4, 4);
   std::vector<float> texels;
@@ -107,7 +108,7 @@ TEST_F(GpuSampler, GreaterEqualIsLitInFrontOfAndOnTheTexelWithReversedDepth) {
 TEST_F(GpuSampler, CompareFiltersResultsNotDepths) {
   Image map(*device, Format::depth32, 2, 2);
   map.upload(std::vector<float>{0.0F, 1.0F, 0.0F, 1.0F});
-  // Averaged depth would be 0.5 at the centre and answer 0 or 1; averaged answers are the lit share.
+  // The averaged depth would be 0.5 at the centre and answer 0 or 1; averaged answers are the lit share.
   const std::vector<float> lit =
       compare(map, SamplerKind::compare_less_equal,
               {{0.5F, 0.5F, 0.4F}, {0.5F, 0.5F, 0.6F}, {0.375F, 0.5F, 0.5F}, {0.625F, 0.25F, 0.5F}});

@@ -11,7 +11,7 @@ using Colour = std::array<float, 4>;
 using Position = std::array<float, 3>;
 using Uv = std::array<float, 2>;
 
-// Of a square over all of the target: two triangles that share two corners.
+// The corners are those of a square over all of the target: two triangles that share two corners.
 const std::vector<Position> corners{{-1, -1, 0.5F}, {1, -1, 0.5F}, {-1, 1, 0.5F}, {1, 1, 0.5F}};
 const std::vector<Uv> uvs{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 const std::vector<std::uint32_t> indices{0, 1, 2, 1, 3, 2};

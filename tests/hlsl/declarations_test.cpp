@@ -15,7 +15,7 @@ const char* kind_name(Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
-// "kind scope::name" of each.
+// The text "kind scope::name" of each declaration.
 std::vector<std::string> declared_in(const std::string& text) {
   const std::vector<Token> tokens = lex(text);
   std::vector<std::string> list;

@@ -14,7 +14,7 @@ namespace {
 
 using Place = std::tuple<std::string, std::string, int, std::size_t>;
 
-// Spelling, file, line and column of every token.
+// The spelling, file, line and column of every token.
 std::vector<Place> places(const std::string& text) {
   std::vector<Place> all;
   for (const Token& token : lex(text)) {

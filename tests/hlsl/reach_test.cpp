@@ -13,7 +13,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-// What is left when only the entry point counts, without empty lines.
+// The text that is left when only the entry point counts, without empty lines.
 std::vector<std::string> left_of(const std::string& text, std::string_view entry = "Main") {
   std::istringstream lines(Reach(text, "main.hlsl", entry).text_with({}));
   std::vector<std::string> left;

@@ -14,7 +14,7 @@ TEST(SourceText, LineEndingsAndTheByteOrderMarkAreNormalised) {
             "a\nb\nc\n");
 }
 
-// They would place what is wrong with the file in another one, or in a line that it does not have.
+// Such directives would place what is wrong with the file in another one, or in a line that it does not have.
 TEST(SourceText, LineDirectivesOfAFileAreBlanked) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "penumbra_source_text_line.hlsl";

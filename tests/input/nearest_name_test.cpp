@@ -21,7 +21,7 @@ TEST(NearestName, SwappedNeighboursAreOneEditNotTwo) {
 
 TEST(NearestName, FindsTheNameThatTheGivenOneIsAPartOf) {
   const std::vector<std::string> camera{"position", "forward", "up", "fov_y_degrees", "near", "far"};
-  EXPECT_EQ(nearest_name("fov", camera), "fov_y_degrees");  // and not "far", two edits away
+  EXPECT_EQ(nearest_name("fov", camera), "fov_y_degrees");  // "far" is two edits away
   EXPECT_EQ(nearest_name("y_deg", camera), "fov_y_degrees");
   EXPECT_EQ(nearest_name("FAR", camera), "far");
   EXPECT_EQ(nearest_name("tent", {"tent-5-plane", "tent-5", "hard"}), "tent-5");

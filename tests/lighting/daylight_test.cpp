@@ -17,7 +17,8 @@ glm::dvec3 at_elevation(double degrees, double azimuth = 0.0) {
   return {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
 }
 
-// Preetham's zenith luminance (appendix A.2) by hand for turbidity 3 and the sun 60 degrees from the zenith.
+// The expected value is Preetham's zenith luminance (appendix A.2), worked out by hand for turbidity 3 and
+// the sun 60 degrees from the zenith.
 TEST(Daylight, TheZenithHasThePublishedLuminance) {
   const Daylight day(at_elevation(30.0), 3.0);
   const double chi = (4.0 / 9.0 - 3.0 / 120.0) * glm::radians(180.0 - 120.0);
@@ -35,7 +36,7 @@ TEST(Daylight, TheSkyIsBlueAndTheLowSunIsRed) {
   EXPECT_LT(glm::dot(evening.sun(), kLuminance), 0.5 * glm::dot(noon.sun(), kLuminance));
 }
 
-// What a meter reads on a clear day: some 60 to 110 klx of sun, a tenth to a third of it of sky.
+// A meter reads on a clear day some 60 to 110 klx of sun, and a tenth to a third of it of sky.
 TEST(Daylight, SunAndSkyAreInProportion) {
   const Daylight day(at_elevation(45.0));
   const double sun = glm::dot(day.sun(), kLuminance);

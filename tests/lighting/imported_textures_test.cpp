@@ -1,4 +1,4 @@
-// A file's tangent space after its mirroring into Unity's: a normal map whose answer is known.
+// Mirrors a file's tangent space into Unity's: the normal map has a known answer.
 #include <gtest/gtest.h>
 
 #include "lighting/hand_made.h"
@@ -55,9 +55,10 @@ TEST_F(ImportedTextures, PictureLiesAsInTheFileSeenFromAbove) {
     return nearest == nullptr ? glm::vec3(-1.0F) : nearest->base_colour;
   };
   const glm::vec3 first = colour(1, -1), second = colour(-1, -1), third = colour(1, 1);
-  EXPECT_GT(first.r, 2.0F * std::max(first.g, first.b));     // red at the file's least x and least z
-  EXPECT_GT(second.g, 2.0F * std::max(second.r, second.b));  // green beside it
-  EXPECT_GT(third.b, 2.0F * std::max(third.r, third.g));     // blue below
+  // The colour at the file's least x and least z is red.
+  EXPECT_GT(first.r, 2.0F * std::max(first.g, first.b));
+  EXPECT_GT(second.g, 2.0F * std::max(second.r, second.b));  // the colour beside it is green
+  EXPECT_GT(third.b, 2.0F * std::max(third.r, third.g));     // the colour below is blue
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(SeenMaterials, PointsLieWhereThePixelsRaysMeetTheFloor) {
 TEST(SeenMaterials, NormalsAreInterpolatedAndFaceTheCamera) {
   scene::Scene scene = floor_of_side(3.0);
   scene.mesh.normals[0] = scene.mesh.normals[3] =
-      glm::normalize(glm::vec3(-1, -1, 0));  // of the left edge, downwards
+      glm::normalize(glm::vec3(-1, -1, 0));  // direction of the left edge, downwards
   scene.mesh.normals[1] = scene.mesh.normals[2] = glm::normalize(glm::vec3(1, -1, 0));
   const scene::Frame frame = hand_made::frame_of(scene, 24, 24);
   const SeenMaterials seen = seen_materials(scene, frame);
@@ -77,7 +77,7 @@ TEST(SeenMaterials, AColourTextureMultipliesTheColour) {
   EXPECT_NEAR(mean_colours(scene)[0].r, 0.5F, 1e-6F);
 }
 
-// A map that leans to +X of the texture (right in the picture) and to +Y (up: away along +Z here).
+// The map leans to +X of the texture (right in the picture) and to +Y (up: away along +Z here).
 TEST(SeenMaterials, ANormalMapLeansAsGltfSays) {
   scene::Scene scene = floor_of_side(5.0);
   scene.materials[0].normal_texture = 0;

@@ -20,7 +20,7 @@ SurfacePoint matt(const glm::vec3& colour) {
   return point;
 }
 
-// The sum of the published terms, in double, for one point and pair of directions.
+// The sum of the published terms, in double, for one point and a pair of directions.
 glm::dvec3 by_hand(const SurfacePoint& point, const glm::dvec3& v, const glm::dvec3& l,
                    const glm::dvec3& sun) {
   const glm::dvec3 n(point.normal);
@@ -65,7 +65,7 @@ TEST(Shading, IsThePublishedSumOfTerms) {
 }
 
 TEST(Shading, AMattSurfaceReflectsNoMoreThanItsColour) {
-  // The albedo in the sun: radiance towards all directions, by cosine, over what arrives.
+  // The albedo in the sun is the radiance towards all directions, by cosine, over what arrives.
   for (const float roughness : {0.3F, 0.6F, 1.0F}) {
     SurfacePoint point = matt(glm::vec3(1.0F));
     point.roughness = roughness;
@@ -101,7 +101,8 @@ TEST(Shading, FacesTurnedFromTheSunHaveNoSunAndPassOnWhatComesThrough) {
   EXPECT_EQ(lit_through(leaf, behind), glm::vec3(0.0F));
 }
 
-// A bent normal that still sees the sun where the triangle does not: no step, but a fade to nothing.
+// A bent normal still sees the sun where the triangle does not: the light does not end at a step, but fades
+// to nothing.
 TEST(Shading, FadesOutWhereTheTriangleTurnsAway) {
   SurfacePoint point = matt(glm::vec3(0.5F));
   point.normal = glm::normalize(glm::vec3(0.5F, 1.0F, 0.0F));

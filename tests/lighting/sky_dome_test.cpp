@@ -39,7 +39,7 @@ TEST(SkyDome, ASmoothOneIsWhatWasTabulated) {
   }
 }
 
-// Of a sky of radiance 1 + y, level ground has pi + 2 pi / 3, and a wall pi.
+// Under a sky of radiance 1 + y, level ground receives pi + 2 pi / 3, and a wall pi.
 TEST(SkyDome, IrradianceIsTheClosedForm) {
   const SkyDome dome([](const glm::dvec3& d) { return glm::dvec3(1.0 + d.y); });
   constexpr float kPi = std::numbers::pi_v<float>;

@@ -70,7 +70,7 @@ TEST(SkyLight, AWallHidesHalfOfTheSkyAtItsFoot) {
   EXPECT_NEAR(light[12].g, 0.5F, 0.02F) << "half a metre before it";
 }
 
-// Under a lit ceiling's sight: a sunlit floor beside sends light up to what faces it.
+// A sunlit floor beside a lit ceiling's sight sends light up to what faces it.
 TEST(SkyLight, SunlitGroundLightsWhatFacesIt) {
   scene::Scene scene = hand_made::looking_down(10.0, {0.0, 1.0, 0.0});
   hand_made::add_square(scene, {0, 0, 0}, {200, 0, 0}, {0, 0, 200});
@@ -88,7 +88,7 @@ TEST(SkyLight, SunlitGroundLightsWhatFacesIt) {
   EXPECT_EQ(light.b, 0.0F);
 }
 
-// Above a translucent surface is a black ceiling; below, the sky. Its share of the rays goes there.
+// A black ceiling is above the translucent surface, and the sky below. Its share of the rays goes there.
 TEST(SkyLight, ATranslucentSurfaceHasItsShareFromBehind) {
   scene::Scene scene = floor_scene();
   scene.materials.push_back({.name = "black", .base_colour = glm::vec3(0.0F)});

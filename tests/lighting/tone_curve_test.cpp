@@ -34,8 +34,8 @@ TEST(ToneCurve, ItsToeIsThePublishedOne) {
   }
 }
 
-// The published formula by hand: S1 = m + l0 = 0.532, C2 = aP / (P - S1), S = P - (P - S1) exp(-C2 (x - S0) /
-// P).
+// The published formula is worked out by hand: S1 = m + l0 = 0.532, C2 = aP / (P - S1), S = P - (P - S1)
+// exp(-C2 (x - S0) / P).
 TEST(ToneCurve, ItsShoulderIsThePublishedOne) {
   const double l0 = (1.0 - 0.22) * 0.4;
   const double s1 = 0.22 + l0;

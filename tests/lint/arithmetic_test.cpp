@@ -1,4 +1,4 @@
-// Rules negative-pow and nan-check.
+// Tests the rules negative-pow and nan-check.
 #include "lint/arithmetic.h"
 
 #include <gmock/gmock.h>

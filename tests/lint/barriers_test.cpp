@@ -1,4 +1,4 @@
-// Rule divergent-barrier.
+// Tests the rule divergent-barrier.
 #include "lint/barriers.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// The rules that stand in for FXC, Unity's compiler, where it is not at hand: what they find, and that FXC
-// agrees.
+// Tests the rules that stand in for FXC, Unity's compiler, where it is not at hand: what they find, and that
+// FXC agrees.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,12 +29,12 @@ const char* const kInputs =
     "struct Small { float a; float b; };\nstruct Large { float4 a; float4 b; float4 c; float4 d; float e; "
     "};\n";
 
-// A function from line 4 on; a fragment shader that returns `result`.
+// A fragment shader that returns `result`, with a function from line 4 on.
 std::string with_function(const std::string& function, const std::string& result = "F(x)") {
   return kInputs + function + "\nfloat4 Main(float4 x : TEXCOORD0) : SV_Target { return " + result + "; }\n";
 }
 
-// In line 4, the head of a loop with its attribute; in line 5, what it does with `v`.
+// A text with the head of a loop and its attribute in line 4, and what the loop does with `v` in line 5.
 std::string with_loop(const std::string& head, const std::string& body,
                       const std::string& declared = "float4 v = 0;") {
   return kInputs + std::string("float4 Main(float4 x : TEXCOORD0) : SV_Target { ") + declared + " " + head +
@@ -159,7 +159,7 @@ std::vector<std::string> names_in(const std::string& text) {
   return told(reserved_name_findings(text, "Test.hlsl", sources));
 }
 
-// The list of the page.
+// The words in the list of the page.
 std::vector<std::string> words_of_page() {
   std::ifstream stream(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~" / "lint.md");
   std::string page{std::istreambuf_iterator<char>(stream), {}};

@@ -1,4 +1,4 @@
-// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound.
+// Tests the rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound.
 #include "lint/gradients.h"
 
 #include <gmock/gmock.h>

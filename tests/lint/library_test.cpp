@@ -1,4 +1,4 @@
-// The library's own techniques keep the rules: the check that they say nothing about good shaders.
+// The library's own techniques keep the rules, which shows that the rules say nothing about good shaders.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
   std::size_t modules = 0;
   std::set<std::string> found;
   for (const techniques::Technique& technique : list.techniques) {
-    if (technique.graph.filter() == nullptr) continue;  // passes of a .shader alone
+    if (technique.graph.filter() == nullptr) continue;  // it has passes of a .shader alone
     for (const std::vector<std::string>& keywords : technique.keyword_sets) {
       const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
       shaders::CompileRequest request;

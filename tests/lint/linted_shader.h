@@ -28,7 +28,7 @@ inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stag
   return result;
 }
 
-// What is found with the legalised module of the compiler, as `penumbra validate` has it; nothing where the
+// The findings with the legalised module of the compiler, as `penumbra validate` has it; nothing where the
 // module cannot be optimised.
 inline std::optional<std::vector<Finding>> lint_as_compiled(const std::string& text, hlsl::Stage stage,
                                                             int shader_target) {
@@ -43,7 +43,7 @@ inline std::optional<std::vector<Finding>> lint_as_compiled(const std::string& t
                       shader_target, std::move(result.legalised)});
 }
 
-// "3:5 error rule: message", or "3 ..." where the column is unknown.
+// The finding as "3:5 error rule: message", or "3 ..." where the column is unknown.
 inline std::string told(const Finding& finding) {
   const hlsl::Diagnostic& at = finding.diagnostic;
   const char* severity = at.severity == hlsl::Severity::error     ? " error "

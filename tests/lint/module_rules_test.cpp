@@ -1,4 +1,4 @@
-// One module through all rules: places in other files, order, duplicates, and input that is no module.
+// Sends one module through all rules: places in other files, order, duplicates, and input that is no module.
 #include "lint/module_rules.h"
 
 #include <gmock/gmock.h>
@@ -75,7 +75,7 @@ TEST(LintModule, WordsThatAreNoModule) {
   EXPECT_THROW(lint_module({{}, hlsl::Stage::fragment, "a", {}, 0}), std::invalid_argument);
   EXPECT_THROW(lint_module({{1, 2, 3, 4, 5, 6}, hlsl::Stage::fragment, "a", {}, 0}), std::invalid_argument);
   std::vector<std::uint32_t> cut = compiled(fragment("", "1")).spirv;
-  cut.resize(cut.size() - 2);  // through the return before the function's end
+  cut.resize(cut.size() - 2);  // the module is cut within the return before the function's end
   EXPECT_THROW(lint_module({cut, hlsl::Stage::fragment, "a", {}, 0}), std::invalid_argument);
   cut[3] = 0xFFFFFFFFU;
   EXPECT_THROW(lint_module({cut, hlsl::Stage::fragment, "a", {}, 0}), std::invalid_argument)

@@ -1,4 +1,4 @@
-// Rules srp-batcher and unused-keyword, over what several compiled stages declare.
+// Tests the rules srp-batcher and unused-keyword, over what several compiled stages declare.
 #include "lint/program_rules.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Rules sampler-name, sampler-limit and register-limit.
+// Tests the rules sampler-name, sampler-limit and register-limit.
 #include "lint/resources.h"
 
 #include <gmock/gmock.h>

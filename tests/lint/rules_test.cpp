@@ -1,4 +1,4 @@
-// The list of rules, and the page that explains them.
+// Compares the list of rules with the page that explains them.
 #include "lint/rule.h"
 
 #include <gmock/gmock.h>

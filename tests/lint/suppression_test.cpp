@@ -1,4 +1,4 @@
-// Comments that silence a rule, and those that only look so.
+// Some comments silence a rule, and others only look so.
 #include "lint/suppression.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// A pow that may be of a negative base in line 3, with a comment behind it and one above it.
+// The shader has a pow that may be of a negative base in line 3, with a comment behind it and one above it.
 std::vector<std::string> with_comments(const std::string& behind, const std::string& above = {},
                                        const std::string& top = {}) {
   const std::string text = top + "\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target { float4 c = 0;\n" +

@@ -1,4 +1,4 @@
-// Rules output-not-set and read-before-set: what is caught, with its place, and what must not be.
+// Tests the rules output-not-set and read-before-set: what is caught, with its place, and what must not be.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

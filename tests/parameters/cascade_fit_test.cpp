@@ -1,4 +1,4 @@
-// Properties of the fit, over random set-ups: what any reader of the atlas relies on.
+// Tests properties of the fit, over random set-ups, that any reader of the atlas relies on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ glm::dvec3 to_atlas(const Cascade& cascade, const glm::dvec3& world) {
   return glm::dvec3(cascade.world_to_shadow * glm::dvec4(world, 1.0));
 }
 
-// Tile coordinates, 0 .. 1 inside the tile.
+// The coordinates in the tile, 0 .. 1 inside the tile.
 glm::dvec2 to_tile(const Cascade& cascade, const glm::dvec3& world) {
   const glm::dvec3 atlas = to_atlas(cascade, world);
   return {(atlas.x - cascade.offset_scale.x) / cascade.offset_scale.z,
@@ -160,8 +160,8 @@ TEST(CascadeFit, DepthGrowsAlongTheLightOrAgainstItWhenReversed) {
   }
 }
 
-// The end of it all: a blocker `gap` metres above the receiver along the light has a penumbra of radius
-// tan(a / 2) gap metres, and depth_to_radial turns the stored depth gap into just that, in tile UV.
+// This is the end of it all: a blocker `gap` metres above the receiver along the light has a penumbra of
+// radius tan(a / 2) gap metres, and depth_to_radial turns the stored depth gap into just that, in tile UV.
 TEST(CascadeFit, DepthToRadialTurnsADepthGapIntoThePenumbrasRadius) {
   SetupGenerator generator(7);
   for (int i = 0; i < kSetups; ++i) {
@@ -186,8 +186,8 @@ TEST(CascadeFit, DepthToRadialTurnsADepthGapIntoThePenumbrasRadius) {
   }
 }
 
-// HDRP's form read off the emitted projections: of a 0 .. 1 projection twice the geometric figure, of a
-// -1 .. 1 projection the geometric figure itself.
+// HDRP's form is read off the emitted projections: a 0 .. 1 projection has twice the geometric figure, a -1
+// .. 1 projection the geometric figure itself.
 TEST(CascadeFit, HdrpFormIsTwiceTheGeometricOneForDeviceDepthOnly) {
   SetupGenerator generator(8);
   for (int i = 0; i < kSetups; ++i) {
@@ -209,7 +209,7 @@ TEST(CascadeFit, PointLightHasNoInverse) {
   EXPECT_FALSE(set.cascades[0].radial_to_depth.has_value());
 }
 
-// GetShadowTransform and ApplySliceTransform, as a product of matrices.
+// The matrix is that of GetShadowTransform and ApplySliceTransform, as a product of matrices.
 TEST(CascadeFit, ShadowMatrixIsUrpsProduct) {
   SetupGenerator generator(9);
   for (int i = 0; i < kSetups; ++i) {
@@ -242,7 +242,8 @@ TEST(CascadeFit, ShadowMatrixIsUrpsProduct) {
 TEST(CascadeFit, ViewLooksDownMinusZAsUnitys) {
   const CascadeSet set = fit_cascades({}, {.direction = {0.0, -1.0, 1.0}}, {});
   const glm::dmat4& view = set.cascades[0].view;
-  EXPECT_NEAR(glm::determinant(glm::dmat3(view)), -1.0, 1e-12);  // left-handed world, right-handed view
+  // The world is left-handed, the view right-handed.
+  EXPECT_NEAR(glm::determinant(glm::dmat3(view)), -1.0, 1e-12);
   const glm::dvec4 along = view * glm::dvec4(set.light_direction, 0.0);
   EXPECT_NEAR(along.z, -1.0, 1e-12);
 }

@@ -1,4 +1,4 @@
-// Where the near and far planes come from, and the custom fit to the casters' box.
+// Tests where the near and far planes come from, and the custom fit to the casters' box.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(DepthRange, ShorterThanTheSphereIsCentredOnItAndSaidSo) {
 TEST(DepthRange, CasterBoundsFixTheNearPlane) {
   const Bounds bounds{{-10, 0, -10}, {10, 300, 10}};
   const CascadeSet set = fit_cascades({}, kLight, {.reversed_z = false, .caster_bounds = bounds});
-  // The corner nearest the light: highest, and rearmost along +z.
+  // The corner nearest the light is the highest, and rearmost along +z.
   const glm::dvec3 nearest(0, 300, -10);
   EXPECT_NEAR(depth_at(set.cascades[0], nearest) * range_of(set.cascades[0]), 0.2, 1e-9);
   EXPECT_THAT(set.depth_range_source, StartsWith("caster_bounds"));

@@ -1,4 +1,4 @@
-// The disk tables and their quality figures, the figures against brute force.
+// Tests the disk tables and their quality figures, the figures against brute force.
 #include "parameters/disk.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ double area_before(double t) {
   return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / pi;
 }
 
-// The definition, by quadrature: 720 directions, 4000 offsets.
+// The definition of the error, by quadrature: 720 directions, 4000 offsets.
 double brute_force_rmse(const DiskPoints& points) {
   double sum = 0.0;
   for (int direction = 0; direction < 720; ++direction) {
@@ -47,7 +47,7 @@ TEST(DiskQuality, HalfPlaneErrorIsTheDefinitions) {
   }
 }
 
-// Known figures of Vogel disks under random edges and rotations.
+// These are known figures of Vogel disks under random edges and rotations.
 TEST(DiskQuality, HalfPlaneErrorOfVogelDisksIsTheKnownOne) {
   const std::pair<int, double> known[] = {{5, .094},  {8, .064},  {12, .048},
                                           {16, .037}, {32, .022}, {64, .013}};
@@ -103,9 +103,9 @@ TEST(DiskQuality, ConcentricMapIsInvertedAndPreservesArea) {
 }
 
 TEST(DiskQuality, StarDiscrepancyOfKnownSets) {
-  // One point in the middle: the closed box up to it holds everything in a quarter of the area.
+  // With one point in the middle, the closed box up to it holds everything in a quarter of the area.
   EXPECT_NEAR(disk_quality(DiskPoints{{0.0F, 0.0F}}).star_discrepancy, 0.75, 1e-12);
-  // One point in the square's upper right corner: every box short of it is empty.
+  // With one point in the square's upper right corner, every box short of it is empty.
   const auto corner = static_cast<float>(std::sqrt(0.5));
   EXPECT_NEAR(disk_quality(DiskPoints{{corner, corner}}).star_discrepancy, 1.0, 1e-6);
 }
@@ -140,7 +140,7 @@ TEST(DiskTables, PoissonDisksAreCentredSpacedAndWithinTheDisk) {
   EXPECT_TRUE(poisson_disk(26).empty());
 }
 
-// The trap of tables in raster order: their first taps all lie on one side.
+// Tables in raster order have a trap: their first taps all lie on one side.
 TEST(DiskTables, FirstSixteenTapsOfEveryPoissonDiskAreAFairDisk) {
   for (const int count : kPoissonSizes) {
     DiskPoints points = poisson_disk(count);

@@ -1,4 +1,4 @@
-// What is printed reads back: JSON to the same floats, C++ through a compiler (see CMakeLists.txt).
+// The printed text reads back: JSON to the same floats, C++ through a compiler (see CMakeLists.txt).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -64,9 +64,9 @@ TEST(ConstantsJson, NumbersReadBackToTheSameFloats) {
   }
 }
 
-// A set-up one can follow by hand: the light along +z, a lens of 90 degrees both ways, one cascade.
-//   k^2 = 2, near 1, far 3: the equally far point, (1 + 3) / 2 * 3 = 6, lies beyond: centre 3, radius 3
-//   sqrt 2.
+// The set-up can be followed by hand: the light along +z, a lens of 90 degrees both ways, one cascade.
+//   k^2 = 2, near 1, far 3. The equally far point, (1 + 3) / 2 * 3 = 6, lies beyond: centre 3,
+//   radius 3 sqrt 2.
 TEST(ConstantsJson, GoldenSetupAgreesWithLongDoubleByHand) {
   ShadowSetup setup;
   setup.camera = {.position = {0, 0, 0}, .fov_y_degrees = 90, .aspect = 1, .near_plane = 1, .far_plane = 100};
@@ -129,7 +129,7 @@ TEST(SourceText, LiteralsAreShortestAndNeverIntegers) {
   }
 }
 
-// The file emitted_source_compiles builds against what is written here.
+// emitted_source_compiles builds its file against what is written here.
 TEST(SourceText, WritesEveryLanguageForTheCompilers) {
   ShadowSetup setup;
   setup.shadows.cascades = 4;

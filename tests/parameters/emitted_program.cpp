@@ -1,4 +1,5 @@
-// Built by the test emitted_source_compiles from freshly emitted headers: they compile and hold the figures.
+// The test emitted_source_compiles builds this from freshly emitted headers: they compile and hold the
+// figures.
 #include "constants.h"
 #include "expected.h"
 #include "parameters/disk_tables.h"

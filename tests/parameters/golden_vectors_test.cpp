@@ -1,4 +1,4 @@
-// The checked-in golden vectors are what the program writes today, and fit to compare floats with.
+// The checked-in golden vectors are what the program writes today, and are fit to compare floats with.
 #include "parameters/golden_vectors.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Matrices dumped from Unity: equal to what was given, or refused with the reason and the place.
+// Matrices dumped from Unity are equal to what was given, or are refused with the reason and the place.
 #include "parameters/matrices_input.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::string numbers(const glm::dmat4& m, bool row_major) {
   std::string text;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      // As Unity writes them: floats.
+      // Unity writes the matrices as floats.
       text +=
           fmt::format("{}{}", text.empty() ? "" : ", ", static_cast<float>(row_major ? m[j][i] : m[i][j]));
     }
@@ -126,7 +126,7 @@ TEST(Matrices, FiguresFollowFromEitherFormInEveryConvention) {
   }
 }
 
-// From the shadow matrix alone view and projection are made up, and lead back to it.
+// View and projection are made up from the shadow matrix alone, and lead back to it.
 TEST(Matrices, DerivedViewAndProjectionGiveTheShadowMatrix) {
   for (const bool reversed : {true, false}) {
     const CascadeSet set = unitys(4, reversed);

@@ -1,4 +1,4 @@
-// The spatio-temporal blue-noise mask: its values, and its spectrum by direct sums and by white noise.
+// Tests the spatio-temporal blue-noise mask: its values, and its spectrum by direct sums and by white noise.
 #include "parameters/noise_mask.h"
 
 #include <gmock/gmock.h>
@@ -20,11 +20,12 @@ const NoiseMask& small_mask() {
   return mask;
 }
 
-// |sum of (value - mean) e^(-i phase)|^2 over the slice, divided by what white noise has.
+// The power |sum of (value - mean) e^(-i phase)|^2 over the slice, divided by what white noise has.
 long double power_in_slice(const NoiseMask& mask, int slice, int u, int v) {
   const auto texels = static_cast<long double>(mask.side) * mask.side;
   const long double mean = (texels - 1) / 2;
-  const long double variance = (texels * texels - 1) / 12;  // of 0 .. texels - 1, each once
+  // The variance is that of the values 0 .. texels - 1, each once.
+  const long double variance = (texels * texels - 1) / 12;
   long double real = 0;
   long double imaginary = 0;
   for (int y = 0; y < mask.side; ++y)
@@ -69,7 +70,7 @@ TEST(NoiseMask, HasEachValueOnceInEverySlice) {
   }
 }
 
-// Of the frequencies up to a quarter of the highest one, in every slice.
+// The power is that of the frequencies up to a quarter of the highest one, in every slice.
 TEST(NoiseMask, HasLittlePowerAtLowFrequenciesOfASlice) {
   const NoiseMask& mask = small_mask();
   for (int slice = 0; slice < mask.slices; ++slice)
@@ -105,7 +106,8 @@ TEST(NoiseMask, RepeatsWithoutASeam) {
     return sum / (count * 1024.0);
   };
   for (const auto& [dx, dy, dz] : {std::tuple{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
-    EXPECT_GT(difference(dx, dy, dz, true), 0.36);  // a third: of values that know nothing of each other
+    // Values that know nothing of each other differ by a third.
+    EXPECT_GT(difference(dx, dy, dz, true), 0.36);
     EXPECT_NEAR(difference(dx, dy, dz, true), difference(dx, dy, dz, false), 0.03);
   }
 }
@@ -134,7 +136,7 @@ TEST(NoiseSpectrum, IsThatOfTheDirectSums) {
   for (int periods = 1; periods <= 4; ++periods)
     EXPECT_NEAR(spectrum.temporal[static_cast<std::size_t>(periods - 1)],
                 static_cast<double>(power_in_time(mask, periods)), 1e-9);
-  // The ring from 2/8 to 3/8 of the highest frequency, 16 periods in the slice.
+  // The ring goes from 2/8 to 3/8 of the highest frequency, 16 periods in the slice.
   long double sum = 0;
   int count = 0;
   for (int slice = 0; slice < mask.slices; ++slice)

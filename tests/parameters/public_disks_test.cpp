@@ -1,4 +1,4 @@
-// Our Poisson disks against the best published ones (public_disks.json says whose, and how measured).
+// Compares our Poisson disks with the best published ones (public_disks.json says whose, and how measured).
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,5 +1,5 @@
-// Tiles fitted to receivers: each receiver and what a filter reads for it is in its tile, no smaller size
-// would do, and small motions move the map by whole texels.
+// Tests tiles fitted to receivers: each receiver and what a filter reads for it is in its tile, no smaller
+// size would do, and small motions move the map by whole texels.
 #include "parameters/receiver_fit.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,8 @@ constexpr int kFitReceivers = 300;
 constexpr std::array kReceiverFits{LightFit::receivers, LightFit::turned_receivers,
                                    LightFit::turned_receivers_range};
 
-// A ground plane, and now and then a wall, as far as the camera sees and shadows reach.
+// The receivers are on a ground plane, and now and then on a wall, as far as the camera sees and shadows
+// reach.
 std::vector<glm::dvec3> receivers_of(const ShadowSetup& setup, SetupGenerator& generator) {
   const Camera& camera = setup.camera;
   const glm::dvec3 forward = glm::normalize(camera.forward);
@@ -40,21 +41,21 @@ std::vector<glm::dvec3> receivers_of(const ShadowSetup& setup, SetupGenerator& g
   return receivers;
 }
 
-// As a shader selects it.
+// The cascade that a shader selects.
 const Cascade* cascade_of(const CascadeSet& set, const glm::dvec3& receiver) {
   for (const Cascade& cascade : set.cascades)
     if (glm::distance(glm::dvec3(cascade.split_sphere), receiver) < cascade.split_sphere.w) return &cascade;
   return nullptr;
 }
 
-// Tile UV and stored depth.
+// The tile UV and the stored depth.
 glm::dvec3 in_tile(const Cascade& cascade, const glm::dvec3& world) {
   const glm::dvec3 atlas(cascade.world_to_shadow * glm::dvec4(world, 1.0));
   const glm::dvec4& tile = cascade.offset_scale;
   return {(atlas.x - tile.x) / tile.z, (atlas.y - tile.y) / tile.w, atlas.z};
 }
 
-// How much of the map lies between the receiver and its nearest possible caster.
+// The part of the map that lies between the receiver and its nearest possible caster.
 double largest_gap(const CascadeSet& set, double stored) {
   return set.reversed_z ? 1.0 - stored : stored;
 }
@@ -122,7 +123,7 @@ TEST(ReceiverFit, NoTileIsLargerThanItsSpheres) {
   EXPECT_GT(gain / tiles, 1.2) << "mean gain";
 }
 
-// In long double, from the positions: the next smaller size does not hold them.
+// The check is in long double, from the positions: the next smaller size does not hold them.
 TEST(ReceiverFit, TheSizeIsTheSmallestOfItsSteps) {
   SetupGenerator generator(23);
   int checked = 0;

@@ -1,4 +1,4 @@
-// From a pixel to the world and back by the way a GPU gets there.
+// Goes from a pixel to the world and back by the way a GPU gets there.
 #include "parameters/screen_to_world.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using Vec4 = glm::vec<4, long double>;
 using Mat4 = glm::mat<4, 4, long double>;
 
-// (u, v, stored depth) of a world position.
+// The (u, v, stored depth) of a world position.
 glm::dvec3 stored(const GoldenCamera& camera, const Vec4& world) {
   const Vec4 clip = Mat4(camera.gpu_projection) * (Mat4(camera.view) * world);
   const Vec4 ndc = clip / clip.w;

@@ -28,7 +28,7 @@ std::string refusal(const nlohmann::json& settings) {
   return "";
 }
 
-// Values that no other setting contradicts.
+// Settings with values that no other setting contradicts.
 nlohmann::json with(const SettingKey& setting, double value) {
   const std::string key = setting.key;
   nlohmann::json settings = nlohmann::json::object();
@@ -59,7 +59,7 @@ TEST(SettingKeys, AreThoseThatTheReaderKnows) {
     if (section == "/shadows/caster_bounds")
       settings["shadows"]["caster_bounds"] = {{"min", {0, 0, 0}}, {"max", {1, 1, 1}}};
     settings[Pointer(section)]["qqqqqqqqqqqqqqqqqqqqqqqqqqqq"] =
-        1;  // near nothing: the message names every key
+        1;  // a key near nothing, so that the message names every key
     const std::string message = refusal(settings);
     const std::size_t start = message.find("known are:");
     ASSERT_NE(start, std::string::npos) << message;
@@ -94,7 +94,7 @@ TEST(SettingKeys, BoundsAreThoseInForce) {
 TEST(SettingKeys, DefaultsAreThoseOfTheReader) {
   for (const SettingKey& setting : setting_keys()) {
     const nlohmann::json value = nlohmann::json::parse(setting.preset, nullptr, false);
-    if (value.is_discarded()) continue;  // a word, as "none"
+    if (value.is_discarded()) continue;  // the value is a word such as "none"
     nlohmann::json settings;
     settings[Pointer(setting.key)] = value;
     EXPECT_EQ(refusal(settings), "") << setting.key;

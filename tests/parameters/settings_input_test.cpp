@@ -1,4 +1,4 @@
-// --config files: what is read, and what a person is told about what is wrong.
+// Tests --config files: what is read, and what a person is told about what is wrong.
 #include "parameters/settings_input.h"
 
 #include <cmath>
@@ -105,7 +105,8 @@ TEST(Settings, BadFilesAreAnsweredAtTheirPlace) {
   }
 }
 
-// Settings that come from flags or code have no place, but the same answers; not a number among them.
+// Settings that come from flags or code have no place, but get the same answers, also for what is not a
+// number.
 TEST(Settings, NotANumberIsRefusedWhereverItStands) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -142,7 +143,7 @@ TEST(Settings, NotANumberIsRefusedWhereverItStands) {
   }
 }
 
-// Settings each in range may still lead to figures no float holds: never "inf" in the output.
+// Settings that are each in range may still lead to figures that no float holds; the output never has "inf".
 TEST(Settings, FiguresBeyondFloatAreRefused) {
   const auto refused = HasSubstr("overflow 32-bit floats");
   expect_input_error([&] { fit_cascades({}, {.angular_diameter_degrees = 1e-42}, {}); }, refused);

@@ -1,4 +1,5 @@
-// Uniforms from settings: tangents by hand, HDRP's vectors from the projection instead of the shadow matrix.
+// Tests uniforms from settings: tangents by hand, HDRP's vectors from the projection instead of the shadow
+// matrix.
 #include "parameters/shader_uniforms.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A spot light's shadow map against rays and similar triangles in long double.
+// Compares a spot light's shadow map with rays and similar triangles in long double.
 #include "parameters/spot_light.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ void for_random_maps(const std::function<void(const SpotShadow&, SetupGenerator&
   }
 }
 
-// A point at an axial depth, and across the light by shares of the map's half width there.
+// A point at an axial depth, which lies across the light by shares of the map's half width there.
 Vec3 point_of(const SpotShadow& shadow, Real depth, Real across, Real along) {
   const Vec3 forward(shadow.light.direction);
   // The view's first rows are the light's right and up.
@@ -123,7 +123,7 @@ TEST(SpotShadow, StoredDepthComesBackAsMetres) {
   });
 }
 
-// The lines from both ends of the source over an edge on the axis, to the receiver's plane.
+// The lines lead from both ends of the source over an edge on the axis, to the receiver's plane.
 TEST(SpotShadow, PenumbraIsThatOfSimilarTriangles) {
   for_random_maps([](const SpotShadow& shadow, SetupGenerator& generator) {
     const Real receiver =
@@ -134,7 +134,7 @@ TEST(SpotShadow, PenumbraIsThatOfSimilarTriangles) {
     const Real width = std::abs(over_edge(radius) - over_edge(-radius));
     const double metres = penumbra_radius_metres(shadow.light, double(receiver), double(blocker));
     ASSERT_NEAR(2.0 * metres, double(width), 1e-12 * (1.0 + double(width)));
-    // The same in the map, from the two depths it stores.
+    // The map gives the same radius from the two depths it stores.
     const double gap = std::abs(shadow.stored_depth(double(receiver)) - shadow.stored_depth(double(blocker)));
     const Vec3 centre = point_of(shadow, receiver, 0, 0);
     const Vec3 right(shadow.view[0][0], shadow.view[1][0], shadow.view[2][0]);
@@ -153,11 +153,11 @@ TEST(SpotShadow, APointSourceHasNoPenumbra) {
   EXPECT_EQ(penumbra_radius_metres(light, 3.0, 1.0), 0.0);
 }
 
-// At 90 degrees the far plane's half width is the range: 8 m / 1024 texels * 2.5.
+// At 90 degrees the far plane's half width is the range, so the bias is 8 m / 1024 texels * 2.5.
 TEST(SpotShadow, BiasIsUrps) {
   SpotLight light;
   light.outer_angle_degrees = 90.0;
-  light.shadow_guard_degrees = 10.0;  // which URP has none of
+  light.shadow_guard_degrees = 10.0;  // URP has no guard angle
   light.range_metres = 8.0;
   ShadowSettings settings;
   settings.resolution = 1024;

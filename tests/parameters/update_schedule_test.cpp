@@ -30,7 +30,7 @@ TEST(UpdateSchedule, DrawsEachCascadeOnceInItsPeriod) {
   EXPECT_EQ(schedule.largest_age_degrees(0, 0.005), 0.0);
 }
 
-// The largest number of cascades in a frame, by trying every combination of phases.
+// The largest number of cascades in a frame that the best phases give, by trying every combination of phases.
 int fewest_possible(const std::vector<int>& periods) {
   int fewest = static_cast<int>(periods.size());
   int combinations = 1;

@@ -1,4 +1,4 @@
-// The emitted floats against the second derivation in long double.
+// Compares the emitted floats with the second derivation in long double.
 #include "parameters/verify.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Verify, FitsToBoundsToo) {
   }
 }
 
-// A light straight down, a camera at the origin, boxes of round numbers: where noise breaks ties.
+// A light straight down, a camera at the origin and boxes of round numbers are cases where noise breaks ties.
 TEST(Verify, RoundNumbersToo) {
   ShadowSetup setup;
   setup.camera.position = {0, 0, 0};
@@ -69,8 +69,8 @@ TEST(UlpError, CountsSpacingsOfFloats) {
   EXPECT_EQ(ulp_error(1.0F, 1.0L, 0.0), 0.0);
   EXPECT_NEAR(ulp_error(1.0F, 1.0L + 0x1p-24L, 0.0), 0.5, 1e-9);
   EXPECT_NEAR(ulp_error(2.0F, 2.0L + 0x1p-22L, 0.0), 1.0, 1e-9);
-  EXPECT_LT(ulp_error(0.0F, 1e-17L, 1.0), 1e-2);  // nothing beside a row's largest entry of 1
-  EXPECT_GT(ulp_error(0.0F, 1e-17L, 0.0), 1e20);  // much where it stands alone
+  EXPECT_LT(ulp_error(0.0F, 1e-17L, 1.0), 1e-2);  // it is nothing beside a row's largest entry of 1
+  EXPECT_GT(ulp_error(0.0F, 1e-17L, 0.0), 1e20);  // it is much where it stands alone
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(AtomicFile, RefusesAFolderAndAMissingParentByName) {
   EXPECT_EQ(entries(), 1u);
 }
 
-// Whoever can write into the folder could know a name made of the process's number beforehand.
+// Anybody who can write into the folder could know a name made of the process's number beforehand.
 TEST_F(AtomicFile, WhatLiesUnderTheNameOfATemporaryFileIsNotTouched) {
   std::ofstream(folder_ / "victim") << "precious";
   const std::string process = std::to_string(::getpid());
@@ -76,7 +76,7 @@ TEST_F(AtomicFile, WhatLiesUnderTheNameOfATemporaryFileIsNotTouched) {
   EXPECT_EQ(entries(), 5u) << "victim, f, g, the link and the pipe";
 }
 
-// A rename would put a file in its place: -o /dev/null must leave the device there.
+// A rename would put a file in the device's place: -o /dev/null must leave the device there.
 TEST_F(AtomicFile, WhatIsNoFileIsWrittenToAndStays) {
   const std::filesystem::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -89,7 +89,7 @@ TEST_F(AtomicFile, WhatIsNoFileIsWrittenToAndStays) {
   EXPECT_EQ(entries(), 1u);
 }
 
-// The name of the second one is a folder when it is to be replaced: that renaming fails.
+// The second file's name is a folder when the file is to be replaced, so that renaming it fails.
 TEST_F(AtomicFile, OfFilesThatBelongTogetherAllAreReplacedOrNone) {
   write_files_atomically({{folder_ / "picture", "old"}, {folder_ / "names", "it"}});
   EXPECT_EQ(read(folder_ / "picture") + read(folder_ / "names"), "oldit");

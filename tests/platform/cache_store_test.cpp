@@ -79,7 +79,7 @@ TEST(CacheStore, AnEntryThatIsTooLargeIsNotRead) {
   const ScratchFolder files;
   CacheStore cache(files.path() / "cache");
   cache.store("compile", key, "the answer");
-  fs::resize_file(cache.file("compile", key), std::uintmax_t{100} << 30U);  // takes no space
+  fs::resize_file(cache.file("compile", key), std::uintmax_t{100} << 30U);  // the file takes no space
   EXPECT_EQ(cache.find("compile", key), std::nullopt);
   cache.store("compile", key, "the answer");
   EXPECT_EQ(cache.find("compile", key), "the answer");
@@ -201,7 +201,7 @@ TEST_F(Trimming, AnEntryThatIsBeingReadIsReadToItsEnd) {
   EXPECT_EQ(cache_.damaged(), 0U);
 }
 
-// Who else writes to the folder may have put links there.
+// Somebody else who writes to the folder may have put links there.
 TEST(CacheStore, WritesThroughNoLink) {
   const ScratchFolder files;
   const fs::path folder = files.path() / "cache";

@@ -37,7 +37,7 @@ TEST(ChildProcess, KeepsOutputErrorsAndExitCodeApart) {
 TEST(ChildProcess, SeesOurEnvironmentWithWhatIsAddedAndReplaced) {
   ::setenv("PENUMBRA_TEST_KEPT", "kept", 1);
   ::setenv("PENUMBRA_TEST_REPLACED", "old", 1);
-  ChildCommand command{"env", {}, {}};  // no shell between, which would tidy up
+  ChildCommand command{"env", {}, {}};  // no shell stands between, which would tidy up
   command.environment = {{"PENUMBRA_TEST_ADDED", "a b=c"}, {"PENUMBRA_TEST_REPLACED", "new"}};
   const std::string seen = "\n" + run_child(command).output;
   EXPECT_THAT(seen, HasSubstr("\nPENUMBRA_TEST_KEPT=kept\n"));
@@ -60,7 +60,7 @@ TEST(ChildProcess, AChildThatReadsNothingIsNoProblem) {
 }
 
 TEST(ChildProcess, TheTimeoutEndsItAndWhatItStarted) {
-  // It does not listen to a polite request, and neither does its own child.
+  // The child does not listen to a polite request, and neither does its own child.
   ChildCommand command = shell("trap '' TERM; sleep 3000 & echo $!; wait");
   command.timeout = std::chrono::milliseconds(200);
   ChildResult result = run_child(command);

@@ -76,7 +76,7 @@ TEST_F(ConfinedChildTest, IsGivenUpWhereItStaysSilent) {
   ConfinedChild child(command);
   char answer = 0;
   EXPECT_FALSE(child.read(&answer, 1));
-  // More than a pipe holds.
+  // The text is more than a pipe holds.
   EXPECT_FALSE(child.write(std::string(std::size_t{1} << 20, 'a')));
 }
 

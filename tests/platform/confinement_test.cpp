@@ -1,5 +1,5 @@
-// Workers of this test program try what a worker may not do. As root, too: nothing here is refused for want
-// of permissions of a user.
+// Workers of this test program try what a worker may not do. They try as root, too: nothing here is refused
+// for want of permissions of a user.
 #include "platform/confinement.h"
 
 #include <fcntl.h>
@@ -76,7 +76,7 @@ TEST_F(Confinement, LeavesWhatReadingNeeds) {
   EXPECT_EQ(tried("private memory"), "done");
 }
 
-// It would be in no number that the parent reads, once it is unmapped.
+// The memory would be in no number that the parent reads, once it is unmapped.
 TEST_F(Confinement, LeavesNoSharedMemory) {
   for (const char* what : {"a file in memory", "shared memory", "shared memory, validated", "a segment"})
     EXPECT_EQ(tried(what), "EPERM") << what;
@@ -93,7 +93,7 @@ TEST_F(Confinement, IsForGood) {
 }
 
 TEST_F(Confinement, ClosesWhatTheParentHasOpen) {
-  const int descriptor = ::open(file_.c_str(), O_RDWR);  // without O_CLOEXEC
+  const int descriptor = ::open(file_.c_str(), O_RDWR);  // the file is opened without O_CLOEXEC
   EXPECT_THAT(tried("descriptors"), Not(HasSubstr(file_.string())));
   ::close(descriptor);
 }
@@ -108,7 +108,7 @@ TEST_F(Confinement, HidesTheParentsEnvironment) {
   EXPECT_THAT(names, HasSubstr("MESA_NO_ERROR")) << "its driver reads that";
 }
 
-// Only while it has workers: a core file of the program itself is its user's.
+// The parent is changed only while it has workers: a core file of the program itself is its user's.
 TEST_F(Confinement, LeavesTheParentAsItWas) {
   EXPECT_EQ(::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0), 1);
   tried("private memory");

@@ -6,7 +6,7 @@ namespace penumbra::platform {
 namespace {
 
 TEST(ContentHash, OfNothingIsTheAlgorithmsPublishedValue) {
-  // BLAKE2b, 256 bits, without a key, empty input.
+  // The hash is BLAKE2b's of 256 bits, without a key, for empty input.
   EXPECT_EQ(ContentHash().hex(), "0e5751c026e543b2e8ab2eb06099daa1d1e5df47778f7787faab45cdf12fe3a8");
 }
 

@@ -1,4 +1,4 @@
-// What code that has taken over a worker would try.
+// Code that has taken over a worker would try these.
 #pragma once
 
 #include <fcntl.h>
@@ -26,7 +26,7 @@
 
 namespace penumbra::platform {
 
-// "done", or the error's name.
+// The outcome: "done", or the error's name.
 inline std::string outcome_of(long result) {
   return result >= 0 ? "done" : ::strerrorname_np(errno);
 }
@@ -44,7 +44,7 @@ inline long vfork_and_wait() {
   return child;
 }
 
-// As io_uring and openat2 have it: their arguments lie where a filter cannot look.
+// Opens a file as io_uring and openat2 do: their arguments lie where a filter cannot look.
 inline long open_by_structure(const std::string& file) {
   struct {
     unsigned long long flags, mode, resolve;
@@ -77,7 +77,8 @@ inline long share_memory(int flags) {
   return memory == MAP_FAILED ? -1 : 0;
 }
 
-// A file of the parent's folder in /proc, which says what it holds only to those that may trace the parent.
+// Reads a file of the parent's folder in /proc, which says what it holds only to those that may trace the
+// parent.
 inline long read_of_parent(const std::string& file) {
   const std::string name = "/proc/" + std::to_string(::getppid()) + "/" + file;
   const int opened = ::open(name.c_str(), O_RDONLY);
@@ -126,7 +127,8 @@ inline std::string own_status(const std::string& field) {
   return "";
 }
 
-// `what`: a name of the table, for some with a file behind ": ". Its outcome, as text.
+// Makes an attempt and returns its outcome, as text. `what` is a name of the table, for some with a file
+// behind ": ".
 inline std::string attempt(const std::string& what) {
   const std::string name = what.substr(0, what.find(": "));
   const std::string file = name == what ? std::string() : what.substr(name.size() + 2);

@@ -1,4 +1,4 @@
-// This test program as a worker: worker_pool_test.cpp answers in it.
+// Runs this test program as a worker: worker_pool_test.cpp answers in it.
 #pragma once
 
 namespace penumbra::platform {

@@ -33,7 +33,7 @@ TEST(ThreadGroup, OneThreadIsTheCallersOwn) {
   EXPECT_EQ(id, std::this_thread::get_id());
 }
 
-// Exit code 0 where some threads ran but not all.
+// Exits with code 0 where some threads ran but not all.
 [[noreturn]] void run_on_too_many_threads() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -45,7 +45,7 @@ TEST(ThreadGroup, OneThreadIsTheCallersOwn) {
   ::_exit(ran > 0 && ran < 1000 ? 0 : 1);
 }
 
-// Room for the stacks of some threads, not of a thousand.
+// There is room for the stacks of some threads, not of a thousand.
 TEST(ThreadGroupDeathTest, WorksOnFewerWhereTheSystemStartsNoMore) {
   EXPECT_EXIT(run_on_too_many_threads(), testing::ExitedWithCode(0), "");
 }

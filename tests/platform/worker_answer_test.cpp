@@ -1,4 +1,4 @@
-// What a worker answers arrives as it was, and bytes that are no answer are refused.
+// A worker's answer arrives as it was, and bytes that are no answer are refused.
 #include "platform/worker_answer.h"
 
 #include <gmock/gmock.h>

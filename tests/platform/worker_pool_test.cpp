@@ -1,5 +1,5 @@
-// A pool whose workers do what compilers do at their worst. The workers are this test program, which answers
-// with a handler of its own: the product has no way to be told to crash.
+// Tests a pool whose workers do what compilers do at their worst. The workers are this test program, which
+// answers with a handler of its own: the product has no way to be told to crash.
 #include "platform/worker_pool.h"
 
 #include <gmock/gmock.h>
@@ -44,7 +44,8 @@ void eat_memory() {
   }
 }
 
-// A few more than a worker may have, of small stacks: it is not their memory that ends this.
+// There are a few more threads than a worker may have, of small stacks: it is not their memory that ends
+// this.
 [[noreturn]] void start_threads() {
   pthread_attr_t small;
   ::pthread_attr_init(&small);
@@ -99,7 +100,7 @@ std::string misbehave(const std::string& message, WorkerLink& link) {
   if (message.starts_with("try ")) return attempt(message.substr(4));
   if (message == "answer at length") return std::string(std::size_t{3} << 20U, 'x');
   if (message == "ask") return "answered " + link.ask("what?");
-  if (message == "grow") {  // and keep it, as a leak does, but within the limit
+  if (message == "grow") {  // the worker keeps it, as a leak does, but within the limit
     static std::vector<std::string> kept;
     kept.emplace_back(std::size_t{24} << 20U, 'x');
   }
@@ -190,7 +191,8 @@ TEST(WorkerPool, AComputingWorkerEndsAtItsProcessorTime) {
 TEST(WorkerPool, ProcessorTimeIsCountedAnewForEveryMessage) {
   WorkerPool pool = small_pool(1);
   pool.limits.processor_time = std::chrono::seconds(2);
-  // By one worker, each far below the limit of one message and together beyond it, on a busy machine too.
+  // One worker gets all messages, each far below the limit of one message and together beyond it, on a busy
+  // machine too.
   for (const auto& [number, outcome] : run(std::vector<std::string>(9, "work"), pool))
     EXPECT_THAT(outcome.answer, HasSubstr("work done"));
 }
@@ -218,7 +220,7 @@ TEST(WorkerPool, AStarterOfThreadsEndsAtItsLimit) {
 TEST(WorkerPool, AWorkerThatHasGrownIsReplacedBeforeItCountsAgainstAMessage) {
   WorkerPool pool = small_pool(1);
   pool.limits.memory = std::size_t{400} << 20U;
-  const auto outcomes = run(std::vector<std::string>(40, "grow"), pool);  // 960 MiB in all
+  const auto outcomes = run(std::vector<std::string>(40, "grow"), pool);  // the answers take 960 MiB in all
   std::map<std::string, int> messages_of;
   for (const auto& [number, outcome] : outcomes) {
     EXPECT_THAT(outcome.failure, IsEmpty());
@@ -263,7 +265,7 @@ TEST(WorkerPool, AProgramThatIsNoWorkerIsSaidAtOnce) {
   EXPECT_THROW(run_workers(pool, source), EnvironmentError);
 }
 
-// What a worker has done before helps it: the number it is asked for by stands for one process.
+// A worker is helped by what it has done before: the number it is asked for by stands for one process.
 TEST(WorkerPool, AWorkerIsAskedForByItsOwnNumber) {
   class Numbered final : public Messages {
    public:
@@ -277,7 +279,7 @@ TEST(WorkerPool, AWorkerIsAskedForByItsOwnNumber) {
   };
   Numbered source;
   run_workers(small_pool(3), source);
-  std::map<unsigned, std::set<std::string>> answers;  // each with the process that gave it
+  std::map<unsigned, std::set<std::string>> answers;  // each answer with the process that gave it
   std::set<std::string> all;
   for (const auto& [number, worker] : source.workers) {
     EXPECT_LT(worker, 3U);
@@ -354,7 +356,7 @@ std::string sleep_for_long(const std::string&, WorkerLink&) {
   return {};
 }
 
-// Told before it is confined: after that it writes no file.
+// The worker is told before it is confined, because after that it writes no file.
 int sleep_and_tell(const std::string& file) {
   return serve_worker(sleep_for_long, [&](const WorkerLimits&) {
     std::ofstream(file) << ::getpid() << "\n" << std::flush;

@@ -1,4 +1,4 @@
-// A pass over a text, and what it makes of it.
+// Applies a pass to a text.
 #pragma once
 
 #include <string>

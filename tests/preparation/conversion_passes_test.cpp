@@ -1,5 +1,5 @@
-// Casts of structs, matrices of two sizes, statics that call functions: what is put there, and what must
-// stay.
+// Tests casts of structs, matrices of two sizes and statics that call functions: what is put there, and what
+// must stay.
 #include <gmock/gmock.h>
 
 #include "preparation/after_pass.h"
@@ -85,7 +85,7 @@ TEST(SwizzleArguments, AreGivenByWayOfAVariable) {
 const std::string kMatrices =
     "float4x4 M, N[2]; float3x3 R, Q; float2x3 S; float3x2 T; float4x4 Get(); float x; float3 v; int2x2 I; ";
 
-// What becomes of a statement; the functions before it are looked at on the device.
+// The text that a statement becomes; the functions before it are looked at on the device.
 std::string statement(const std::string& hlsl) {
   const std::string result = after<write_out_matrix_operators>(kMatrices + "void f() { " + hlsl + "; }");
   const std::string before = kMatrices + "void f() { ";
@@ -117,7 +117,7 @@ TEST(MatrixOperators, OverloadsFindWhatIsNotKnown) {
   EXPECT_EQ(statement("(R + Q) * (float3x3)(M + M)"), "penumbra_times( (R + Q) , (float3x3)(M + M) )");
 }
 
-// In linear time: squares of these lengths would not end within the test's time.
+// The pass takes linear time: squares of these lengths would not end within the test's time.
 TEST(MatrixOperators, ReadLongAndDeepProducts) {
   std::string deep = "R";
   std::string wide = "R";

@@ -1,4 +1,4 @@
-// A small fragment shader drawn on the device, with or without the preparation stage.
+// Draws a small fragment shader on the device, with or without the preparation stage.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace penumbra::preparation {
 
-inline constexpr int kDrawnSize = 4;  // of the picture and of every texture, in both directions
+inline constexpr int kDrawnSize = 4;  // side of the picture and of every texture, in both directions
 
 using Pixel = std::array<float, 4>;
 
@@ -27,11 +27,11 @@ inline Pixel texel(float number, int x, int y) {
   return {number + static_cast<float>(4 * y + x), static_cast<float>(x), static_cast<float>(y), number};
 }
 
-// The picture, row by row. Throws with the messages when it does not compile or the device complains.
+// The picture, row by row. Throws with the messages when the shader does not compile or the device complains.
 std::vector<Pixel> draw_prepared(const Drawing& drawing);
 std::vector<Pixel> draw_unprepared(const Drawing& drawing);
 
-// What `answer(x, y)` says for every pixel.
+// The answer of `answer(x, y)` for every pixel.
 template <typename Answer>
 std::vector<Pixel> picture(Answer answer) {
   std::vector<Pixel> pixels;

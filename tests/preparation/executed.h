@@ -1,4 +1,4 @@
-// A small compute shader run on the device, with or without the preparation stage.
+// Runs a small compute shader on the device, with or without the preparation stage.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ struct Execution {
 std::vector<float> run_prepared(const Execution& execution);
 std::vector<float> run_unprepared(const Execution& execution);
 
-// Prepared, then by way of the target's text (emitted.h).
+// Prepares the shader, then runs it by way of the target's text (emitted.h).
 std::vector<float> run_through(const Execution& execution, shaders::Target target);
 
 }  // namespace penumbra::preparation

@@ -1,5 +1,5 @@
-// Constant and structured buffers whose HLSL layout is none of GL's: the same bytes are read and written by
-// way of every target's text. The offsets follow HLSL's rules for packing
+// Tests constant and structured buffers whose HLSL layout is none of GL's: the same bytes are read and
+// written by way of every target's text. The offsets follow HLSL's rules for packing
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules).
 #include <gmock/gmock.h>
 
@@ -45,8 +45,8 @@ TEST(ExecutedBlocks, MembersLieWhereHlslPacksThem) {
 }
 
 TEST(ExecutedBlocks, ElementsColumnsAndComponentsAreFoundAtRunTime) {
-  // e is at 4, 8, 12; m at 16, its columns 4 apart; n at 32, its rows 4 apart; s at 44, 8 words each; v
-  // at 60.
+  // e is at 4, 8 and 12; m at 16, its columns 4 apart; n at 32, its rows 4 apart; s at 44, 8 words each; v at
+  // 60.
   expect_everywhere({R"(struct S { float3 q; float p; float4 r; };
 cbuffer K {
     float first; float3 pad; float e[3]; float4x4 m; row_major float3x4 n; S s[2]; float3 v[2];
@@ -63,7 +63,7 @@ cbuffer K {
                     {8, 25, 22, 39, 41, 53, 53, 66, 55, 57, 2});
 }
 
-// Bits, not values: -1 is a NaN as a float.
+// The buffer holds bits, not values: -1 is a NaN as a float.
 TEST(ExecutedBlocks, IntegersKeepTheirBits) {
   const int bits[] = {-1, 7, -8, 0x7F800001};
   std::vector<float> words(4);

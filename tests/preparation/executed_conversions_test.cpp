@@ -1,4 +1,4 @@
-// What converted structs, matrices and constants hold, run on the device, against answers worked out here.
+// Runs converted structs, matrices and constants on the device, against answers worked out here.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -130,7 +130,7 @@ TEST(ExecutedPrecisionMatrices, MultiplyAsFloats) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(21, 43));
 }
 
-// Of scalars after glslang; of vectors as they always were.
+// Conditions are scalars after glslang; those of vectors are as they always were.
 TEST(ExecutedConditions, OfScalarsAreTheScalars) {
   const Execution execution{R"([numthreads(1, 1, 1)] void Main() {
     Out[0] = any(In[0]); Out[1] = any(In[1]); Out[2] = all(In[0] > 1); Out[3] = all(In[1] > 1);

@@ -1,5 +1,5 @@
-// Declarations, initialisers and expressions that Unity's compilers take and glslang does not, run on the
-// device, and by way of what is emitted for other APIs, against answers worked out here by HLSL's rules.
+// Runs declarations, initialisers and expressions that Unity's compilers take and glslang does not, on the
+// device and by way of what is emitted for other APIs, against answers worked out here by HLSL's rules.
 #include <gmock/gmock.h>
 
 #include "preparation/executed.h"
@@ -18,7 +18,7 @@ void expect_prepared(const Execution& execution, const std::vector<float>& answe
     EXPECT_THAT(run_through(execution, target), ElementsAreArray(answer)) << shaders::target_name(target);
 }
 
-// Refused without the stage, right with it.
+// The shader is refused without the stage, and right with it.
 void expect_only_prepared(const Execution& execution, const std::vector<float>& answer) {
   EXPECT_THROW(run_unprepared(execution), std::runtime_error);
   expect_prepared(execution, answer);

@@ -1,4 +1,4 @@
-// What the rewritten expressions compute, run on the device, against answers worked out here.
+// Runs the rewritten expressions on the device, against answers worked out here.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 
-// Row-major 4x4 of In[0..15].
+// The matrix is the row-major 4x4 of In[0..15].
 const std::string kGivenMatrix =
     "float4x4 Read() { float4x4 m; for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = In[i]; return m; }\n";
 

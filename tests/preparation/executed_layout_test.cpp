@@ -1,4 +1,4 @@
-// Where the members of constant buffers lie, on the device, against HLSL's packing rules
+// Tests where the members of constant buffers lie, on the device, against HLSL's packing rules
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules). Every word of a buffer
 // holds its number.
 #include <gmock/gmock.h>
@@ -88,7 +88,7 @@ TEST(ExecutedTails, MembersLieInWhatMatricesArraysAndStructsLeaveFree) {
       ElementsAre(38, 39, 40, 29));
 }
 
-// What other targets are given holds the same words.
+// Other targets are given the same words.
 TEST(ExecutedTails, HoldThroughEveryTarget) {
   const Execution execution =
       reads("cbuffer C { float a[2]; float3 b; float3x3 m; float g; float c[2]; float2 d; };",
@@ -106,11 +106,11 @@ TEST(ExecutedTails, InStructsOfBuffersAreAnError) {
       ThrowsMessage<std::runtime_error>(HasSubstr("'g' shares the last register of the member before it")));
 }
 
-// Members of a random cbuffer, and the rules once more.
+// The members of a random cbuffer are packed, and the rules are applied once more.
 struct Member {
-  std::string declaration;  // of NAME
+  std::string declaration;  // declaration of NAME
   std::string last;         // its last number
-  int words;                // up to it
+  int words;                // words up to it
   bool of_registers;
 };
 

@@ -1,6 +1,6 @@
-// Where glslang means something else than HLSL: operators and intrinsic functions run on the device, against
-// answers by HLSL's rules (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-operators and
-// -intrinsic-functions).
+// Tests where glslang means something else than HLSL: operators and intrinsic functions run on the device,
+// against answers by HLSL's rules (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-operators
+// and -intrinsic-functions).
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ std::vector<float> outputs(const std::string& statements, std::vector<float> in,
       {before + "[numthreads(1, 1, 1)] void Main() {\n" + statements + "}", std::move(in), {}, count});
 }
 
-// The remainder has the sign of the dividend, of integers and of floats.
+// The remainder has the sign of the dividend, for integers and for floats.
 TEST(ExecutedRemainders, TruncateForEverySign) {
   const std::string statements = R"(
     float x = In[0]; float y = In[1]; int i = int(x); int j = int(y);
@@ -87,7 +87,7 @@ TEST(ExecutedStatics, AreZeroWithoutAnInitialiser) {
       ElementsAre(2, 0, 0, 0, 2));
 }
 
-// 1, n.l, n.h to the power of m where neither is negative, 1.
+// The result is 1, n.l, n.h to the power of m where neither is negative, and 1.
 TEST(ExecutedIntrinsics, LitRaisesToAPower) {
   const std::string statements =
       "float4 l = lit(In[0], In[1], In[2]); "
@@ -99,15 +99,15 @@ TEST(ExecutedIntrinsics, LitRaisesToAPower) {
 }
 
 struct MatrixFunction {
-  const char* expression;  // of the matrices m and n and the scalar s
+  const char* expression;  // an expression of the matrices m and n and the scalar s
   float (*answer)(float m, float n, float s);
-  float tolerance = 4e-6F;  // of the answer, or of 1 where it is smaller
+  float tolerance = 4e-6F;  // share of the answer, or of 1 where it is smaller
 };
 
 // Vulkan allows 4096 ULP for the inverse functions and 2^-11 for the others of this kind.
 constexpr float kOfAngles = 5e-4F;
 
-// Every intrinsic function that takes matrices, and every operator, element by element.
+// Every intrinsic function that takes matrices, and every operator, works element by element.
 TEST(ExecutedMatrices, FunctionsAndOperatorsTakeTheirElements) {
   const std::vector<MatrixFunction> all{
       {"abs(m)", [](float m, float, float) { return std::fabs(m); }},
@@ -290,7 +290,7 @@ TEST(ExecutedConstants, OfWhatIsWrittenLaterAreAnError) {
       },
       ThrowsMessage<std::runtime_error>(
           HasSubstr("'s' is initialised from 'g', which the shader writes to")));
-  // One that needs no function is worked out when the shader starts.
+  // A constant that needs no function is worked out when the shader starts.
   EXPECT_THAT(
       run_prepared(
           {"cbuffer C { float u; }; static const float s = u * 2; [numthreads(1, 1, 1)] void Main() { "
@@ -301,7 +301,7 @@ TEST(ExecutedConstants, OfWhatIsWrittenLaterAreAnError) {
       ElementsAre(6, 100));
 }
 
-// Of functions that differ in half and float alone, the one that the arguments choose.
+// The functions differ in half and float alone, and the one that the arguments choose is kept.
 TEST(ExecutedTwins, TheOneThatIsCalledIsKept) {
   const std::string twins =
       "float f(half x) { return 1; } float f(float x) { return 2; } struct V { half2 c; };\n";
@@ -311,7 +311,8 @@ TEST(ExecutedTwins, TheOneThatIsCalledIsKept) {
   EXPECT_THAT(run("Out[0] = f((half)In[0]);"), ElementsAre(1));
   EXPECT_THAT(run("Out[0] = f(In[0]);"), ElementsAre(2));
   EXPECT_THAT(run("half h = 1; Out[0] = f(h * In[0]);"), ElementsAre(2));
-  EXPECT_THAT(run("half h = In[0]; Out[0] = f(h) + f(In[0]);"), ElementsAre(4));  // with a warning
+  // This compiles with a warning.
+  EXPECT_THAT(run("half h = In[0]; Out[0] = f(h) + f(In[0]);"), ElementsAre(4));
 }
 
 }  // namespace

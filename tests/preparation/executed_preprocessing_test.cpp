@@ -1,4 +1,4 @@
-// What macros and framebuffer reads come to, run on the device, against answers worked out here.
+// Runs macros and framebuffer reads on the device, against answers worked out here.
 #include <gmock/gmock.h>
 
 #include <stdexcept>
@@ -43,7 +43,7 @@ float Before() { return In[0] * SCALE; }
   EXPECT_THAT(run_prepared(execution), ElementsAre(6, 30));
 }
 
-// Without the stage it compiles, and is another number.
+// The shader compiles without the stage, and gives another number.
 TEST(ExecutedMacros, OnesThatNameThemselves) {
   const Execution execution{R"(
 static float value;
@@ -62,7 +62,7 @@ static float value;
   EXPECT_NE(run_unprepared(execution), run_prepared(execution));
 }
 
-// An input attachment read at a pixel is the texel of a texture there: so SPIRV-Cross says it in HLSL, which
+// An input attachment read at a pixel is the texel of a texture there: SPIRV-Cross says it so in HLSL, which
 // is drawn with textures for the attachments.
 Drawing with_textures(const std::string& text, const std::string& output, Drawing drawing) {
   shaders::CompileRequest request;

@@ -1,4 +1,4 @@
-// What shaders read from textures, buffers and constants after the passes over resources, drawn on the
+// Draws shaders that read from textures, buffers and constants after the passes over resources, on the
 // device, against answers worked out here. `p` is a pixel's centre: p.xy / 4 is the centre of the same texel.
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ Pixel scaled(const Pixel& a, float by) {
   return {a[0] * by, a[1] * by, a[2] * by, a[3] * by};
 }
 
-// Refused or wrong without the stage; with it the picture is the answer.
+// The shader is refused or wrong without the stage; with it the picture is the answer.
 template <typename Answer>
 void expect_only_prepared(const Drawing& drawing, Answer answer) {
   EXPECT_THROW(draw_unprepared(drawing), std::runtime_error);
@@ -28,7 +28,7 @@ void expect_both(const Drawing& drawing, Answer answer) {
   EXPECT_EQ(draw_prepared(drawing), picture(answer));
 }
 
-// glslang takes it as it is, and makes the constant a member that nobody sets.
+// glslang takes the constant as it is, and makes it a member that nobody sets.
 TEST(ExecutedResources, StaticConstantsInCbuffersKeepTheirValue) {
   const Drawing drawing{
       "cbuffer C { float first; static const float kTwice = 2; float second; }\n"
@@ -240,7 +240,7 @@ float4 Main(float4 p : SV_Position) : SV_Target {
                        });
 }
 
-// b0, t0 and s0 are registers of different kinds, and spaces set them apart: every resource is read as
+// b0, t0 and s0 are registers of different kinds, and spaces set them apart, so every resource is read as
 // itself.
 TEST(ExecutedRegisters, DoNotCollide) {
   expect_both({R"(

@@ -1,4 +1,4 @@
-// The rewriting of expressions: what is put where, and what is left alone.
+// Tests the rewriting of expressions: what is put where, and what is left alone.
 #include <gmock/gmock.h>
 
 #include "preparation/constructor_statements.h"
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// One blank between any two tokens.
+// The text with one blank between any two tokens.
 std::string spaced(const TokenText& tokens) {
   std::string text;
   for (const hlsl::Token& token : tokens.tokens())
@@ -151,7 +151,7 @@ TEST(Declarators, AreReadWithTheirTypeAndSize) {
   EXPECT_TRUE(declarators(function, 0, function.size()).empty());
 }
 
-// No text makes a pass read out of bounds or run without end: run under the sanitizers.
+// No text makes a pass read out of bounds or run without end; the test is run under the sanitizers.
 TEST(ExpressionPasses, AnyTokensAreRead) {
   const std::vector<std::string> words{
       "float",     "f",        "(",      ")",   "{",     "}",       "[", "]",

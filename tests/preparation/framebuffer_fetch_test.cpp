@@ -1,5 +1,5 @@
-// Reads of the pixel that is about to be written: what stands there instead, and what Vulkan, Metal and the
-// others make of it.
+// Tests reads of the pixel that is about to be written: what stands there instead, and what Vulkan, Metal and
+// the others make of it.
 #include "preparation/framebuffer_fetch.h"
 
 #include <gmock/gmock.h>
@@ -68,7 +68,7 @@ shaders::CompileResult compiled(const std::string& text, hlsl::Stage stage = hls
   return shaders::compile(request);
 }
 
-// As a deferred lighting pass has it: four attachments by macros, in both stages' text.
+// A deferred lighting pass has such a text: four attachments by macros, in both stages' text.
 const std::string kDeferred = R"(
 #define INPUT_HALF(idx) cbuffer hlslcc_SubpassInput_h_##idx { half4 hlslcc_fbinput_##idx; }
 #define INPUT_FLOAT(idx) cbuffer hlslcc_SubpassInput_f_##idx { float4 hlslcc_fbinput_##idx; }
@@ -114,7 +114,7 @@ TEST(FramebufferFetch, VulkanReadsInputAttachments) {
   EXPECT_EQ(interface.outputs.size(), 2U);
 }
 
-// Without the pass the pixel is taken for something the vertex stage hands over.
+// Without the pass the pixel is taken for something that the vertex stage hands over.
 TEST(FramebufferFetch, IsNeeded) {
   const shaders::CompileResult inout = compiled(kInout, hlsl::Stage::fragment, false);
   EXPECT_EQ(shaders::pipeline_interface(inout.spirv, "Main").inputs.size(), 2U);

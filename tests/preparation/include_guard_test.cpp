@@ -19,12 +19,12 @@ TEST(IncludeGuard, AnythingElseIsNone) {
   for (const char* text :
        {"", "float a;\n", "#ifndef A\n#define A\n",           // never closed
         "#ifndef A\n#define B\n#endif\n",                     // another macro
-        "#ifndef A\n#define AB\n#endif\n",                    // likewise
+        "#ifndef A\n#define AB\n#endif\n",                    // another macro, too
         "#ifndef A\nfloat a;\n#define A\n#endif\n",           // code before it
         "float a;\n#ifndef A\n#define A\n#endif\n",           // outside
         "#ifndef A\n#define A\n#endif\nfloat a;\n",           // behind
-        "#ifndef A\n#define A\n#else\nfloat a;\n#endif\n",    // the second time says something else
-        "#ifndef A\n#define A\n#elif B\nfloat a;\n#endif\n",  // likewise
+        "#ifndef A\n#define A\n#else\nfloat a;\n#endif\n",    // what is read the second time differs
+        "#ifndef A\n#define A\n#elif B\nfloat a;\n#endif\n",  // what is read the second time differs
         "#ifndef A\n#define A\n#endif\n#ifndef B\n#define B\n#endif\n", "#ifdef A\n#define A\n#endif\n",
         "#if 1\n#define A\n#endif\n", "#ifndef\n#define\n#endif\n"})
     EXPECT_EQ(include_guard(text), "") << text;

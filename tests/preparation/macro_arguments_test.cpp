@@ -1,5 +1,5 @@
-// Macro arguments that expand to several, and macros defined twice: what is written instead, and what the
-// whole way through the preprocessor makes of it.
+// Tests macro arguments that expand to several, and macros defined twice: what is written instead, and what
+// the whole way through the preprocessor makes of it.
 #include "preparation/macro_arguments.h"
 
 #include <gmock/gmock.h>
@@ -76,7 +76,7 @@ TEST(MacroText, DefinitionsHaveTheirLineParametersAndLastToken) {
   EXPECT_EQ(read.definitions[3].body_begin, read.definitions[3].body_end);
 }
 
-// Linear, never out of bounds, and lines stay: run under the sanitizers.
+// The pass is linear, never reads out of bounds, and moves no lines; the test is run under the sanitizers.
 TEST(MacroText, AnyBytesAreRead) {
   std::mt19937 random(11);
   const std::vector<std::string> pieces{"#",  "define ", "F",  "(",  ")", ",", "\n", "\\\n", "/*",
@@ -180,7 +180,7 @@ TEST(MacroExpansion, OtherErrorsAreToldAsBefore) {
   EXPECT_THAT(format(source.diagnostics[1]), HasSubstr("macros.hlsl:6:1: error: '#error': stop here"));
 }
 
-// Against the C preprocessor's answers (6.10.3.4), through no, one, two and three macros.
+// The answers are those of the C preprocessor (6.10.3.4), through no, one, two and three macros.
 TEST(MacroExpansion, MacrosThatNameThemselvesAreExpandedOnce) {
   const std::string text =
       "#define ACCESS(arr, var) arr##Array[id].var\n#define _Color ACCESS(Props, _Color)\n"

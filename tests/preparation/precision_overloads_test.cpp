@@ -32,7 +32,7 @@ std::string printed(const std::string& text) {
   return TokenText(text, "main.hlsl").print();
 }
 
-// Without blanks, line ends and the directive a text begins with.
+// The text without blanks, line ends and the directive that it begins with.
 std::string squeezed(std::string text) {
   if (text.rfind("#line", 0) == 0) text.erase(0, text.find('\n'));
   text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
@@ -126,13 +126,13 @@ TEST(PrecisionTwins, DifferentBodiesAreAWarning) {
 }
 
 TEST(PrecisionTwins, DifferentFunctionsStay) {
-  expect_untouched("float f(half x) {} float g(float x) {}");                  // names
-  expect_untouched("float f(half2 x) {} float f(float3 x) {}");                // shapes
-  expect_untouched("float f(half x, int i) {} float f(float x) {}");           // counts
-  expect_untouched("float f(half x[2]) {} float f(float x[3]) {}");            // array sizes
-  expect_untouched("float f(half x) {} float f(int x) {}");                    // kinds of number
-  expect_untouched("float f(halfling x) {} float f(floatling x) {}");          // types of the user's own
-  expect_untouched("namespace a { float f(half x) {} } float f(float x) {}");  // namespaces
+  expect_untouched("float f(half x) {} float g(float x) {}");                  // the names differ
+  expect_untouched("float f(half2 x) {} float f(float3 x) {}");                // the shapes differ
+  expect_untouched("float f(half x, int i) {} float f(float x) {}");           // the counts differ
+  expect_untouched("float f(half x[2]) {} float f(float x[3]) {}");            // the array sizes differ
+  expect_untouched("float f(half x) {} float f(int x) {}");                    // the kinds of number differ
+  expect_untouched("float f(halfling x) {} float f(floatling x) {}");          // the types are the user's own
+  expect_untouched("namespace a { float f(half x) {} } float f(float x) {}");  // the namespaces differ
   expect_untouched("struct A { float f(half x) {} float f(float x) {} };");    // nothing may follow twice
 }
 

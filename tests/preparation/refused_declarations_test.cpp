@@ -1,4 +1,4 @@
-// Declarations and writes that HLSL refuses and glslang takes without a word.
+// Tests declarations and writes that HLSL refuses and glslang takes without a word.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(StructMembers, AreNotStatic) {
       ElementsAre("1: 'k' is a static member, which is not supported: declare it outside of the structure"));
 }
 
-// Otherwise it would crash: the text goes to glslang in search of further errors.
+// Otherwise the compiler would crash: the text goes to glslang in search of further errors.
 TEST(ClipDistances, ThatAreUnsupportedAreKeptFromTheCompiler) {
   EXPECT_THAT(
       prepare("[maxvertexcount(1)] void Main(point float c[1] : SV_ClipDistance0, inout PointStream<V> s) {}",

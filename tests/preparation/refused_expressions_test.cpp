@@ -1,4 +1,4 @@
-// Expressions and declarations that HLSL refuses and glslang crashes on, or drops without a word.
+// Tests expressions and declarations that HLSL refuses and glslang crashes on, or drops without a word.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

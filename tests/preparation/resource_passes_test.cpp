@@ -1,4 +1,4 @@
-// The passes over textures, samplers and buffers: what they put where, and that it compiles.
+// Tests the passes over textures, samplers and buffers: what they put where, and that it compiles.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -338,7 +338,7 @@ struct Refused {
   const char* what;
   const char* text;
 };
-// Printed by name.
+// Prints the case by its name.
 void PrintTo(const Refused& refused, std::ostream* out) {
   *out << refused.what;
 }
@@ -401,8 +401,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"register_part", "float a : register(c1.y); float4 f(float4 uv) { return a; }"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 
-// Any order of the words these passes look for is read without harm, and what is printed is read the same
-// again.
+// Any order of the words that these passes look for is read without harm, and what is printed is read the
+// same again.
 TEST(ResourcePasses, AnyTokensAreRead) {
   const std::vector<std::string> words{"struct",    "S",       "{",         "}",
                                        ";",         "(",       ")",         "[",

@@ -1,4 +1,4 @@
-// Stray semicolons and the precision of textures: what goes, and what must stay.
+// Tests stray semicolons and the precision of textures: what goes, and what must stay.
 #include <gmock/gmock.h>
 
 #include "preparation/after_pass.h"
@@ -59,7 +59,7 @@ shaders::CompileResult compile_text(const std::string& text, bool prepare) {
   return shaders::compile(request);
 }
 
-// Each is refused without the stage and accepted with it, without a word.
+// Each text is refused without the stage and accepted with it, without a word.
 TEST(Preparation, LetsThroughWhatUnityCompilersAccept) {
   const std::string main = "RWStructuredBuffer<float4> O; [numthreads(1, 1, 1)] void Main() { O[0] = V; }\n";
   for (const std::string& declarations :

@@ -1,4 +1,4 @@
-// What Unity's compilers refuse in a source is said at its place, and nothing that they take.
+// Sources that Unity's compilers refuse are refused at their place, and nothing that they take is.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <functional>
@@ -71,7 +71,7 @@ TEST(SwitchCases, MayShareCodeAndEndInManyWays) {
               IsEmpty());
 }
 
-// A closing bracket behind a keyword is no condition to go on behind.
+// A closing bracket behind a keyword is no condition, so the check does not go on behind it.
 TEST(SwitchCases, ABrokenConditionIsPassedOnce) {
   EXPECT_THAT(said_of_cases("case 0: { n = 1; if } v = 2; break;"), IsEmpty());
 }
@@ -124,7 +124,7 @@ TEST(BaseStructs, AreSixteenAtMost) {
   EXPECT_THAT(said(chain(17)), ElementsAre("18: error: 'S17' has more than 16 levels of base structs"));
 }
 
-// Each level eight of the level before: what looks at every path does not end.
+// Each level has eight of the level before, so a check that looks at every path does not end.
 std::string levels(const std::string& first, const std::function<std::string(int)>& next) {
   std::string text = first;
   for (int i = 1; i < 24; ++i) text += next(i);

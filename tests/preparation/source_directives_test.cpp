@@ -1,4 +1,4 @@
-// The text before the preprocessor: a few words change, no character moves.
+// Tests the text before the preprocessor: a few words change, no character moves.
 #include "preparation/source_directives.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(SourceDirectives, CommentsAndTextsStay) {
   EXPECT_EQ(prepared(text), text);
 }
 
-// Linear, and never out of bounds: run under the sanitizers.
+// The check is linear and never reads out of bounds; the test is run under the sanitizers.
 TEST(SourceDirectives, AnyBytesAreRead) {
   std::mt19937 random(7);
   const std::string alphabet = "#/*\\\"\n 1.hHeEx#+-INFpragmaonce_";

@@ -47,7 +47,7 @@ TEST(TokenText, AnEditStandsOnTheLineOfWhatItReplaces) {
   TokenText text("a b\nc d\ne", "m");
   text.replace(2, 2, "x +\n y");
   text.insert(2, "before");
-  text.insert(5, "end");  // follows the last token
+  text.insert(5, "end");  // the word follows the last token
   text.erase(0, 1);
   text.apply();
   EXPECT_EQ(placed(text.print()), (std::vector<Placed>{{"b", "m", 1},
@@ -71,7 +71,7 @@ TEST(TokenText, PartnersAreFoundAfterEdits) {
   EXPECT_EQ(TokenText("( ]", "m").matching_bracket(0), npos);
 }
 
-// What is asked of a text after edits, and what is asked of a text that never was another.
+// Requires of an edited text the same as of a text that never was another.
 void expect_like_new(const TokenText& edited) {
   const std::string printed = edited.print();
   const TokenText fresh(printed, "m");
@@ -151,7 +151,7 @@ TEST(TokenText, WordNumbersAreThoseOfTheSpelling) {
   EXPECT_EQ(numbers.size(), number_of.size());
 }
 
-// Taking out a random half of the tokens leaves the others where they were.
+// A random half of the tokens is taken out; the others stay where they were.
 TEST(TokenText, RandomErasuresMoveNothing) {
   std::mt19937 random(3);
   for (int round = 0; round < 200; ++round) {

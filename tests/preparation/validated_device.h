@@ -1,4 +1,4 @@
-// The device of these tests, with Vulkan's validation layers.
+// The device of these tests has Vulkan's validation layers.
 #pragma once
 
 #include "gpu/device.h"

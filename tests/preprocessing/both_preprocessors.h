@@ -1,4 +1,4 @@
-// A source read by this project's preprocessor and by glslang's.
+// Reads a source by this project's preprocessor and by glslang's.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct BothTexts {
 
 BothTexts both_texts(const shaders::CompileRequest& request);
 
-// A shader's text as `request.text`, with what it includes beside `request.file`.
+// Reads a shader's text as `request.text`, with what it includes beside `request.file`.
 BothTexts both_texts(const std::string& text);
 
 }  // namespace penumbra::preprocessing

@@ -1,5 +1,5 @@
-// The library's shaders, and where PENUMBRA_URP_PACKAGES names a folder with URP's packages, URP's lighting:
-// the project's own preprocessor reads every variant, and as glslang's does.
+// Reads the library's shaders and, where PENUMBRA_URP_PACKAGES names a folder with URP's packages, URP's
+// lighting: the project's own preprocessor reads every variant, and as glslang's does.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ using shaders::CompileRequest;
 
 const fs::path root = PENUMBRA_SOURCE_DIR;
 
-// Files are cut once for all readings, as in the program.
+// The comparison cuts files once for all readings, as the program does.
 class Comparison {
  public:
   void of(const CompileRequest& request, const std::string& variant) {

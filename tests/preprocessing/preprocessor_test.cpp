@@ -1,5 +1,5 @@
-// Sources that are hard to preprocess: the project's own preprocessor gives glslang's text, and leaves to it
-// what it does not know.
+// Tests sources that are hard to preprocess: the project's own preprocessor gives glslang's text, and leaves
+// to it what it does not know.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -62,7 +62,7 @@ const Case read_alike[] = {
     {"SelfReferenceThroughArguments",
      "#define _Color ACCESS(Props, _Color)\n#define ACCESS(a, b) a##b + b\n#define ID(x) x\nID(_Color) "
      "ID(ID(_Color)) _Color\n"},
-    // The C standard's, 6.10.3.5, without # and without arguments that are left out.
+    // The example is the C standard's, 6.10.3.5, without # and without arguments that are left out.
     {"StandardExample3",
      "#define x 3\n#define f(a) f(x * (a))\n#undef x\n#define x 2\n#define g f\n#define z z[0]\n#define h "
      "g(~\n"

@@ -23,7 +23,7 @@ class Source {
   }
 
  private:
-  // Not a distribution of the standard library's, which differ from machine to machine.
+  // The numbers do not come from the standard library's distributions, which differ from machine to machine.
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
   template <std::size_t size>
@@ -42,7 +42,7 @@ class Source {
 
   void call(const std::string& name, int depth) {
     out_ += name;
-    if (below(12) == 0) return;  // no call after all
+    if (below(12) == 0) return;  // this is no call after all
     if (below(4) == 0) gap(false);
     if (in_text_ && below(20) == 0) out_ += '\n';
     out_ += '(';

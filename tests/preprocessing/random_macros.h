@@ -1,4 +1,4 @@
-// Random sources full of macros, conditions and comments.
+// Makes random sources full of macros, conditions and comments.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace penumbra::preprocessing {
 
-// The same for the same seed on every machine. Most are free of errors.
+// The source is the same for the same seed on every machine. Most are free of errors.
 std::string random_macros(std::uint32_t seed);
 
 }  // namespace penumbra::preprocessing

@@ -43,14 +43,14 @@ int columns(const Type& type) {
   return type.columns > 0 ? type.columns : 1;
 }
 
-// Index of the component at this place of a smaller shape, of the upper left ones that are kept.
+// The index of the component at this place of a smaller shape, of which the upper left ones are kept.
 int source_index(const Type& from, const Type& to, int index) {
   if (from.is_scalar()) return 0;
   if (from.components() == to.components() || !from.is_matrix()) return index;
   return index / columns(to) * columns(from) + index % columns(to);
 }
 
-// Of a divisor 0 or a shift beyond 31 nothing is said, and INT_MIN / -1 does not fit.
+// The language says nothing of a divisor 0 or a shift beyond 31, and INT_MIN / -1 does not fit.
 Word divided(const std::string& op, Word a, Word b, Base base) {
   if (b == 0 || (base == Base::integer && b == ~Word{0})) throw Unfit("division");
   if (base == Base::natural) return op == "/" ? a / b : a % b;
@@ -100,7 +100,7 @@ Word real_arithmetic(const std::string& op, float a, float b) {
   }
   if (b == 0) throw Unfit("division");
   if (op == "%") return exact(std::fmod(x, y));
-  return std::bit_cast<Word>(a / b);  // rounded: used for what is only stored
+  return std::bit_cast<Word>(a / b);  // the quotient is rounded, and used for what is only stored
 }
 
 template <typename T>

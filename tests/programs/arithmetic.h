@@ -20,15 +20,16 @@ struct Value {
   std::vector<std::uint32_t> words;
 };
 
-// What the language leaves open, or what floats cannot hold exactly: the program is thrown away.
+// Throws a program away: the language leaves its meaning open, or floats cannot hold its results exactly.
 class Unfit : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-Value convert(const Value& value, const Type& to);  // of numbers, by a cast or without
+Value convert(const Value& value, const Type& to);  // converts numbers, by a cast or without
 
-// The type that both operands are brought to: the higher base, the smaller shape, a scalar counting as any.
+// The type that both operands are brought to: it has the higher base and the smaller shape, where a scalar
+// counts as any.
 Type common_type(const Type& a, const Type& b);
 
 Value unary(const std::string& op, const Value& value);

@@ -18,10 +18,10 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// Programs of one shader: more than that make the compilers slow, fewer the device.
+// One shader has so many programs: more than that make the compilers slow, fewer the device.
 constexpr std::size_t kTogether = 4;
 
-// Four floats, four ints and four uints for each set.
+// The inputs are four floats, four ints and four uints for each set.
 const Words& inputs() {
   static const Words all = [] {
     Chance chance(7);
@@ -42,7 +42,7 @@ const Words& inputs() {
 struct Fit {
   std::uint32_t seed;
   Program program;
-  std::vector<Words> answers;  // for each set of inputs
+  std::vector<Words> answers;  // answers for each set of inputs
 };
 
 std::optional<Fit> fit_program(std::uint32_t seed) {
@@ -88,7 +88,7 @@ class Batch {
     fits.clear();
   }
 
-  // Halves what does not compile together, until it is known which program it is.
+  // Programs that do not compile together are halved, until it is known which program it is.
   void compare(const std::vector<const Fit*>& fits) {
     std::vector<const Program*> programs;
     for (const Fit* fit : fits) programs.push_back(&fit->program);

@@ -1,4 +1,4 @@
-// Many programs, worked out and run.
+// Works out and runs many programs.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@ namespace penumbra::programs {
 
 struct BatchResult {
   int programs = 0;  // that were run
-  int unfit = 0;     // whose results the language leaves open
+  int unfit = 0;     // programs whose results the language leaves open
   std::int64_t most_ulps = 0;
-  std::vector<std::string> differences;  // with the seed and the text of the program
+  std::vector<std::string> differences;  // messages with the seed and the text of the program
 };
 
-// The programs of the seeds from `first` on until there are `count`, on kSets sets of inputs each. A program
-// that does not compile is a difference.
+// Runs the programs of the seeds from `first` on until there are `count`, on kSets sets of inputs each. A
+// program that does not compile is a difference.
 BatchResult run_batch(std::uint32_t first, int count);
 
 inline constexpr int kSets = 4;

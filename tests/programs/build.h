@@ -1,4 +1,4 @@
-// Expressions from their parts.
+// Builds expressions from their parts.
 #pragma once
 
 #include <bit>

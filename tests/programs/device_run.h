@@ -1,4 +1,4 @@
-// Programs on the device, through the preparation and the compiler as any shader goes.
+// Runs programs on the device, through the preparation and the compiler as any shader goes.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 namespace penumbra::programs {
 
 struct DeviceRun {
-  std::string error;                 // of the compiler or the device; empty: none
+  std::string error;                 // error of the compiler or the device; empty for none
   std::vector<std::uint32_t> words;  // kOutputs for each program, for each set of inputs, sets first
 };
 
-// `inputs`: kInputs words for each of the sets.
+// `inputs` has kInputs words for each of the sets.
 DeviceRun run_on_device(const std::vector<const Program*>& programs,
                         const std::vector<std::uint32_t>& inputs);
 
-std::string device_name();  // with its driver
+std::string device_name();  // the name with that of its driver
 
 }  // namespace penumbra::programs

@@ -11,7 +11,7 @@ namespace {
 using Word = std::uint32_t;
 using Words = std::vector<Word>;
 
-// Which words of a variable an expression names.
+// The words of a variable that an expression names.
 struct Place {
   int variable = 0;
   std::vector<int> words;
@@ -197,7 +197,8 @@ class Interpreter {
         return choose(c, yes, evaluate(expression.parts[2]));
       }
       case Kind::cast:
-        if (!expression.type.is_number()) return {expression.type, zeros(expression.type)};  // of 0 alone
+        // Only 0 is cast to a type that is no number.
+        if (!expression.type.is_number()) return {expression.type, zeros(expression.type)};
         return convert(evaluate(expression.parts[0]), expression.type);
       case Kind::construct:
         return construct(expression);
@@ -218,7 +219,7 @@ class Interpreter {
             is_place(expression.parts[0]));
   }
 
-  // A member or element of what is no variable.
+  // A member or element of a value that is no variable.
   Value part(const Expression& expression) {
     const Value of = evaluate(expression.parts[0]);
     const int size = words(expression.type, program_);
@@ -250,7 +251,8 @@ class Interpreter {
   Value call(const Expression& expression) {
     const Function& function = program_.functions[expression.number];
     std::vector<std::optional<Place>> places(expression.parts.size());
-    std::vector<Value> values;  // all before the first is stored: an argument may call the same function
+    // Values of all arguments are made before the first is stored, as one may call the same function.
+    std::vector<Value> values;
     for (std::size_t i = 0; i < expression.parts.size(); ++i) {
       const Variable& parameter = program_.variables[function.parameters[i]];
       const bool copied_back =
@@ -275,7 +277,7 @@ class Interpreter {
   const Program& program_;
   const Words& inputs_;
   Words outputs_;
-  std::vector<Words> storage_;  // of each variable; no function is entered twice at a time
+  std::vector<Words> storage_;  // storage of each variable; no function is entered twice at a time
   Value given_;
   int steps_ = 0;
 };

@@ -27,7 +27,7 @@ Word bits(double value) {
   return std::bit_cast<Word>(static_cast<float>(value));
 }
 
-// Where no order of its sums and products rounds.
+// The value is exact where no order of its sums and products rounds.
 Word exact(double value) {
   if (static_cast<double>(static_cast<float>(value)) != value || std::fabs(value) > 65536)
     throw Unfit("inexact");
@@ -76,7 +76,7 @@ double smooth(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// On each component, all arguments brought to one type.
+// These functions work on each component, with all arguments brought to one type.
 const std::map<std::string, Componentwise>& componentwise() {
   static const std::map<std::string, Componentwise> all{
       {"abs", [](const Words& a, Base base) { return magnitude(a[0], base); }},

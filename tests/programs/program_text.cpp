@@ -40,7 +40,7 @@ const char* base_name(Base base) {
   return "float";
 }
 
-// Of the table of operators in the language's reference, from the one that binds most.
+// The precedence of an operator in the table of the language's reference, from the one that binds most.
 int precedence(const std::string& op) {
   static const std::map<std::string, int> all{
       {"*", 10}, {"/", 10}, {"%", 10}, {"+", 9},  {"-", 9}, {"<<", 8}, {">>", 8}, {"<", 7},  {">", 7},
@@ -231,7 +231,7 @@ class Printer {
 
   std::string arguments(const Expression& of) { return "(" + list(of) + ")"; }
 
-  // In parentheses if it binds less than `around`.
+  // The expression stands in parentheses if it binds less than `around`.
   std::string expression(const Expression& value, int around) {
     int own = kPostfix;
     std::string text;

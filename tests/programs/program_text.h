@@ -8,8 +8,8 @@
 
 namespace penumbra::programs {
 
-// A compute shader of one group of one thread for each set of inputs: In holds kInputs words for each, Out
-// kOutputs words for each program of each set.
+// The text of a compute shader of one group of one thread for each set of inputs: In holds kInputs words for
+// each, Out kOutputs words for each program of each set.
 std::string shader_text(const std::vector<const Program*>& programs);
 
 std::string program_text(const Program& program);

@@ -1,5 +1,5 @@
-// Random programs on the device against the rules of the language. Documentation~/preparation.md says how
-// many were run.
+// Runs random programs on the device against the rules of the language. Documentation~/preparation.md says
+// how many were run.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -25,8 +25,8 @@ int number(const char* variable, int otherwise) {
   return given == nullptr ? otherwise : std::atoi(given);
 }
 
-// Two halves, for two processors. PENUMBRA_RANDOM_PROGRAMS=10000 runs more of them, PENUMBRA_FIRST_SEED
-// others; tests/programs/page publishes what the line at the end says.
+// The programs are in two halves, for two processors. PENUMBRA_RANDOM_PROGRAMS=10000 runs more of them,
+// PENUMBRA_FIRST_SEED others; tests/programs/page publishes what the line at the end says.
 class RandomProgramsHalf : public testing::TestWithParam<int> {};
 
 TEST_P(RandomProgramsHalf, MeansOnTheDeviceWhatTheLanguageSays) {
@@ -48,7 +48,7 @@ TEST(RandomPrograms, AreTheSameForTheSameSeed) {
   EXPECT_NE(program_text(random_program(5, "p_")), program_text(random_program(6, "p_")));
 }
 
-// Of a million tokens that a generator may write, each kind must come up, or it is not tested.
+// Each kind must come up among a million tokens that a generator may write, or it is not tested.
 TEST(RandomPrograms, HoldEverythingTheyAreMadeOf) {
   std::string text;
   for (std::uint32_t seed = 0; seed < 400; ++seed) text += program_text(random_program(seed, "p_"));
@@ -69,7 +69,7 @@ Value value(Base base, std::vector<double> numbers) {
   return made;
 }
 
-// The rules themselves, at values where other languages differ.
+// The rules themselves are tested at values where other languages differ.
 TEST(Rules, OfIntegers) {
   EXPECT_EQ(binary("%", value(Base::integer, {-7}), value(Base::integer, {2})).words,
             value(Base::integer, {-1}).words);
@@ -101,7 +101,7 @@ TEST(Rules, OfFloatsAndVectors) {
 }
 
 TEST(Rules, OfFunctionsAndLoops) {
-  // void F(inout int v) { for (int i = 0; i < 3; ++i) v += i; }   int x = 4; F(x); Out[0] = x;
+  // The program is void F(inout int v) { for (int i = 0; i < 3; ++i) v += i; }   int x = 4; F(x); Out[0] = x;
   Program program;
   const Type one = scalar(Base::integer);
   program.variables = {{"v", one, Variable::Place::inout}, {"i", one}, {"x", one}};

@@ -93,7 +93,7 @@ Expression RandomExpression::other_shape(const Type& type, int depth) {
   return of(scalar(type.base), depth);
 }
 
-// Beside an operand of that type: of the same, of a lower base, or a scalar.
+// An operand beside one of that type: of the same type, of a lower base, or a scalar.
 Expression RandomExpression::operand(const Type& type, int depth) {
   if (chance_.percent(20)) return other_shape(type, depth);
   if (chance_.percent(80) || type.base == Base::boolean || type.is_matrix()) return of(type, depth);

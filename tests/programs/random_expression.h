@@ -1,9 +1,9 @@
-// Random expressions of a wanted type.
+// Makes random expressions of a wanted type.
 //
 // Floats stay multiples of 1/64 below 65536 by construction: factors are brought to small numbers first, so
 // that no sum or product rounds and the order in which a compiler takes them does not matter. Divisors are
-// not zero, shifts are below 32, indices are inside. What is left is found by the interpreter, which refuses
-// the program.
+// not zero, shifts are below 32, indices are inside. The interpreter finds what is left, and refuses the
+// program.
 #pragma once
 
 #include <functional>
@@ -18,15 +18,15 @@ class RandomExpression {
   RandomExpression(Program& program, Scope& scope, Chance& chance)
       : program_(program), scope_(scope), chance_(chance) {}
 
-  Expression of(const Type& type, int depth);           // of that type
-  Expression convertible(const Type& type, int depth);  // of one that an assignment converts to it
-  Expression argument(const Type& type, int depth);     // of a call: glslang cuts no matrices there
+  Expression of(const Type& type, int depth);           // expression of that type
+  Expression convertible(const Type& type, int depth);  // expression that an assignment converts to it
+  Expression argument(const Type& type, int depth);     // argument of a call: glslang cuts no matrices there
   std::optional<Expression> place(const Type& type, bool writable);
   Expression construct(const Type& type,
                        int depth);  // of its parts; of arrays and structures: an initialiser alone
   Expression rounded();             // a float that is right to 2 ULP and good for nothing but to be stored
 
-  // Functions that may be called in the midst of an expression: those that write nothing outside of them.
+  // These functions may be called in the midst of an expression: they write nothing outside of them.
   std::vector<int> pure_functions;
 
  private:
@@ -35,7 +35,7 @@ class RandomExpression {
   Expression tame(const Expression& value);
   Expression small(const Expression& value);
   Expression divisor(const Type& type, int depth);
-  Expression index(int size, bool simple);  // simple: good to be read twice
+  Expression index(int size, bool simple);  // simple: the index may be read twice
   Expression boolean(const Type& type, int depth);
   Expression whole(const Type& type, int depth);
   Expression real(const Type& type, int depth);

@@ -39,7 +39,7 @@ std::optional<Expression> RandomExpression::swizzle(const Expression& of, const 
   return made;
 }
 
-// Of that type: itself, or a member, element or swizzle of it.
+// A part of that type: the whole itself, or a member, element or swizzle of it.
 std::optional<Expression> RandomExpression::part_of(const Expression& whole, const Type& wanted,
                                                     bool writable) {
   const Type& type = whole.type;

@@ -55,7 +55,7 @@ class RandomProgram {
     program_.structures.push_back(std::move(made));
   }
 
-  // Of the function; sometimes one that hides another of an outer block.
+  // A name of the function; sometimes one that hides another of an outer block.
   std::string local_name() {
     const std::vector<int> visible = scope_.visible();
     if (scope_.depth() > 3 && !visible.empty() && chance_.percent(10)) {
@@ -92,7 +92,7 @@ class RandomProgram {
     const int number = scope_.declare(made);
     function.parameters.push_back(number);
     if (made.place == Place::out || made.place == Place::inout) writes_outside_ = true;
-    if (made.place == Place::out) {  // nothing is read before it is written
+    if (made.place == Place::out) {  // nothing is read from it before it is written
       Statement first{Kind::assign, "="};
       first.parts = {build::variable(number, made.type), zero(made.type)};
       body.push_back(std::move(first));
@@ -247,7 +247,7 @@ class RandomProgram {
         made.parts.push_back(expressions_.argument(variable.type, 1));
         continue;
       }
-      // A variable of its own for each: what two that overlap hold afterwards is left open.
+      // Each argument has a variable of its own: what two that overlap hold afterwards is left open.
       Variable given{"v" + std::to_string(next_name_++), variable.type, Place::local};
       Statement declaration{Kind::declare};
       declaration.parts.push_back(expressions_.of(variable.type, 1));
@@ -281,7 +281,7 @@ class RandomProgram {
     body.push_back(std::move(made));
   }
 
-  // break, continue or an early return at the end of a branch.
+  // The body ends with break, continue or an early return, at the end of a branch.
   void leave(std::vector<Statement>& body) {
     if (in_loop_ && chance_.percent(25)) {
       body.push_back({chance_.percent(50) ? Kind::leave : Kind::next});
@@ -318,7 +318,7 @@ class RandomProgram {
     made.parts.push_back(build::binary("&", scalar(Base::integer), expressions_.of(scalar(Base::integer), 2),
                                        build::number(Base::integer, 3)));
     const bool outer = in_loop_;
-    in_loop_ = false;  // a break in it would be the switch's
+    in_loop_ = false;  // a break in it would leave the switch
     for (int i = chance_.between(1, 3); i > 0; --i) {
       made.labels.push_back(static_cast<int>(made.labels.size()) + chance_.below(2) * 2);
       for (std::size_t k = 0; k + 1 < made.labels.size(); ++k)

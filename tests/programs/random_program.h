@@ -1,4 +1,4 @@
-// A random program, the same for the same seed.
+// Makes a random program, the same for the same seed.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a random program may name at a place, and chance.
+// The names that a random program may use at a place, and chance.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ class Scope {
     return false;
   }
 
-  // Those that no inner block hides.
+  // The variables that no inner block hides.
   std::vector<int> visible() const {
     std::vector<int> all;
     std::vector<std::string> seen;

@@ -1,4 +1,4 @@
-// How far two floats are apart.
+// The distance of two floats.
 #pragma once
 
 #include <bit>
@@ -7,7 +7,7 @@
 
 namespace penumbra::programs {
 
-// Floats between them and one more, given as bits; 0 of the two zeros.
+// The number of floats between both and one more, given as bits; 0 for the two zeros.
 inline std::int64_t ulps_apart(std::uint32_t a, std::uint32_t b) {
   const auto place = [](std::uint32_t bits) {
     const auto size = static_cast<std::int64_t>(bits & 0x7FFFFFFFU);

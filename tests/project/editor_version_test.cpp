@@ -1,4 +1,4 @@
-// ProjectVersion.txt's version and the number Unity gives to shaders.
+// Compares ProjectVersion.txt's version with the number that Unity gives to shaders.
 #include "project/editor_version.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(EditorVersion, NumbersAreThoseOfTheManual) {
 }
 
 TEST(EditorVersion, PatchAboveNineCarriesAsInGeneratedShaders) {
-  EXPECT_EQ(number("2017.4.18f1"), 201758);  // the value in shader code that this editor generated
+  EXPECT_EQ(number("2017.4.18f1"), 201758);  // this editor generated the value in shader code
   EXPECT_EQ(number("2022.3.20f1"), 202250);
   EXPECT_EQ(number("5.6.3p1"), 563);
 }

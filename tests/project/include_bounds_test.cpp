@@ -1,4 +1,4 @@
-// What a file belongs to, and what is outside of it.
+// Tests what a file belongs to, and what is outside of it.
 #include "project/include_bounds.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What an #include names: spellings that Unity accepts, and what is said of the others.
+// Tests what an #include names: spellings that Unity accepts, and what is said of the others.
 #include "project/include_search.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ class IncludeSearchTest : public testing::Test {
     return find_include(roots, asked, files.path("Assets/Shaders/Inner/Main.shader"));
   }
 
-  // The file found without a warning, relative to the test's folder; else what was said.
+  // The file that is found without a warning, relative to the test's folder, or else what was said.
   std::string found(const std::string& asked) const {
     const IncludeSearch search = find(asked);
     if (!search.file) return search.problem;

@@ -1,4 +1,4 @@
-// Patterns over paths, one meaning at a time, and against a plain recursive reading of the same rules.
+// Tests patterns over paths, one meaning at a time, and against a plain recursive reading of the same rules.
 #include "project/path_pattern.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(PathPattern, EverythingElseStandsForItself) {
   EXPECT_FALSE(path_matches("", "a"));
 }
 
-// The rules of the header, read one by one with backtracking.
+// The rules of the header are read one by one with backtracking.
 bool matches_slowly(std::string_view pattern, std::string_view path, bool at_start = true) {
   if (pattern.empty()) return path.empty();
   if (at_start && pattern.substr(0, 3) == "**/") {
@@ -69,7 +69,7 @@ TEST(PathPattern, AgreesWithAPlainReadingOfTheRules) {
   const std::string path_letters = "ab/";
   int matched = 0;
   for (int i = 0; i < 200000; ++i) {
-    std::string pattern = "/";  // with a slash, so that whole paths are compared
+    std::string pattern = "/";  // a slash is there so that whole paths are compared
     std::string path = "/";
     for (std::size_t n = random() % 7; n > 0; --n)
       pattern += pattern_letters[random() % pattern_letters.size()];

@@ -41,7 +41,7 @@ class ProjectFolder {
     return path(name);
   }
 
-  // FOLDER/package.json; `dependencies` is the inside of its object.
+  // Writes FOLDER/package.json; `dependencies` is the inside of its object.
   std::filesystem::path package(const std::string& folder, const std::string& name,
                                 const std::string& version, const std::string& dependencies = {}) const {
     write(folder + "/package.json", "{\n  \"name\": \"" + name + "\",\n  \"version\": \"" + version +
@@ -49,7 +49,7 @@ class ProjectFolder {
     return path(folder);
   }
 
-  // Packages/manifest.json with each dependency ("name": "version") on a line of its own, the first on
+  // Writes Packages/manifest.json with each dependency ("name": "version") on a line of its own, the first on
   // line 3.
   void manifest(const std::vector<std::string>& dependencies) const {
     write("Packages/manifest.json", "{\n  \"dependencies\": {\n" + lines(dependencies) + "  }\n}\n");
@@ -76,7 +76,7 @@ inline std::vector<std::string> formatted(const std::vector<hlsl::Diagnostic>& d
   return texts;
 }
 
-// What there is to say but for notes.
+// All diagnostics but notes.
 inline std::vector<std::string> warnings_of(const std::vector<hlsl::Diagnostic>& diagnostics) {
   std::vector<std::string> texts;
   for (const hlsl::Diagnostic& diagnostic : diagnostics)

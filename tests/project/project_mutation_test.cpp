@@ -32,7 +32,8 @@ void replace_a_string(std::string& text, std::size_t from, std::mt19937& random)
   if (end != std::string::npos) text.replace(start, end + 1 - start, others[random() % std::size(others)]);
 }
 
-// One to four edits: a byte changed, a piece cut, a piece doubled, a token that JSON knows put in.
+// The text after one to four edits: a byte changed, a piece cut, a piece doubled, a token that JSON knows put
+// in.
 std::string mutated(std::string text, std::mt19937& random) {
   static const std::string tokens[] = {"{", "}",    "[",      "]",       "\"",   ",",
                                        ":", "null", "-1e999", "\\u0000", "\xff", "file:"};

@@ -1,4 +1,4 @@
-// Which files of a project are shaders to compile.
+// Tests which files of a project are shaders to compile.
 #include "project/shader_files.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Projects of many shapes: where each package is found, and what is said when one is not.
+// Tests projects of many shapes: where each package is found, and what is said when one is not.
 #include "project/unity_project.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::UnorderedElementsAre;
 
-// "NAME VERSION FOLDER" of every root, the folder relative to the test's.
+// The text "NAME VERSION FOLDER" of every root, with the folder relative to the test's.
 std::vector<std::string> roots(const UnityProject& project, const ProjectFolder& files) {
   std::vector<std::string> texts;
   for (const PackageRoot& root : project.packages)
@@ -45,7 +45,7 @@ TEST(UnityProject, CachedPackagesAreFoundByManifest) {
   EXPECT_THAT(project.problems, IsEmpty());
 }
 
-// Messages quote them, and a checkout may hold links to anywhere.
+// Messages quote files of the project, and a checkout may hold links to anywhere.
 TEST(UnityProject, FilesOfTheProjectAreNoLinksToOutside) {
   for (const char* name :
        {"ProjectSettings/ProjectVersion.txt", "Packages/manifest.json", "Packages/packages-lock.json"}) {
@@ -191,7 +191,7 @@ TEST(UnityProject, DependencyThatIsNowhereNamesItsLineAndTheWayOut) {
   const ProjectFolder files;
   files.manifest({R"("com.x.core": "1.0.0")", R"("com.x.gone": "2.0.0")", R"("com.x.here": "file:../here")"});
   files.package(cached("com.x.core@1.0.0"), "com.x.core", "1.0.0");
-  files.package(cached("com.x.here@1.0.0"), "com.x.here", "1.0.0");  // is not what "file:" asks for
+  files.package(cached("com.x.here@1.0.0"), "com.x.here", "1.0.0");  // "file:" does not ask for this one
   EXPECT_THAT(
       warnings_of(read_project(files.path()).problems),
       ElementsAre(

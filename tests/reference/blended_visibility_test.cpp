@@ -1,5 +1,5 @@
-// Rays through blended surfaces: as many as their alphas say, alone and one behind the other, and the same
-// ones whatever traces them.
+// Rays pass blended surfaces as often as their alphas say, alone and one behind the other, and the same ones
+// pass whatever traces them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ scene::Receivers receivers(const Setting& setting) {
                                [](int x, int y) { return glm::dvec2(0.05 * (x + 0.37), 0.05 * (y + 0.61)); });
 }
 
-// Of a share of independent rays, with which it holds in all but 1 of 16,000 draws.
+// The interval of a share of independent rays, with which it holds in all but 1 of 16,000 draws.
 double interval(double share) {
   return 4.0 * std::sqrt(share * (1.0 - share) / kRays);
 }
@@ -73,7 +73,8 @@ TEST_P(BlendedVisibility, SheetsMultiply) {
   EXPECT_EQ(mean(traced(sheets(setting_, {0.3F, 1.0F}))), 0.0);
 }
 
-// Independent rays: the halves' mean squared difference is that of two shares of half of the rays each.
+// The rays are independent: the halves' mean squared difference is that of two shares of half of the rays
+// each.
 TEST_P(BlendedVisibility, EveryReceiverAndRayIsDrawnForItself) {
   const VisibilityImage image = traced(sheets(setting_, {0.5F}));
   double squares = 0.0;
@@ -91,7 +92,7 @@ TEST_P(BlendedVisibility, IsTheSameOnAnyNumberOfThreads) {
 TEST_P(BlendedVisibility, SmokeStopsWhatItsFormulaSays) {
   scene::Scene scene = sheets(setting_, {1.0F});
   scene.materials[0].cut_out->pattern = scene::AlphaPattern::smoke;
-  // Puffs of 60 cm; the receivers are under two each way.
+  // The puffs are 60 cm wide; the receivers are under two each way.
   const DiscLight disc = setting_.disc();
   for (const glm::vec3& position : scene.mesh.positions)
     scene.mesh.uvs.emplace_back(glm::dot(glm::dvec3(position), disc.right) / 0.6,

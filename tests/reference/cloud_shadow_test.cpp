@@ -1,4 +1,4 @@
-// The reference's shade of clouds against a sum over another set of points of the disc.
+// Compares the reference's shade of clouds with a sum over another set of points of the disc.
 #include "reference/cloud_shadow.h"
 
 #include <gtest/gtest.h>

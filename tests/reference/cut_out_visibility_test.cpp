@@ -1,4 +1,4 @@
-// Rays through cut-outs: as many as the pattern says, and those that pass the same holes between triangles.
+// Rays pass cut-outs as often as the pattern says, and are those that pass the same holes between triangles.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,9 +19,9 @@ using hand_built::Setting;
 
 constexpr double card_gap = 2.0;
 constexpr double cell_metres = 0.25;  // metres per square of the pattern
-constexpr int card_cells = 8;         // of the card's edge
+constexpr int card_cells = 8;         // squares along the card's edge
 
-// Coordinates 0 .. 8 over a card of 2 m, centred over the receivers.
+// A card of 2 m with coordinates 0 .. 8, centred over the receivers.
 scene::Scene card(const Setting& setting, const scene::CutOut& cut_out) {
   scene::Scene scene;
   scene.name = "card";
@@ -39,14 +39,14 @@ scene::Scene card(const Setting& setting, const scene::CutOut& cut_out) {
   return scene;
 }
 
-// As many as `side` squared over `extent` metres about the centre, no one over an edge of the pattern.
+// Receivers, `side` squared of them over `extent` metres about the centre, none over an edge of the pattern.
 scene::Receivers under(const Setting& setting, int side, double extent) {
   return hand_built::receivers(setting, {side, side}, [=](int x, int y) {
     return glm::dvec2(extent * ((x + 0.5) / side - 0.5), extent * ((y + 0.5) / side - 0.5));
   });
 }
 
-// 32 receivers a square, so that the wires' edges at 1/16 and 15/16 lie between them.
+// There are 32 receivers a square, so that the wires' edges at 1/16 and 15/16 lie between them.
 TEST(CutOutVisibility, APointLightPassesTheOpenShareOfAFence) {
   Setting setting;
   setting.light.angular_diameter_degrees = 0.0;
@@ -58,7 +58,7 @@ TEST(CutOutVisibility, APointLightPassesTheOpenShareOfAFence) {
 
 TEST(CutOutVisibility, ATinyLightPassesTheOpenShareOfEachPattern) {
   Setting setting;
-  setting.light.angular_diameter_degrees = 0.05;  // 1.7 mm at this gap, 1/140 of a square
+  setting.light.angular_diameter_degrees = 0.05;  // the disc is 1.7 mm at this gap, 1/140 of a square
   const scene::Receivers receivers = under(setting, 128, 4 * cell_metres);
   const auto visible = [&](const scene::CutOut& cut_out) {
     return mean(trace_visibility(card(setting, cut_out), receivers, setting.light, {64, 1}));
@@ -70,7 +70,7 @@ TEST(CutOutVisibility, ATinyLightPassesTheOpenShareOfEachPattern) {
   EXPECT_EQ(visible({.factor = 0.6F}), 0.0);
 }
 
-// The holes of a fence as gaps between rectangles: the rays are the same, and so must be what they meet.
+// The holes of a fence are gaps between rectangles: the rays are the same, and so must be what they meet.
 TEST(CutOutVisibility, AFenceOfTrianglesPassesTheSameRays) {
   for (const double degrees : {0.5, 5.0}) {
     Setting setting;
@@ -92,7 +92,7 @@ TEST(CutOutVisibility, AFenceOfTrianglesPassesTheSameRays) {
       rays_apart +=
           static_cast<int>(std::lround(256.0F * std::abs(solid.visibility[pixel] - cut.visibility[pixel])));
     }
-    // 952,576 rays; those within a float's rounding of an edge may go either way.
+    // There are 952,576 rays; those within a float's rounding of an edge may go either way.
     EXPECT_LT(rays_apart, 40) << degrees << " degrees";
     EXPECT_GT(mean(cut), 0.5);
     EXPECT_LT(mean(cut), 0.9);

@@ -16,7 +16,7 @@ double covered_share(const DiscPoints::Set& covered) {
   return 1.0 - static_cast<double>(open.first + open.second) / DiscPoints::count;
 }
 
-// By integration over x: heights of the rectangle within the disc.
+// The exact share by integration over x of the heights of the rectangle within the disc.
 double exact_share(const DiscRectangle& rectangle) {
   constexpr int steps = 20000;
   const double left = std::max(rectangle.left, -1.0);
@@ -46,7 +46,8 @@ TEST(DiscCoverage, SharesAreWithinTheStatedResolution) {
     DiscRectangle rectangle{place(random), place(random), place(random), place(random)};
     if (rectangle.left > rectangle.right) std::swap(rectangle.left, rectangle.right);
     if (rectangle.bottom > rectangle.top) std::swap(rectangle.bottom, rectangle.top);
-    if (index % 4 == 0) rectangle.left = -9.0, rectangle.bottom = -9.0, rectangle.top = 9.0;  // half-planes
+    // Half of the rectangles are half-planes.
+    if (index % 4 == 0) rectangle.left = -9.0, rectangle.bottom = -9.0, rectangle.top = 9.0;
     if (index % 4 == 1) rectangle.bottom = -9.0, rectangle.left = -9.0, rectangle.right = 9.0;
     DiscPoints::Set covered{};
     points().cover(rectangle, covered);

@@ -20,7 +20,7 @@ struct Setting {
   glm::dvec3 centre{0.0};  // relative to the scene's origin
 
   DiscLight disc() const { return disc_light(light); }
-  // Said anew, so that the tests do not take the library's word for it.
+  // The tangent is computed anew, so that the tests do not take the library's word for it.
   double tan_half() const { return std::tan(light.angular_diameter_degrees * std::numbers::pi / 360.0); }
   glm::dvec3 at(double across, double along, double towards) const;
 };
@@ -29,9 +29,9 @@ struct Rectangle {
   double left, right, bottom, top;
 };
 
-// A rectangle perpendicular to the light, at this height over the centre.
+// Adds a rectangle perpendicular to the light, at this height over the centre.
 void add_rectangle(scene::Mesh& mesh, const Setting& setting, const Rectangle& rectangle, double towards);
-// A circle about the centre, as a fan of triangles.
+// Adds a circle about the centre, as a fan of triangles.
 void add_circle(scene::Mesh& mesh, const Setting& setting, double radius, double towards);
 
 // Receivers in the plane perpendicular to the light through the centre, at place(x, y).
@@ -40,8 +40,8 @@ scene::Receivers receivers(const Setting& setting, ImageSize size,
 
 double mean(const VisibilityImage& image);  // over all pixels
 
-// Visibility at this distance (metres, positive: in the open) from the shadow of a straight edge at this gap:
-// the share of a disc beyond a chord.
+// The visibility at this distance (metres, positive: in the open) from the shadow of a straight edge at this
+// gap: the share of a disc beyond a chord.
 double visible_past_edge(double distance, double gap, double tan_half);
 
 // A map of one cascade, texel (0, 0)'s corner at (-extent/2, -extent/2) metres from the centre; stored depth
@@ -56,7 +56,8 @@ struct Map {
   scene::ShadowAtlas atlas;
   parameters::CascadeSet cascades;
 
-  void set_gap(int column, int row, double gap_metres);  // of the square's height over the centre
+  // The gap is that of the square's height over the centre.
+  void set_gap(int column, int row, double gap_metres);
   void set_depth(int column, int row, float depth);
   double stored_depth(double gap_metres) const;
 };

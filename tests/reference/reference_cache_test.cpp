@@ -69,7 +69,7 @@ TEST(ReferenceCache, EveryDamagedByteIsNoticed) {
   }
 }
 
-// With a right hash, as whoever can write the folder can make one.
+// The entry has a right hash, as somebody who can write the folder can make one.
 TEST(ReferenceCache, WhatIsNoVisibilityReadsAsAbsent) {
   const ScratchFolder folder;
   const ReferenceCache cache(folder.path());

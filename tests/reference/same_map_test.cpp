@@ -16,7 +16,8 @@ using hand_built::MapSettings;
 using hand_built::Setting;
 
 constexpr double edge_gap = 3.0;
-constexpr double resolution_bound = 0.008;  // of one rectangle or half-plane: reference/disc_coverage.h
+// Bound for one rectangle or half-plane: reference/disc_coverage.h.
+constexpr double resolution_bound = 0.008;
 
 scene::Receivers line(const Setting& setting, double half_length) {
   return hand_built::receivers(setting, {64, 1}, [=](int x, int) {
@@ -24,7 +25,7 @@ scene::Receivers line(const Setting& setting, double half_length) {
   });
 }
 
-// Texels left of the middle column block at this edge_gap.
+// Blocks the texels left of the middle column at this edge_gap.
 void block_left_half(Map& map, double gap_metres) {
   for (int row = 0; row < map.atlas.height; ++row) {
     for (int column = 0; column < map.atlas.width / 2; ++column) map.set_gap(column, row, gap_metres);
@@ -75,7 +76,7 @@ TEST(SameMap, LayersThatOverlapCountOnce) {
   // covered s.x < (-0.4 + 0.1) / (8 tan) = -0.86.
   const double opened = hand_built::visible_past_edge(-0.3, 8.0, tan_half);
   EXPECT_NEAR(with_two, with_one + opened, 2.0 * resolution_bound);
-  // Nearer, over the receiver, they cover what the rest of the layer leaves, not more.
+  // Nearer columns over the receiver cover what the rest of the layer leaves, not more.
   Map three = one;
   for (int row = 0; row < 64; ++row) {
     for (int column = 16; column < 32; ++column) three.set_gap(column, row, 16.0);
@@ -86,7 +87,7 @@ TEST(SameMap, LayersThatOverlapCountOnce) {
 }
 
 TEST(SameMap, TheReceiversOwnSurfaceDoesNotBlockIt) {
-  // A slope of 60 degrees to the light, stored at texel centres and rounded to each format: all lit.
+  // A slope of 60 degrees to the light, stored at texel centres and rounded to each format, is all lit.
   for (const bool reversed_z : {false, true}) {
     for (const scene::DepthFormat format :
          {scene::DepthFormat::d16, scene::DepthFormat::d24, scene::DepthFormat::d32}) {
@@ -151,7 +152,7 @@ TEST(SameMap, TexelsWithoutACasterDoNotBlock) {
       for (int row = 0; row < 64; ++row) {
         for (int column = 0; column < 64; ++column) map.set_depth(column, row, depth);
       }
-      // Even for a receiver below everything the map can store.
+      // This holds even for a receiver below everything that the map can store.
       scene::Receivers below = receivers;
       below.position_relative[0] = glm::vec4(glm::vec3(setting.at(0.0, 0.0, -12.0)), 1.0F);
       for (const float visibility : same_map_estimate({map.atlas, map.cascades, below}).visibility) {
@@ -191,7 +192,7 @@ TEST(SameMap, PointLightReadsTheTexelOverTheReceiver) {
   setting.light.angular_diameter_degrees = 0.0;
   Map map = hand_built::empty_map(setting);
   block_left_half(map, edge_gap);
-  const scene::Receivers receivers = line(setting, 6.0);  // beyond the map on both sides
+  const scene::Receivers receivers = line(setting, 6.0);  // the receivers lie beyond the map on both sides
   const VisibilityImage image = same_map_estimate({map.atlas, map.cascades, receivers});
   for (int x = 0; x < 64; ++x) {
     const double across = 6.0 * (2.0 * (x + 0.5) / 64.0 - 1.0);

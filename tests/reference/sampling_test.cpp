@@ -63,7 +63,8 @@ TEST(DiscSamples, BothHalvesOfEveryPairAreCentredAndUniformByArea) {
 }
 
 TEST(DiscSamples, APacketStaysInOneCellOfTheDisc) {
-  // 64 packets of 1024 points: cells of an eighth of the square's side, nowhere wider than 0.6 on the disc.
+  // There are 64 packets of 1024 points. Cells are an eighth of the square's side, and nowhere wider than 0.6
+  // on the disc.
   const DiscSamples samples(1024, 5);
   for (std::size_t first = 0; first < 1024; first += 16) {
     for (std::size_t point = first + 1; point < first + 16; ++point) {
@@ -101,7 +102,7 @@ TEST(DiscSamples, PixelsDrawEveryPairAndAnglesAllAround) {
     sines += std::sin(draw.angle) / 10000.0;
   }
   EXPECT_EQ(pairs.size(), DiscSamples::pair_count);
-  EXPECT_NEAR(cosines, 0.0, 0.03);  // four standard deviations
+  EXPECT_NEAR(cosines, 0.0, 0.03);  // the bound is four standard deviations
   EXPECT_NEAR(sines, 0.0, 0.03);
 }
 

@@ -1,4 +1,4 @@
-// A folder of one test's own, gone with it.
+// A folder of one test's own that is gone with it.
 #pragma once
 
 #include <gtest/gtest.h>

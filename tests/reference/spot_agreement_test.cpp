@@ -1,4 +1,4 @@
-// The map that is drawn for a spot light against rays to it: two programs, one geometry.
+// Compares the map that is drawn for a spot light with rays to it: two programs, one geometry.
 #include <cmath>
 #include <optional>
 
@@ -10,7 +10,8 @@ namespace {
 
 using scene::RasterisedFrame;
 
-// Whether the map says that the receiver is blocked, where all texels around its place agree; else nothing.
+// Whether the map says that the receiver is blocked, where all texels around its place agree; nothing where
+// they do not.
 std::optional<bool> blocked_in_map(const scene::Frame& frame, const glm::dvec3& receiver) {
   const parameters::SpotShadow& shadow = *frame.spot_shadow;
   const glm::dvec4 mapped = shadow.world_to_shadow * glm::dvec4(receiver, 1.0);
@@ -22,7 +23,7 @@ std::optional<bool> blocked_in_map(const scene::Frame& frame, const glm::dvec3& 
       if (x < 0 || y < 0 || x >= frame.atlas.width || y >= frame.atlas.height) return std::nullopt;
       const double depth = shadow.axial_depth(frame.atlas.depth[scene::texel_index(y, frame.atlas.width, x)]);
       const double gap = mapped.w - depth;
-      if (gap > 0.01 && gap < 0.1) return std::nullopt;  // a slope, or a blocker near its shadow
+      if (gap > 0.01 && gap < 0.1) return std::nullopt;  // there is a slope, or a blocker near its shadow
       const bool blocked = gap >= 0.1;
       if (all && *all != blocked) return std::nullopt;
       all = blocked;

@@ -1,5 +1,5 @@
-// The visibility of a spot light's source against the chord that an edge cuts from it, the share that a disc
-// covers, and the sun's in the limit.
+// Compares the visibility of a spot light's source with the chord that an edge cuts from it, with the share
+// that a disc covers, and with the sun's in the limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +42,8 @@ glm::dvec3 lifted(const scene::Receivers& receivers, std::size_t pixel) {
   return glm::dvec3(position) + surface_offset(position) * glm::dvec3(receivers.normal_ws[pixel]);
 }
 
-// What is seen past a straight edge: its plane through the receiver cuts the disc, which faces the receiver,
-// along a chord.
+// The share that is seen past a straight edge: its plane through the receiver cuts the disc, which faces the
+// receiver, along a chord.
 double visible_past(const glm::dvec3& receiver, const parameters::SpotLight& light, const glm::dvec3& edge,
                     const glm::dvec3& along_edge, const glm::dvec3& open_side) {
   glm::dvec3 normal = glm::normalize(glm::cross(along_edge, edge - receiver));
@@ -57,7 +57,7 @@ double visible_past(const glm::dvec3& receiver, const parameters::SpotLight& lig
 
 TEST(SpotVisibility, StraightEdgeCutsAChordFromTheSource) {
   for (const double radius : {0.05, 0.4}) {
-    for (const double aside : {0.0, -2.0, 1.5}) {  // of the axis, at the blocker
+    for (const double aside : {0.0, -2.0, 1.5}) {  // distance from the axis, at the blocker
       Lamp lamp(radius);
       lamp.light.outer_angle_degrees = 120.0;
       scene::Scene scene;
@@ -65,7 +65,7 @@ TEST(SpotVisibility, StraightEdgeCutsAChordFromTheSource) {
                                 Lamp::blocker_height);
       const double shadow = aside * kReceiverDepth / kBlockerDepth;
       const double width = parameters::penumbra_radius_metres(lamp.light, kReceiverDepth, kBlockerDepth) *
-                           std::hypot(1.0, aside / kBlockerDepth);  // over the cosine to the axis
+                           std::hypot(1.0, aside / kBlockerDepth);  // divided by the cosine to the axis
       const scene::Receivers receivers = hand_built::receivers(lamp.setting, {64, 4}, [&](int x, int y) {
         return glm::dvec2(shadow + 1.3 * width * (2.0 * (x + 0.5) / 64.0 - 1.0), 0.3 * y);
       });
@@ -103,7 +103,7 @@ TEST(SpotVisibility, ACircleCoversItsShareOfTheSource) {
   }
 }
 
-// The same rays, ever more parallel: from 100 m to 100 km.
+// The rays are the same, and ever more parallel: from 100 m to 100 km.
 TEST(SpotVisibility, FarAwayItIsTheSun) {
   const Setting setting;
   scene::Scene scene;

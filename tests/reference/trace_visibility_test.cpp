@@ -19,7 +19,8 @@ using hand_built::Setting;
 constexpr double gap = 3.0;
 const Setting default_setting{};
 
-// Receivers across the whole penumbra of an edge whose shadow falls on the centre, blocker to the left.
+// The receivers lie across the whole penumbra of an edge whose shadow falls on the centre, with the blocker
+// to the left.
 struct EdgeCase {
   scene::Scene scene;
   scene::Receivers receivers;
@@ -84,7 +85,8 @@ TEST(TraceVisibility, NoiseFallsFasterThanRandomSampling) {
   const auto error = [&](int samples) {
     return rms_error(edge, trace_visibility(edge.scene, edge.receivers, default_setting.light, {samples, 1}));
   };
-  // n^(-3/4) is a factor 8 over 16 times the samples; random points would have 4.
+  // An error of n^(-3/4) falls by a factor 8 over 16 times the samples; that of random points would fall by
+  // 4.
   EXPECT_GT(error(256) / error(4096), 5.5);
 }
 
@@ -194,7 +196,8 @@ TEST(TraceVisibility, UnusablePixelsAreNotReceivers) {
   const DiscLight disc = setting.disc();
   scene::Receivers receivers =
       hand_built::receivers(setting, {8, 1}, [](int x, int) { return glm::dvec2(x, 0.0); });
-  const auto tilted = [&](double above_horizon) {  // a normal whose cosine to the light is this sine
+  // a normal whose cosine to the light is the sine of this angle.
+  const auto tilted = [&](double above_horizon) {
     return glm::vec4(glm::vec3(std::sqrt(1.0 - above_horizon * above_horizon) * disc.right +
                                above_horizon * disc.to_light),
                      0.0F);

@@ -1,4 +1,4 @@
-// A user's own shadow function: a small pipeline in URP's manner, and every way an adapter is refused.
+// Tests a user's own shadow function: a small pipeline in URP's manner, and every way an adapter is refused.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using testing_frames::TilePoint;
 
 constexpr int kTexels = 64;
 
-// The macros of one graphics API, where a pipeline keeps them.
+// The macros of one graphics API, in the place where a pipeline keeps them.
 constexpr const char* kApi = R"(
 #define TEXTURE2D_SHADOW(textureName) Texture2D textureName
 #define SAMPLER_CMP(samplerName) SamplerComparisonState samplerName
@@ -36,7 +36,7 @@ constexpr const char* kApi = R"(
     textureName.SampleCmpLevelZero(samplerName, (coord3).xy, (coord3).z)
 )";
 
-// Core functions, with half and float twins made by one macro.
+// Core functions, of which one macro makes half and float twins.
 constexpr const char* kCommon = R"(
 #ifndef UNITY_COMMON_INCLUDED
 #define UNITY_COMMON_INCLUDED
@@ -105,7 +105,8 @@ class AdapterTest : public testing::Test {
     return nine;
   }
 
-  // Columns left of the middle block; one receiver in the centre of each of the given texels of a row.
+  // A half-plane over the columns left of the middle, and one receiver in the centre of each of the given
+  // texels of a row.
   static scene::Frame half_plane(const std::vector<int>& texels, bool reversed_z) {
     FrameSetup setup;
     setup.shadows.cascades = 1;
@@ -301,7 +302,8 @@ TEXTURECUBE(_Sky);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }
 )",
                  AllOf(HasSubstr("Mine.hlsl:3:"), HasSubstr("only 2D textures are provided")));
-  // As a pipeline's macros declare and read it; the picture would be bound in the cube's place.
+  // The adapter declares and reads the sky as a pipeline's macros do; the picture would be bound in the
+  // cube's place.
   Adapter sky = adapter(R"(
 #define SAMPLE_TEXTURECUBE_LOD(map, sampler_map, coord, lod) map.SampleLevel(sampler_map, coord, lod)
 #include "Platform/Platform.hlsl"
@@ -338,7 +340,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
   EXPECT_THAT(result.fetches, Each(0U));
 }
 
-// Two texels of one row: 0 and 1 in red; a sample beside the texture's edge tells how it is addressed.
+// Two texels of one row hold 0 and 1 in red; a sample beside the texture's edge tells how it is addressed.
 constexpr const char* kReadsAPicture = R"(
 #include "Platform/Platform.hlsl"
 TEXTURE2D(_Picture);
@@ -386,7 +388,7 @@ TEST_F(AdapterTest, ASamplersNameMustSayFilterAndAddressing) {
   }
 }
 
-// Every kind of declaration; each number that is read has a decimal place of its own.
+// There is every kind of declaration; each number that is read has a decimal place of its own.
 constexpr const char* kReadsNumbers = R"(
 struct Light { float range; float2 shift[2]; int mode; float2x3 turn; };
 Light _Lights[2];
@@ -405,7 +407,7 @@ TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclarat
   reads.uniforms["_Lights[0]"] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   reads.uniforms["_Lights[1].shift"] = {0, 0, 0, 2};
   reads.uniforms["_Lights[1].mode"] = {3};
-  reads.uniforms["_Lights[1].turn"] = {0, 0, 0, 5, 0, 4};  // row by row
+  reads.uniforms["_Lights[1].turn"] = {0, 0, 0, 5, 0, 4};  // the words of the matrix, row by row
   reads.uniforms["_Taps"] = {0, 0, 6};
   reads.uniforms["_Count"] = {7};
   const GraphResult result = run(adapter_shader(reads), half_plane({0}, true));

@@ -1,4 +1,5 @@
-// Maps and receivers made to mislead whoever decides for blocks of texels and clusters of receivers at once.
+// Maps and receivers made to mislead code that decides for blocks of texels and clusters of receivers at
+// once.
 //
 // The camera looks along the light, straight or at a slant, with a place in the map for each pixel: so the
 // image of its depths may put a receiver at any depth below any texel, and its neighbours anywhere else.
@@ -28,7 +29,7 @@ inline double share_of(int x, int y, int salt) {
   return std::ldexp(static_cast<double>(hash_of(x, y, salt)), -32);
 }
 
-// 0: at the far end of the map, 1: at the light's; anything a texel may hold.
+// The height is 0 at the far end of the map and 1 at the light's; a texel may hold anything.
 using TexelHeight = std::function<double(int x, int y)>;
 
 struct NamedHeights {
@@ -82,7 +83,7 @@ inline std::vector<NamedHeights> adversarial_maps() {
   return maps;
 }
 
-// Heights of receivers at a pixel and the texel below it, from the map's own height there.
+// The heights of receivers at a pixel and the texel below it, from the map's own height there.
 using ReceiverHeight = std::function<double(int column, int row, glm::dvec2 texel, double map)>;
 
 struct NamedReceivers {
@@ -118,7 +119,7 @@ inline std::vector<NamedReceivers> adversarial_receivers() {
   add("just above the map", [finite](int column, int row, glm::dvec2, double map) {
     return finite(map) + std::exp2(-24.0 + 16.0 * share_of(column / 16, row / 16, 19));
   });
-  // Half of a tile's pixels below the map, half above it, so little that one plane may stand for both.
+  // Half of a tile's pixels lie below the map, half above it, so little that one plane may stand for both.
   add("both sides of the map", [finite](int column, int row, glm::dvec2, double map) {
     const double away = std::exp2(-16.0 + 9.0 * share_of(column / 8, row / 8, 22));
     return finite(map) + (column % 8 < 4 ? away : -away);
@@ -134,7 +135,7 @@ inline std::vector<NamedReceivers> adversarial_receivers() {
   return receivers;
 }
 
-// How a camera along the light sees a cascade's tile.
+// The way in which a camera along the light sees a cascade's tile.
 struct ViewOfTile {
   glm::dvec2 first;            // tile UV of the image's first corner
   glm::dvec2 span;             // tile UV

@@ -1,5 +1,5 @@
-// FilterPcssAngular against maps whose answer is known: two layers that hide the light together, the rim of a
-// penumbra, and an edge a texel wide.
+// Tests FilterPcssAngular on maps whose answer is known: two layers that hide the light together, the rim of
+// a penumbra, and an edge a texel wide.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
 constexpr int kTileTexels = 512;
-constexpr double kReceiverDistance = 0.6;  // from the light's end of the depth range, 0 to 1
+constexpr double kReceiverDistance = 0.6;  // distance from the light's end of the depth range, 0 to 1
 
 class AngularFilter : public testing::TestWithParam<bool> {
  protected:
@@ -35,10 +35,11 @@ class AngularFilter : public testing::TestWithParam<bool> {
 
   float nothing() const { return testing_frames::farthest_depth(GetParam()); }
   double depth(double distance) const { return GetParam() ? 1.0 - distance : distance; }
-  // What stands `gap` nearer to the light than the receivers, in shares of the depth range.
+  // The depth of a blocker that stands `gap` nearer to the light than the receivers, in shares of the depth
+  // range.
   float blocker(double gap) const { return static_cast<float>(depth(kReceiverDistance - gap)); }
 
-  // Angular diameter at which a gap makes a penumbra of that radius.
+  // Sets the angular diameter at which a gap makes a penumbra of that radius.
   void set_light(double gap, double radius_texels) {
     const parameters::CascadeSet set = parameters::fit_cascades(setup_.camera, setup_.light, setup_.shadows);
     const parameters::Cascade& cascade = set.cascades.front();
@@ -47,7 +48,7 @@ class AngularFilter : public testing::TestWithParam<bool> {
         2.0 * std::atan(radius_metres * cascade.depth_per_metre / gap) * 180.0 / M_PI;
   }
 
-  // Receivers along the tile's middle, at these texels from its centre line.
+  // Resolves receivers along the tile's middle, at these texels from its centre line.
   GraphResult resolve(const TexelDepth& map, const std::vector<double>& texels,
                       const std::vector<std::pair<std::string, int>>& counts, int seeds) const {
     std::vector<TilePoint> receivers;
@@ -83,9 +84,9 @@ class AngularFilter : public testing::TestWithParam<bool> {
   FrameSetup setup_;
 };
 
-// A roof over everything left of the middle, a wall a tenth as high over everything right of it. To the right
-// of the middle every ray ends: those to the right, and the steepest to the left, in the wall, all others at
-// the roof.
+// A roof is over everything left of the middle, a wall a tenth as high over everything right of it. To the
+// right of the middle every ray ends: those to the right, and the steepest to the left, in the wall, all
+// others at the roof.
 TEST_P(AngularFilter, LetsNoLightThroughBetweenAHighRoofAndALowWall) {
   constexpr double kRoof = 0.5;
   constexpr double kWall = 0.05;
@@ -95,8 +96,8 @@ TEST_P(AngularFilter, LetsNoLightThroughBetweenAHighRoofAndALowWall) {
   for (const std::vector<float>& seen : result.visibility) EXPECT_THAT(seen, Each(Le(0.01f)));
 }
 
-// Leaves high above everything, and below them a board over everything left of the middle: the light that
-// passes the leaves ends at the board, and what lies beside the board stays as it is without one.
+// Leaves are high above everything, and below them a board is over everything left of the middle: the light
+// that passes the leaves ends at the board, and what lies beside the board stays as it is without one.
 TEST_P(AngularFilter, ALowBlockerKeepsItsShadowBelowHighLeaves) {
   constexpr double kLeaves = 0.5;
   constexpr double kBoard = 0.02;
@@ -120,7 +121,7 @@ TEST_P(AngularFilter, ALowBlockerKeepsItsShadowBelowHighLeaves) {
   }
 }
 
-// One caster with a straight edge: visibility is the share of the light's disc beyond the edge.
+// One caster has a straight edge: visibility is the share of the light's disc beyond the edge.
 double half_plane(double distance_in_radii) {
   const double d = std::clamp(distance_in_radii, -1.0, 1.0);
   return 0.5 + (std::asin(d) + d * std::sqrt(1.0 - d * d)) / M_PI;

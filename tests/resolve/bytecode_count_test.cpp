@@ -1,4 +1,4 @@
-// Counts of FXC's bytecode, beside its own listing.
+// Compares counts of FXC's bytecode with its own listing.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -21,14 +21,15 @@ std::string bytecode(const char* name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// tests/shaders/bytecode/operations.hlsl: with buffers of 0, each thread executes store_structured g0, xor,
-// ld_structured g0, sqrt, mad, lt, movc, movc, lt. With values of 4, sqrt(4) * 3 + 1 is 7, and div follows.
+// The program is tests/shaders/bytecode/operations.hlsl. With buffers of 0, each thread executes
+// store_structured g0, xor, ld_structured g0, sqrt, mad, lt, movc, movc, lt. With values of 4, sqrt(4) * 3 +
+// 1 is 7, and div follows.
 std::uint64_t operations_with(float value) {
   const shaders::BytecodeModule made = shaders::bytecode_module(bytecode("operations.dxbc"), "Main");
   const spirv::Module counting = shaders::counted_module(made.untouched, "Main", shaders::VulkanVersion::v1_1,
                                                          shaders::translation_steps(made.untouched));
   gpu::ComputePass pass(test_device(), {.spirv = counting, .entry = "Main"});
-  std::vector<float> pairs;  // of which the first is the kind, 0
+  std::vector<float> pairs;  // the first of each pair is the kind, 0
   for (int i = 0; i < 8; ++i) pairs.insert(pairs.end(), {0.0F, value});
   const gpu::Buffer in(test_device(), std::span<const float>(pairs));
   const gpu::Buffer out(test_device(), std::span<const float>(std::vector<float>(8, -1.0F)));

@@ -1,5 +1,5 @@
-// The border between two cascades: dithered pixels read one of both, mixed ones both with the weight that
-// CascadeSelection.hlsl documents, worked out here from the spheres.
+// Tests the border between two cascades: dithered pixels read one of both, mixed ones both with the weight
+// that CascadeSelection.hlsl documents, worked out here from the spheres.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ std::vector<float> visibility(const scene::Frame& frame, scene::CascadeBlend ble
 
 struct Place {
   int cascade = -1;
-  double weight = 0.0;  // of the next one
+  double weight = 0.0;  // weight of the next one
 };
 
 Place place_of(const scene::Frame& frame, std::size_t pixel) {
@@ -81,7 +81,7 @@ TEST(CascadeBlend, MixedPixelsAreTheWeightedMeanOfBothCascades) {
     if (weight == 0.0) {
       EXPECT_EQ(mixed[i], plain[i]) << "pixel " << i;
     }
-    if (dithered[i] == plain[i]) continue;  // else the dithered one is the next cascade's
+    if (dithered[i] == plain[i]) continue;  // otherwise the dithered one is the next cascade's
     ++between;
     const double expected = (1.0 - weight) * plain[i] + weight * dithered[i];
     // The position is a float, and with it the weight.

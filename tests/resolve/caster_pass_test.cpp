@@ -1,5 +1,5 @@
-// Passes that draw the casters (tests/techniques/added/Layers): how many surfaces each texel of the map has,
-// against rays through the mesh in double, and the nearest depth, against the rasteriser's map.
+// Tests passes that draw the casters (tests/techniques/added/Layers): how many surfaces each texel of the map
+// has, against rays through the mesh in double, and the nearest depth, against the rasteriser's map.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -28,13 +28,14 @@ using testing_frames::place_receivers;
 
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr int kMapSize = 96;
-constexpr double kMargin = 0.004;  // of barycentric coordinates: nearer to an edge a texel may be either
+// Margin of barycentric coordinates: nearer to an edge a texel may be either.
+constexpr double kMargin = 0.004;
 
 fs::path added(const char* file) {
   return fs::path(PENUMBRA_SOURCE_DIR) / "tests" / "techniques" / "added" / file;
 }
 
-// Parallelogram sheets, one of each material, one above the other and turned against each other.
+// The sheets are parallelograms, one of each material, one above the other and turned against each other.
 scene::Scene sheets() {
   scene::Scene scene;
   scene.name = "sheets";
@@ -77,11 +78,12 @@ scene::Frame frame_of(const scene::Scene& scene, bool reversed_z) {
 }
 
 struct Surfaces {
-  int all = 0;      // before holes
-  int casting = 0;  // that stop light
+  int all = 0;      // surfaces before holes count
+  int casting = 0;  // surfaces that stop light
 };
 
-// Of the ray along the light through a texel's centre; absent where an edge or a hole's rim is near.
+// The layers of the ray along the light through a texel's centre; absent where an edge or a hole's rim is
+// near.
 class Rays {
  public:
   Rays(const scene::Scene& scene, const scene::Frame& frame)
@@ -110,7 +112,7 @@ class Rays {
     const glm::dvec4 shadow = frame_.cascades.cascades[0].world_to_shadow * glm::dvec4(position, 1.0);
     return {shadow.x * frame_.atlas.width, shadow.y * frame_.atlas.height};
   }
-  // Of the second and third corner, by Cramer's rule.
+  // The weights of the second and third corner, by Cramer's rule.
   glm::dvec2 weights_at(std::size_t triangle, const glm::dvec2& point) const {
     const std::uint32_t* corner = &scene_.mesh.indices[3 * triangle];
     const glm::dvec2 a = texel_of(corner[0]), b = texel_of(corner[1]) - a, c = texel_of(corner[2]) - a,
@@ -127,8 +129,8 @@ class Rays {
   scene::CutOuts cut_outs_;
 };
 
-// The shader's exp2(-layers), of up to 3: Vulkan allows 3 + 2 x 3 units in the last place (1.3, "Precision of
-// Individual Operations").
+// The error of the shader's exp2(-layers), of up to 3: Vulkan allows 3 + 2 x 3 units in the last place (1.3,
+// "Precision of Individual Operations").
 constexpr double kExp2Error = 9.0 / (1 << 23);
 
 class CasterPass : public testing::TestWithParam<bool> {
@@ -180,7 +182,7 @@ TEST_P(CasterPass, BlendsEverySurfaceWithAlphaTest) {
   EXPECT_EQ(result.passes[0].fetches_per_cascade, result.passes[0].fetches * pixels);
   EXPECT_EQ(result.passes[0].frequency, techniques::Frequency::cascade);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
-  // One fetch for each fragment of the two sheets with holes.
+  // There is one fetch for each fragment of the two sheets with holes.
   EXPECT_GT(result.passes[0].fetches * pixels, all / 3.0);
   EXPECT_LT(result.passes[0].fetches * pixels, all + 3.0 * unclear);
 }

@@ -39,7 +39,7 @@ constexpr RunOptions kClassifiedOnce{.noise_seeds = 1, .timing_repeats = 0, .cou
 constexpr float kUnlimited = 1e6F;  // metres: the most that the parameters take
 constexpr int kTileOfMaps = 256;    // texels of a side of the adversarial maps
 constexpr int kRays = 80;
-constexpr int kRaysToTheEdge = 16;  // of them
+constexpr int kRaysToTheEdge = 16;  // of these rays, so many go to the edge
 // One dark receiver of so many is tried with rays although it is proved.
 constexpr std::uint64_t kProvedOfOneTried = 16;
 
@@ -47,7 +47,7 @@ struct Counts {
   long receivers = 0;
   long lit = 0;
   long dark = 0;
-  long tried = 0;  // of the dark ones, with rays
+  long tried = 0;  // dark ones that were tried with rays
   long wrong = 0;
   std::string first_wrong;
 
@@ -61,7 +61,7 @@ struct Counts {
   }
 };
 
-// Numbers of TileReceivers.compute at each pixel.
+// The numbers of TileReceivers.compute at each pixel.
 struct TileReceivers {
   std::vector<float> cascade;
   std::vector<float> x;
@@ -78,7 +78,7 @@ struct TileReceivers {
   }
 };
 
-// Of the disc; another set for each seed.
+// A point of the disc; each seed has another set.
 glm::dvec2 disc_point(int ray, std::uint64_t seed) {
   const glm::dvec2 square = reference::scrambled_sobol(static_cast<std::uint32_t>(ray), seed);
   if (ray >= kRaysToTheEdge) return reference::concentric_disc(square);
@@ -127,7 +127,8 @@ class Classified : public testing::TestWithParam<bool> {
     return receivers;
   }
 
-  // Against place and depth as the camera's image and the frame's matrices have them, in double.
+  // Compares the receivers with place and depth as the camera's image and the frame's matrices have them, in
+  // double.
   static bool is_receiver_of(const TileReceivers& receivers, std::size_t i, const scene::Frame& frame,
                              const SeenByDepth& seen, const CameraImage& camera) {
     const int x = static_cast<int>(i) % camera.width, y = static_cast<int>(i) / camera.width;
@@ -139,7 +140,7 @@ class Classified : public testing::TestWithParam<bool> {
     const glm::dvec2 low = glm::dvec2(cascade.offset_scale);
     const glm::dvec2 uv =
         glm::clamp(glm::dvec2(at), low, low + glm::dvec2(cascade.offset_scale.z, cascade.offset_scale.w));
-    // A hundredth of a texel, and the same along the light, beyond what floats lose on the way.
+    // The bound is a hundredth of a texel, and the same along the light, beyond what floats lose on the way.
     const double metres = 0.01 * cascade.texel_size_metres + rounding_metres(camera, x, y, *depth);
     const double texels = metres / cascade.texel_size_metres;
     return std::abs(uv.x * frame.atlas.width - static_cast<double>(receivers.x[i])) < texels &&
@@ -147,8 +148,8 @@ class Classified : public testing::TestWithParam<bool> {
            std::abs(at.z - static_cast<double>(receivers.depth[i])) < metres * cascade.depth_per_metre;
   }
 
-  // Of a position that is worked out in floats: a few roundings of each sum's terms, which are larger than
-  // the sum far from the camera.
+  // The error of a position that is worked out in floats: a few roundings of each sum's terms, which are
+  // larger than the sum far from the camera.
   static double rounding_metres(const CameraImage& camera, int x, int y, double depth) {
     const glm::dmat4& m = camera.screen_to_world;
     const glm::dvec4 from((x + 0.5) / camera.width, (y + 0.5) / camera.height, depth, 1.0);
@@ -194,7 +195,7 @@ class Classified : public testing::TestWithParam<bool> {
     return all;
   }
 
-  // Why the decision is wrong; empty: it is right.
+  // The reason why the decision is wrong; empty where it is right.
   static std::string fault_of(const MapRays& map, const TileReceivers& receivers, std::size_t i,
                               float decided, Counts& counts) {
     const MapReceiver receiver =
@@ -270,7 +271,7 @@ TEST_P(Classified, ReceiversOfEveryScene) {
   EXPECT_GE(all.dark, 50'000);
 }
 
-// Another light, cascade, width of the disc and view for each pair of a map and its receivers.
+// Each pair of a map and its receivers has another light, cascade, width of the disc and view.
 TEST_P(Classified, ReceiversOfAdversarialMaps) {
   Counts all;
   std::mt19937 random(2);
@@ -308,8 +309,8 @@ TEST_P(Classified, ReceiversOfAdversarialMaps) {
   EXPECT_GE(all.dark, 500'000);
 }
 
-// Columns of texels as wide as the map, which rays cross: what they meet, by a formula for each square and
-// wall.
+// Columns of texels are as wide as the map and are crossed by rays: a formula for each square and wall says
+// what they meet.
 class Columns {
  public:
   Columns(std::mt19937& random, int side) : heights_(static_cast<std::size_t>(side)) {
@@ -323,7 +324,7 @@ class Columns {
 
   double height(int x) const { return heights_.at(static_cast<std::size_t>(x)); }
 
-  // receiver.height, in [0, 1]. per_height: how far the ray goes along x for each unit of height.
+  // receiver.height is in [0, 1]. per_height is how far the ray goes along x for each unit of height.
   bool meet(const MapReceiver& receiver, double per_height) const {
     const auto blocks = [&](int x) {
       return height(x) > receiver.height &&

@@ -1,4 +1,4 @@
-// How far apart two colours look to people with each kind of colour vision.
+// Tells how far apart two colours look to people with each kind of colour vision.
 //
 // Source: simulation by the matrices of G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A
 // Physiologically-based Model for Simulation of Color Vision Deficiency" (IEEE TVCG 2009), severity 1, on
@@ -16,7 +16,7 @@
 
 namespace penumbra::colour_vision {
 
-// Rows as the paper prints them: normal vision, protanopia, deuteranopia, tritanopia.
+// The rows are as the paper prints them: normal vision, protanopia, deuteranopia, tritanopia.
 inline const std::array<glm::dmat3, 4> kKinds{
     glm::dmat3(1.0),
     glm::transpose(glm::dmat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882,
@@ -26,7 +26,7 @@ inline const std::array<glm::dmat3, 4> kKinds{
     glm::transpose(glm::dmat3(1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733,
                               0.691367, 0.303900))};
 
-// CIELAB of an sRGB colour (channels 0 .. 1) as seen with one kind of vision; x is lightness, 0 .. 100.
+// The CIELAB of an sRGB colour (channels 0 .. 1) as seen with one kind of vision; x is lightness, 0 .. 100.
 inline glm::dvec3 seen(const glm::dvec3& srgb, const glm::dmat3& kind) {
   glm::dvec3 linear;
   for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// The conservative mask against the filter that it saves: what it decides is what the filter gives, bit for
-// bit, over the built-in scenes and for groups of random receivers above maps of every kind.
+// Compares the conservative mask with the filter that it saves: what it decides is what the filter gives, bit
+// for bit, over the built-in scenes and for groups of random receivers above maps of every kind.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ class ConservativeMask : public testing::TestWithParam<bool> {
     int lit = 0;
     int dark = 0;
     int filtered = 0;
-    int partly = 0;  // between lit and dark
+    int partly = 0;  // visibility is between lit and dark
   };
 
   static void expect_same_picture(const scene::Frame& frame, const std::string& what, Decided& decided) {
@@ -89,7 +89,7 @@ TEST_P(ConservativeMask, ChangesNoPixelWhereCascadesAreDithered) {
   EXPECT_GT(decided.filtered, 0);
 }
 
-// A map of every depth, NaN and infinities among them; walls, roofs and slopes beside it.
+// The map has every depth, NaN and infinities among them; walls, roofs and slopes are beside it.
 class Surroundings {
  public:
   explicit Surroundings(bool reversed) : reversed_(reversed) {}
@@ -122,8 +122,8 @@ class Surroundings {
   bool reversed_;
 };
 
-// Groups of four: a receiver, and three around it whose depths and planes are, or are not, those of its
-// plane. What is decided is compared with the filter at each: 1 lit, 0.75 dark, 0.5 not decided, 0 wrong.
+// The groups are of four: a receiver, and three around it whose depths and planes are, or are not, those of
+// its plane. The decision is compared with the filter at each: 1 is lit, 0.75 dark, 0.5 not decided, 0 wrong.
 constexpr const char* kGroupOfFour = R"(
     const float3 kind = frac(receiver.shadowCoord * float3(12289.0, 6151.0, 3079.0));
     PcssAngularParameters parameters;
@@ -177,7 +177,7 @@ TEST_P(ConservativeMask, DecidesRightForAMillionReceivers) {
     FrameSetup setup;
     setup.shadows.cascades = 4;
     setup.shadows.resolution =
-        cascade == 3 ? 2048 : 512;  // and the widest discs, whose planes have large terms
+        cascade == 3 ? 2048 : 512;  // the last cascade's planes have large terms; it has the widest discs
     setup.shadows.reversed_z = GetParam();
     setup.light.angular_diameter_degrees = cascade == 3 ? 30.0 : random(0.5, 12.0);
     setup.cascade = cascade;

@@ -1,4 +1,4 @@
-// Shaders run with and without the counts of their fetches and written texels: the counts come back, and the
+// Runs shaders with and without the counts of their fetches and written texels: the counts come back, and the
 // two must compute the same.
 #pragma once
 
@@ -65,7 +65,7 @@ inline gpu::ImageShape shape_of(const shaders::Resource& resource) {
   return shape;
 }
 
-// What a module binds, all of it 0, and a counter.
+// All that a module binds, filled with 0, and a counter.
 class Resources {
  public:
   Resources(const std::vector<std::uint32_t>& module, gpu::Bindings& bindings, const TexelCounter& counter) {
@@ -116,7 +116,7 @@ inline TexelCounts dispatched(const std::string& text, Extent groups, Extent gri
   return counter.counts();
 }
 
-// Triangles over the whole target, one behind the other: depth 0.2, 0.4, ...
+// The triangles cover the whole target, one behind the other: depth 0.2, 0.4, ...
 inline constexpr const char* kTriangles = R"(
 float4 Main(uint corner : SV_VertexID) : SV_Position
 {
@@ -124,7 +124,7 @@ float4 Main(uint corner : SV_VertexID) : SV_Position
 }
 )";
 
-// Half of the target: the pixels (x, y) with x + y below its side.
+// The triangle covers half of the target: the pixels (x, y) with x + y below its side.
 inline constexpr const char* kHalf = R"(
 float4 Main(uint corner : SV_VertexID) : SV_Position
 {
@@ -133,14 +133,14 @@ float4 Main(uint corner : SV_VertexID) : SV_Position
 )";
 
 struct Drawing {
-  int size = 4;  // pixels of the target's side
+  int size = 4;  // pixels along the target's side
   int colours = 1;
   int triangles = 1;
   bool depth = false;
   int samples = 1;
   bool shade_each_sample = false;
   const char* vertex = kTriangles;
-  std::optional<Extent> grid{};  // as the target
+  std::optional<Extent> grid{};  // the target's without a value
 };
 
 inline TexelCounts drawn(const std::string& text, const Drawing& drawing = {}) {

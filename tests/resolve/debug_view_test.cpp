@@ -1,5 +1,5 @@
-// The debug views through the package's own .shader: every colour against what it should say of its pixel,
-// worked out here in double from the frame itself.
+// Draws the debug views through the package's own .shader: every colour is compared with what it should say
+// of its pixel, worked out here in double from the frame itself.
 #include "resolve/debug_view.h"
 #include "resolve/colour_vision.h"
 #include "resolve/graph_runner.h"
@@ -19,11 +19,11 @@ namespace penumbra::resolve {
 namespace {
 
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
-constexpr double kShadeOfLight = 0.4;  // what is left of a colour where all light is blocked
+constexpr double kShadeOfLight = 0.4;  // share of a colour that is left where all light is blocked
 
 using Colours = std::vector<glm::vec3>;
 
-// Kept: compiling them costs more than running them.
+// The views are kept, because compiling them costs more than running them.
 DebugView& debug_view(const std::string& name, bool reversed_z) {
   static const shaders::PackageShader shader(shaders::debug_shader_file());
   static KeptOnDevice<std::map<std::pair<std::string, bool>, DebugView>> views;
@@ -58,7 +58,7 @@ struct Views {
   glm::dvec3 position(std::size_t pixel) const {
     return glm::dvec3(glm::vec3(frame.receivers.position_ws[pixel]));
   }
-  // What a view leaves of its colour under this pixel's shadow.
+  // The share of its colour that a view leaves under this pixel's shadow.
   double shade(std::size_t pixel) const {
     return kShadeOfLight + (1.0 - kShadeOfLight) * visibility()[pixel];
   }
@@ -118,7 +118,7 @@ TEST_P(DebugViews, APictureMayBeginWithItsOtherRow) {
   }
 }
 
-// By the spheres alone; which cascade has which colour is the library's to say, that they differ is not.
+// The spheres alone decide; which cascade has which colour is the library's to say, that they differ is not.
 TEST_P(DebugViews, CascadesHaveAColourEach) {
   const Views views = this->views("street");
   const Colours colours = views.draw("Cascades");
@@ -140,7 +140,7 @@ TEST_P(DebugViews, CascadesHaveAColourEach) {
   }
   std::vector<glm::dvec3> found;
   for (const std::vector<glm::dvec3>& colours_of : of_cascade) {
-    if (colours_of.empty()) continue;  // of a few pixels' scene not every cascade shows
+    if (colours_of.empty()) continue;  // not every cascade shows in a few pixels' scene
     for (const glm::dvec3& colour : colours_of) ASSERT_TRUE(near(glm::vec3(colours_of.front()), colour));
     for (const glm::dvec3& other : found) {
       EXPECT_GT(colour_vision::least_difference(other, colours_of.front()), 15.0) << "for any kind of vision";
@@ -174,15 +174,15 @@ TEST_P(DebugViews, WithoutAMaskAllIsFiltered) {
   }
 }
 
-// Blue, yellow, vermilion of Okabe and Ito, by straight lines.
+// The hue goes by straight lines over blue, yellow and vermilion of Okabe and Ito.
 glm::dvec3 texel_hue(double share) {
   const glm::dvec3 middle(0.941, 0.894, 0.259);
   return share < 0.5 ? glm::mix(glm::dvec3(0.0, 0.447, 0.698), middle, 2.0 * share)
                      : glm::mix(middle, glm::dvec3(0.835, 0.369, 0.0), 2.0 * share - 1.0);
 }
 
-// Hue by the texel's width in pixels, brightness by the chequers: both from the cascade's matrix and the
-// lens.
+// The texel's width in pixels gives the hue, and the chequers give the brightness; both come from the
+// cascade's matrix and the lens.
 TEST(DebugViewOfTexels, AreAsLargeAsTheMapsAre) {
   const Views views(drawn("slabs", 1, true), "preset-ultra", RowOrder::top_first);
   const Colours colours = views.draw("ShadowTexels");
@@ -220,7 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Package, DebugViews,
                          testing::Values(std::tuple(1, true, RowOrder::top_first),
                                          std::tuple(4, false, RowOrder::bottom_first)));
 
-// A thin board above the ground under a light from straight above: everywhere in its penumbra the width is
+// A thin board is above the ground under a light from straight above: everywhere in its penumbra the width is
 // 2 tan(a/2) times its height.
 scene::Scene board_at(double height) {
   scene::Scene scene;
@@ -241,7 +241,7 @@ TEST(DebugViewOfTheWidth, IsTheBlockersHeightTimesTheLightsDiameter) {
     scene::FrameSettings settings = screen_settings(1, true);
     settings.shadows.resolution = 2048;
     settings.shadows.distance_metres = scene.shadow_distance_metres;
-    settings.shadows.depth_bias = 0.0;  // it would lower the board
+    settings.shadows.depth_bias = 0.0;  // a bias would lower the board
     const scene::Frame frame = scene::rasterise(test_device(), scene, settings);
     const Views views(frame, "preset-reference", RowOrder::top_first);
     const Colours colours = views.draw("PenumbraWidth");
@@ -253,7 +253,8 @@ TEST(DebugViewOfTheWidth, IsTheBlockersHeightTimesTheLightsDiameter) {
       const bool on_ground = views.seen(i) && std::abs(views.position(i).y) < 1e-3;
       const bool in_penumbra = views.visibility()[i] > 0.1f && views.visibility()[i] < 0.9f;
       if (!on_ground || !in_penumbra) continue;
-      // Black body: red, green and blue rise one after the other, so their sum tells how far it has come.
+      // The colour is a black body's: red, green and blue rise one after the other, so their sum tells how
+      // far it has come.
       const double share = (colours[i].r + colours[i].g + colours[i].b) / 3.0;
       const double metres = 0.01 * std::pow(100.0, share);
       ASSERT_NEAR(metres, expected, 0.02 * expected) << height << " m, pixel " << i;

@@ -1,5 +1,6 @@
-// The maps of depth planes and of depth spreads, made by draws and by kernels: the same bits at every level
-// of every tile, over maps of formulas and over adversarial ones; the spreads are those of the map's texels.
+// Compares the maps of depth planes and of depth spreads as draws and kernels make them: they have the same
+// bits at every level of every tile, over maps of formulas and over adversarial ones, and the spreads are
+// those of the map's texels.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,11 +21,11 @@ namespace {
 
 constexpr int kBlockTile = 64;  // texels
 constexpr int kBlockLevels = 5;
-constexpr int kBlockChannels = 12;  // 4 of the planes, 2 of each cell
+constexpr int kBlockChannels = 12;  // channels, 4 of the planes and 2 of each cell
 
 class DepthBlockMaps : public testing::TestWithParam<bool> {
  protected:
-  // Receivers at the centres of a tile's blocks of a level.
+  // The receivers are at the centres of a tile's blocks of a level.
   scene::Frame frame(const testing_frames::TexelDepth& map, int cascade, int cascades, int level) const {
     testing_frames::FrameSetup setup;
     setup.shadows.cascades = cascades;
@@ -58,7 +59,7 @@ class DepthBlockMaps : public testing::TestWithParam<bool> {
     return std::move(result.visibility.front());
   }
 
-  // Kernels and draws may or may not flush denormals: what sums of them make, up to 2^-100, counts as 0.
+  // Kernels and draws may or may not flush denormals, so what sums of them make, up to 2^-100, counts as 0.
   static std::vector<std::uint32_t> bits(const std::vector<float>& values) {
     std::vector<std::uint32_t> all;
     for (const float value : values)
@@ -77,7 +78,7 @@ TEST_P(DepthBlockMaps, OfDrawsAndOfKernelsAreTheSameBits) {
     const int cascade = cascades == 1 ? 0 : drawing / 2 % 4;
     const int salt = drawing++;
     const auto depth = [&](double u, double v, int tile) {
-      const int shift = 61 * (tile + salt);  // another piece of the map in each tile
+      const int shift = 61 * (tile + salt);  // each tile has another piece of the map
       return stored_height(
           map.height(static_cast<int>(u * kBlockTile) + shift, static_cast<int>(v * kBlockTile) + shift / 2),
           GetParam());
@@ -100,7 +101,7 @@ TEST_P(DepthBlockMaps, OfDrawsAndOfKernelsAreTheSameBits) {
   EXPECT_GT(5 * differing, compared) << "the maps must not be the same everywhere";
 }
 
-// Mean and deviation of all of a cell's texels, whatever the number of levels between.
+// The mean and the deviation are those of all of a cell's texels, whatever the number of levels between.
 TEST_P(DepthBlockMaps, CellsHaveTheMeanAndTheDeviationOfTheirTexels) {
   for (const NamedHeights& map : adversarial_maps()) {
     const auto depth = [&](double u, double v, int tile) {

@@ -1,6 +1,6 @@
-// The maps of nearest and farthest depths and the quarter-resolution variance map, texel by texel against the
-// same in C++: integers and floats bit for bit, with texels of NaN, both directions of depth, and tiles that
-// must not mix.
+// Compares the maps of nearest and farthest depths and the quarter-resolution variance map, texel by texel,
+// with the same in C++: integers and floats are the same bit for bit, with texels of NaN, both directions of
+// depth, and tiles that must not mix.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ techniques::TechniqueList test_graphs() {
                                          "ranges" / "ReadRange.technique.json");
 }
 
-// Multiples of 1/256, whose products with 65535, differences and squares are floats without rounding; each
-// cascade's are others. Of every 32 texels one is NaN, one lies beyond the range.
+// The depths are multiples of 1/256, whose products with 65535, differences and squares are floats without
+// rounding; each cascade has others. Of every 32 texels one is NaN, one lies beyond the range.
 float coarse_depth(double u, double v, int tile) {
   std::minstd_rand engine(static_cast<unsigned>(u * 7919.0 * 8.0) * 31u +
                           static_cast<unsigned>(v * 7919.0) * 17u + static_cast<unsigned>(tile) * 7u + 1u);
@@ -55,7 +55,7 @@ struct Range {
   double nearest, farthest;
 };
 
-// The maps' values, from the shadow map itself.
+// The maps' values are computed from the shadow map itself.
 struct Expected {
   const scene::Frame& frame;
   bool reversed;
@@ -70,7 +70,7 @@ struct Expected {
     return reversed ? Range{std::max(a.nearest, b.nearest), std::min(a.farthest, b.farthest)}
                     : Range{std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
   }
-  // Of a square of `side` texels of the shadow map at a multiple of its side; not rounded.
+  // The range of a square of `side` texels of the shadow map at a multiple of its side; not rounded.
   Range of_square(int x, int y, int side) const {
     Range range = {depth(x * side, y * side), depth(x * side, y * side)};
     for (int i = 0; i < side * side; ++i) {
@@ -79,14 +79,14 @@ struct Expected {
     }
     return range;
   }
-  // In steps of the format, outward, by 1/64 of a step at least.
+  // A depth in steps of the format, outward, by 1/64 of a step at least.
   static double up(double depth) { return std::min(std::ceil(65535.0 * depth + 1.0 / 64.0), 65535.0); }
   static double down(double depth) { return std::max(std::floor(65535.0 * depth - 1.0 / 64.0), 0.0); }
   Range rounded(const Range& range) const {
     return reversed ? Range{up(range.nearest), down(range.farthest)}
                     : Range{down(range.nearest), up(range.farthest)};
   }
-  // Of a disc of quarter-resolution texels inside of the tile, in steps.
+  // The range, in steps, of a disc of quarter-resolution texels inside of the tile.
   Range dilated(int x, int y, int radius, double& cells) const {
     const int quarter = tile() / 4;
     Range range = of_square(x, y, 4);
@@ -115,7 +115,7 @@ struct Expected {
 
 class DepthRangeMaps : public testing::TestWithParam<bool> {
  protected:
-  // Receivers at the centres of a tile's texels, `side` to a row.
+  // The receivers are at the centres of a tile's texels, `side` to a row.
   scene::Frame frame(const testing_frames::TexelDepth& map, int cascade, int side) const {
     testing_frames::FrameSetup setup;
     setup.shadows.resolution = 128;
@@ -129,7 +129,7 @@ class DepthRangeMaps : public testing::TestWithParam<bool> {
   }
 
   struct Read {
-    std::vector<float> texels;  // of the cascade's tile
+    std::vector<float> texels;  // texels of the cascade's tile
     std::vector<PassCounts> passes;
   };
   Read read(const std::string& graph, const scene::Frame& frame, int channel, int level = 0) const {
@@ -154,7 +154,7 @@ class DepthRangeMaps : public testing::TestWithParam<bool> {
             static_cast<int>(std::lround(tile.y * frame.atlas.height)) / texels_per_texel};
   }
 
-  // What a device makes of an integer is its quotient, within a rounding.
+  // A device makes of an integer its quotient, within a rounding.
   static void expect_steps(float got, double steps, const std::string& where) {
     ASSERT_EQ(std::lround(65535.0 * static_cast<double>(got)), std::lround(steps)) << where;
     ASSERT_NEAR(got, steps / 65535.0, 1.2e-7) << where;
@@ -174,7 +174,7 @@ TEST_P(DepthRangeMaps, AQuarterTexelHasTheRangeOfItsSixteen) {
       expect_steps(farthest.texels[static_cast<std::size_t>(i)], range.farthest,
                    "farthest " + std::to_string(i));
     }
-    // Four gathers for each of the map's quarter texels, of all cascades.
+    // There are four gathers for each of the map's quarter texels, in all cascades.
     EXPECT_DOUBLE_EQ(nearest.passes[0].fetches,
                      4.0 * (made.atlas.width / 4.0) * (made.atlas.height / 4.0) / 256.0);
   }
@@ -205,7 +205,7 @@ TEST_P(DepthRangeMaps, ADilationHasTheRangeOfItsDiscInsideOfTheTile) {
 
 TEST_P(DepthRangeMaps, EachLevelHasTheRangeOfItsTexels) {
   for (int cascade = 0; cascade < 4; ++cascade) {
-    for (int level = 0; level <= 4; ++level) {  // 16, 8, 4, 2 and 1 texels of the tile
+    for (int level = 0; level <= 4; ++level) {  // levels of 16, 8, 4, 2 and 1 texels of the tile
       const int side = 16 >> level;
       const scene::Frame made = frame(coarse_depth, cascade, side);
       const Expected expected{made, GetParam()};

@@ -1,6 +1,6 @@
-// The flagship's filter of one receiver, from textures, on the built-in scenes: where its planes decide, it
-// is PCSS, bit for bit; where neither they nor the tiles of the flagship decide, it is nearer to the tiles,
-// whose receivers share the sums over large cells, than PCSS 24+16 with its noise is.
+// Compares the flagship's filter of one receiver, from textures, with others on the built-in scenes: where
+// its planes decide, it is PCSS, bit for bit; where neither they nor the tiles of the flagship decide, it is
+// nearer to the tiles, whose receivers share the sums over large cells, than PCSS 24+16 with its noise is.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
     return technique_graph(list, list.find(name), Taps::as_listed, GetParam());
   }
 
-  // The draws that make the planes, and a kernel of the test.
+  // The graph has the draws that make the planes, and a kernel of the test.
   static ShadowGraph of_pixels(const std::string& kernel) {
     ShadowGraph graph = graph_of("flagship");
     const techniques::PassGraph drawn = library_techniques().find("flagship-pixel").graph;
@@ -55,8 +55,8 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
 
   struct Pixels {
     long decided = 0;
-    long left = 0;         // by the planes and by the tiles
-    double squares = 0.0;  // of the differences from the tiles, of those
+    long left = 0;         // pixels left by the planes and by the tiles
+    double squares = 0.0;  // squared differences of those from the tiles
     double squares_of_pcss = 0.0;
 
     double root(double sum) const { return std::sqrt(sum / static_cast<double>(std::max(left, 1L))); }

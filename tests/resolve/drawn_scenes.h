@@ -1,4 +1,4 @@
-// Built-in scenes for passes over the screen, drawn once per scene, cascade count, depth direction and
+// Built-in scenes for passes over the screen are drawn once per scene, cascade count, depth direction and
 // format.
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace penumbra::resolve {
 
-// The built-in scenes at the small pictures of these tests. Not the garden, which is made for large ones: of
-// its 474,000 triangles most are narrower than a pixel here.
+// The built-in scenes at the small pictures of these tests, but for the garden, which is made for large ones:
+// most of its 474,000 triangles are narrower than a pixel here.
 inline std::vector<std::string> scenes_for_small_pictures() {
   std::vector<std::string> names = scene::built_in_names();
   std::erase(names, "garden");
   return names;
 }
 
-// map_size: of the atlas, texels; 0: that of screen_settings.
+// map_size is the atlas's, in texels; 0 means that of screen_settings.
 inline const scene::Frame& drawn(const std::string& scene, int cascades, bool reversed_z,
                                  scene::DepthFormat format = scene::DepthFormat::d32, int map_size = 0) {
   struct Drawn {

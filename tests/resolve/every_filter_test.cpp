@@ -1,4 +1,4 @@
-// What every filter of the manifests must do, whatever it is given: the right answer where there is one, no
+// Every filter of the manifests must do this, whatever it is given: the right answer where there is one, no
 // NaN, nothing outside [0, 1], nothing learnt from outside the tile.
 #include <gmock/gmock.h>
 
@@ -32,8 +32,8 @@ void PrintTo(const Case& value, std::ostream* stream) {
   *stream << value.technique << (value.reversed_z ? ", reversed Z" : ", conventional Z");
 }
 
-// What a case runs: the filter with its parameters, and the maps that it reads. Passes over the screen are
-// not in it (filter_over_map).
+// A case runs a filter with its parameters, and the maps that it reads. It does not run passes over the
+// screen (filter_over_map).
 struct FilterAndMaps {
   explicit FilterAndMaps(const techniques::Technique& technique) {
     const techniques::FilterCall& filter = *technique.graph.filter();
@@ -61,7 +61,7 @@ std::vector<Case> all_cases() {
   std::vector<Case> cases;
   std::map<std::string, std::vector<std::map<std::string, std::vector<double>>>> seen;
   for (const techniques::Technique& technique : library_techniques().techniques) {
-    if (technique.graph.draws(techniques::DrawnCasters::opaque)) continue;  // the frames here are of no scene
+    if (technique.graph.draws(techniques::DrawnCasters::opaque)) continue;  // the frames here have no scene
     if (technique.graph.filter() == nullptr) continue;                      // it reads no shadow map
     const FilterAndMaps filter(technique);
     auto& sets = seen[filter.function];
@@ -77,7 +77,7 @@ double value(const techniques::Technique& technique, const std::string& name) {
   return technique.values.at(name)[0];
 }
 
-// Variance v of rounding: v / (v + g^2) = bleeding.
+// Rounding leaves the variance v, for which v / (v + g^2) = bleeding.
 double variance_gap(const techniques::Technique& technique, double receiver) {
   const double u = value(technique, "precision");
   const double centred = std::abs(receiver - 0.5);
@@ -85,12 +85,12 @@ double variance_gap(const techniques::Technique& technique, double receiver) {
   return 1.5 * std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
 }
 
-// exp(-c g) = bleeding; and the rounding of two blurs to 16 bits.
+// The gap g has exp(-c g) = bleeding, and the rounding of two blurs to 16 bits.
 double exponential_gap(const techniques::Technique& technique, double) {
   return std::log(1.0 / value(technique, "bleeding")) / value(technique, "exponent") + 1e-4;
 }
 
-// Of a wall at exp(c z), rounding leaves the variance 16 u exp(2 c z).
+// Rounding leaves the variance 16 u exp(2 c z) of a wall at exp(c z).
 double exponential_variance_gap(const techniques::Technique& technique, double) {
   const double variance = 16.0 * value(technique, "precision");
   const double deviations = std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
@@ -114,19 +114,19 @@ double godot_gap(const techniques::Technique& technique, double) {
   return 1.5 * value(technique, "depthBias");
 }
 
-// The variance that rounding leaves: v / (v + g^2) = bleeding.
+// The variance v is what rounding leaves: v / (v + g^2) = bleeding.
 double soft_variance_gap(const techniques::Technique& technique, double) {
   return 1.5 * std::sqrt(value(technique, "smallestVariance") * (1.0 / value(technique, "bleeding") - 1.0));
 }
 
-// The smallest variance is relative to the receiver's exponential: 1 - exp(-c g) in place of g.
+// The smallest variance is relative to the receiver's exponential, so 1 - exp(-c g) stands in place of g.
 double exponential_levels_gap(const techniques::Technique& technique, double) {
   const double variance = 16.0 * value(technique, "precision");
   const double deviations = std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
   return -1.5 * std::log1p(-deviations) / value(technique, "positiveExponent");
 }
 
-// None that blend: whatever filters do with them, without them they are filters of the map.
+// None of these casters blend: whatever filters do with those, without them they are filters of the map.
 const CastersOnDevice& opaque_casters() {
   static KeptOnDevice<std::optional<CastersOnDevice>> casters;
   if (!*casters) {

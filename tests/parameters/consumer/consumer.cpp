@@ -1,4 +1,4 @@
-// A program of someone else's, built against the installed package.
+// This is a program of someone else's, built against the installed package.
 #include <input/input_error.h>
 #include <parameters/cascades.h>
 #include <parameters/disk.h>
