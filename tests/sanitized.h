@@ -1,5 +1,5 @@
-// For tests that repeat something thousands of times: with the address sanitizer they do so less often. Code
-// is many times slower then, and most of the inputs come from the fuzz targets.
+// Tests that repeat something thousands of times do so less often with the address sanitizer. Code is many
+// times slower then, and most of the inputs come from the fuzz targets.
 #pragma once
 
 namespace penumbra {

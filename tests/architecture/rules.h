@@ -1,4 +1,4 @@
-// The walls of the project as checks over its text. Each rule takes a tree (path from the repository's root,
+// Checks the walls of the project over its text. Each rule takes a tree (path from the repository's root,
 // with '/', to the file's text) and returns what breaks it, as "path:line: why".
 #pragma once
 

@@ -156,7 +156,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
   // Stored depth at `distance` from the light's end of the tile, 0 .. 1.
   double depth(double distance) const { return GetParam().reversed_z ? 1.0 - distance : distance; }
 
-  // A grid over the whole tile, its edges and corners included, at one depth.
+  // The receivers form a grid over the whole tile, its edges and corners included, at one depth.
   static std::vector<TilePoint> grid(double depth) {
     std::vector<TilePoint> points;
     for (int y = 0; y < kColumns; ++y) {
@@ -177,8 +177,9 @@ class EveryFilter : public testing::TestWithParam<Case> {
         technique_shader(library_techniques(), technique(), Taps::as_listed, GetParam().reversed_z));
   }
 
-  // How near a wall may be to the receiver, in the map's range, to be told from it. Raw depths tell any gap
-  // beyond a bias of the receiver, a filtered map one whose bound the reduction of bleeding makes dark.
+  // The smallest distance of a wall from the receiver, in the map's range, at which it is told from it. Raw
+  // depths tell any gap beyond a bias of the receiver, a filtered map one whose bound the reduction of
+  // bleeding makes dark.
   double smallest_gap(double receiver) const {
     const std::map<std::string, double (*)(const techniques::Technique&, double)> gaps{
         {"variance", variance_gap},
@@ -213,7 +214,8 @@ class EveryFilter : public testing::TestWithParam<Case> {
     }
     const FrameOnDevice on_device(test_device(), frame, &opaque_casters());
     UniformValues all = filter_over_map().parameters;
-    // Of those for spot lights: every_spot_filter_test.cpp has maps in perspective.
+    // The parameters of filters for spot lights are set, too: every_spot_filter_test.cpp has maps in
+    // perspective.
     all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));
     all.merge(parameters);
     pass->set_parameters(all);
@@ -241,7 +243,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
     }
   }
 
-  // A map with structure at every scale: hash of the texel, some near, some far.
+  // The map has structure at every scale: it is a hash of the texel, some near, some far.
   static float rough_depth(double u, double v, int tile) {
     const auto bits = static_cast<std::uint32_t>(u * 9973.0) * 2654435761u +
                       static_cast<std::uint32_t>(v * 7919.0) * 2246822519u + static_cast<std::uint32_t>(tile);

@@ -1,4 +1,4 @@
-// What every filter for spot lights must do, in one slice of an atlas in perspective: the right answer where
+// Every filter for spot lights must do this, in one slice of an atlas in perspective: the right answer where
 // there is one, no NaN, nothing outside [0, 1], nothing learnt from outside the slice.
 #include <gmock/gmock.h>
 
@@ -86,7 +86,7 @@ class EverySpotFilter : public testing::TestWithParam<Case> {
           << what << ": " << seen[i] << " at receiver " << i % kColumns << ", " << i / kColumns;
   }
 
-  // Structure at every scale.
+  // The map has structure at every scale.
   static float rough_depth(double u, double v, int tile) {
     const auto bits = static_cast<std::uint32_t>(u * 9973.0) * 2654435761U +
                       static_cast<std::uint32_t>(v * 7919.0) * 2246822519U + static_cast<std::uint32_t>(tile);

@@ -1,5 +1,5 @@
-// The passes of filtered maps and their filters, against the same sums in C++: each map is one double sum
-// over the square of a Gaussian, and the filter's answer is computed by other means.
+// Compares the passes of filtered maps and their filters with the same sums in C++: each map is one double
+// sum over the square of a Gaussian, and the filter's answer is computed by other means.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using testing_bounds::Real;
 using Means = std::array<Real, 4>;
 
 constexpr int kColumns = 16;
-constexpr double kReceiver = 0.6555;  // of the map's range, from the light
+constexpr double kReceiver = 0.6555;  // share of the map's range, from the light
 
 // An occluder's edge across a slightly sloped surface that lies partly before and partly behind the
 // receivers.
@@ -26,22 +26,22 @@ double depth_at(double u, double v, int tile) {
   return u + 0.3 * v > 0.6 ? 0.65 + 0.01 * v : 0.35 + 0.05 * v + 0.02 * tile;
 }
 
-// How far the shader's means may lie from exact ones, for the exact ones.
+// The distance of the shader's means from exact ones, given the exact ones.
 using Rounding = std::function<Means(const Means&, const techniques::Technique&)>;
 
 // The receiver's position in the world and its transform are floats.
 constexpr Real kDepthError = 1e-6L;
-// Of two stored blurs, their sums and the filter's first operations: in roundings of a float.
+// Two stored blurs, their sums and the filter's first operations have so many roundings of a float.
 constexpr Real kRoundings = 4;
 const Real kFloat = std::ldexp(Real(1), -24);
 
-// What a technique stores of a depth in [-1/2, 1/2], and the visibility that it concludes from means.
+// A technique stores this of a depth in [-1/2, 1/2], and concludes this visibility from means.
 struct Model {
   std::string technique;
   std::function<Means(Real depth, const techniques::Technique&)> stored;
   std::function<Real(const Means&, Real depth, const techniques::Technique&)> visible;
   Rounding rounding;
-  bool interpolates_visibility = false;  // between texels, in place of means
+  bool interpolates_visibility = false;  // visibility is interpolated between texels, in place of means
 };
 
 Real value(const techniques::Technique& technique, const std::string& name) {
@@ -126,7 +126,8 @@ struct FilteredMap {
   const Model& model;
 
   Real centred(int x, int y) const {
-    return 0.5 - static_cast<double>(atlas.depth[static_cast<std::size_t>(y * atlas.width + x)]);  // reversed
+    // The map's depths are reversed.
+    return 0.5 - static_cast<double>(atlas.depth[static_cast<std::size_t>(y * atlas.width + x)]);
   }
   Means blurred(int x, int y) const {
     const Real deviation = value(technique, "deviation");
@@ -151,7 +152,7 @@ struct FilteredMap {
     const Real bleeding = value(technique, "bleeding");
     return static_cast<double>(std::clamp((light - bleeding) / (1 - bleeding), Real(0), Real(1)));
   }
-  // Of all means and depths within their errors, by the corners of that box.
+  // The visibilities of all means and depths within their errors, by the corners of that box.
   Interval visible(const Means& means) const {
     const Means errors = model.rounding(means, technique);
     Interval interval;
@@ -174,9 +175,9 @@ struct FilteredMap {
     for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i] = (1 - fraction) * here[i] + fraction * beside[i];
     return visible(mixed);
   }
-  // At a texel's centre, which a device may take for a position 1/128 of a texel beside it: positions have 8
-  // fractional bits, rounded either way. At the tile's border, the filter moves it inward by 1/64
-  // (TileBounds.hlsl).
+  // The visibility at a texel's centre, which a device may take for a position 1/128 of a texel beside it:
+  // positions have 8 fractional bits, rounded either way. At the tile's border, the filter moves it inward by
+  // 1/64 (TileBounds.hlsl).
   Interval visibility(int x, int y) const {
     const Means here = blurred(x, y);
     Interval interval = visible(here);
@@ -206,7 +207,8 @@ TEST_P(FilteredMaps, GiveTheLightOfTheBlurredDepths) {
   setup.shadows.reversed_z = true;
   setup.cascade = 3;
   std::vector<testing_frames::TilePoint> receivers;
-  for (int i = 0; i < kColumns * kColumns; ++i)  // centres of texels, the tile's first and last included
+  // The places are centres of texels, the tile's first and last included.
+  for (int i = 0; i < kColumns * kColumns; ++i)
     receivers.emplace_back((i % kColumns * 2 + (i % kColumns < 8 ? 0.5 : 1.5)) / 32.0,
                            (i / kColumns * 2 + (i / kColumns < 8 ? 0.5 : 1.5)) / 32.0, 1.0 - kReceiver);
   const scene::Frame frame = testing_frames::make_frame(
@@ -235,7 +237,7 @@ TEST_P(FilteredMaps, GiveTheLightOfTheBlurredDepths) {
   EXPECT_GT(between, 10) << "penumbra receivers";
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 
-  // Nine taps for each texel in rows and columns.
+  // There are nine taps for each texel, in rows and columns.
   const double texels = static_cast<double>(frame.atlas.width) * frame.atlas.height / (kColumns * kColumns);
   ASSERT_EQ(result.passes.size(), 3U);
   EXPECT_DOUBLE_EQ(result.passes[0].fetches, 9.0 * texels);

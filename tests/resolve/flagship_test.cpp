@@ -1,5 +1,6 @@
-// The flagship's passes over the built-in scenes: what they decide for whole clusters is what the filter
-// gives at each pixel, bit for bit; what they do not decide is resolved, and nothing else is touched.
+// Compares the flagship's passes over the built-in scenes with the filter: what they decide for whole
+// clusters is what the filter gives at each pixel, bit for bit; what they do not decide is resolved, and
+// nothing else is touched.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr RunOptions kFlagshipOnce{.noise_seeds = 1, .timing_repeats = 0};
 
-// Of a map of 32 bits.
+// Fills a tile of a map of 32 bits.
 void fill_tile(scene::Frame& frame, int cascade, float depth) {
   const int side = frame.cascades.tile_resolution;
   const int tiles_across = frame.atlas.width / side;
@@ -62,7 +63,7 @@ class Flagship : public testing::TestWithParam<bool> {
     return GraphRunner(test_device(), compile(graph));
   }
 
-  // Each pixel filtered by itself, whatever the planes say.
+  // This runner filters each pixel by itself, whatever the planes say.
   static GraphRunner computed_alone() {
     ShadowGraph graph = flagship();
     const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), "ComputedOfPixels");
@@ -78,8 +79,8 @@ class Flagship : public testing::TestWithParam<bool> {
 
   static constexpr std::size_t kCascades = 4;
 
-  // What the texels of each cascade's tile, whatever they are, change at each pixel: from the nearest of the
-  // pictures, of which the first is the chain's own.
+  // The changes at each pixel that the texels of each cascade's tile make, whatever they are: from the
+  // nearest of the pictures, of which the first is the chain's own.
   static std::vector<std::array<float, kCascades>> changes_by_cascade(
       GraphRunner& chain, const scene::Frame& frame, const std::vector<std::vector<float>>& pictures) {
     std::vector<std::array<float, kCascades>> change(pictures.front().size());
@@ -100,7 +101,7 @@ class Flagship : public testing::TestWithParam<bool> {
     return change;
   }
 
-  // Of the pixels that read another cascade.
+  // Expects little change of the pixels that read another cascade.
   static void expect_little(std::vector<std::array<float, kCascades>> change) {
     int touched = 0;
     float most = 0.0f;
@@ -115,7 +116,7 @@ class Flagship : public testing::TestWithParam<bool> {
   }
 
   struct Pictures {
-    std::vector<float> filtered;    // of PCSS alone
+    std::vector<float> filtered;    // answers of PCSS alone
     std::vector<float> classified;  // -1: not decided
     std::vector<float> flagship;
   };
@@ -132,7 +133,7 @@ class Flagship : public testing::TestWithParam<bool> {
     int lit = 0;
     int dark = 0;
     int undecided = 0;
-    double apart = 0.0;  // sum over the undecided, from the filter's answer
+    double apart = 0.0;  // sum of differences from the filter's answer over the undecided
   };
 
   static Classes expect_decided_as_filtered(const Pictures& pictures, const std::string& what) {
@@ -174,7 +175,7 @@ TEST_P(Flagship, DecidesForClustersWhatTheFilterGives) {
   EXPECT_GT(all.undecided, 20000);
 }
 
-// The maps of the pipeline: any number of cascades in the atlas, and depths of 16 bits as well.
+// The maps are the pipeline's: any number of cascades in the atlas, and depths of 16 bits as well.
 TEST_P(Flagship, DecidesOverEveryMapWhatTheFilterGives) {
   for (const scene::DepthFormat format : {scene::DepthFormat::d16, scene::DepthFormat::d32}) {
     Classes all;
@@ -202,17 +203,17 @@ TEST_P(Flagship, ResolvesTheBorderBetweenCascades) {
   EXPECT_GT(classes.undecided, 0);
 }
 
-// The same picture each time: no noise, and no order of threads.
+// The picture is the same each time: there is no noise, and no order of threads.
 TEST_P(Flagship, DrawsTheSamePictureAgain) {
   const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
   EXPECT_EQ(pictures_of(frame).flagship, pictures_of(frame).flagship);
 }
 
-// Whatever the texels of a cascade's tile are, far, near or NaN: of the pixels that read another cascade few
-// change, and little, since what they share with their neighbours changes.
+// The texels of a cascade's tile may be anything, far, near or NaN. Of the pixels that read another cascade
+// few change, and little, since what they share with their neighbours changes.
 TEST_P(Flagship, ReadsNoTexelOfOtherCascadesWhereWindowsTakeAll) {
   GraphRunner chain = with_macros_of("MoreWindows.compute");
-  // 528: of 2 x 8 x 33 texels, so that cells of 16 and more texels could hold texels of two tiles.
+  // 528 is 2 x 8 x 33 texels, so that cells of 16 and more texels could hold texels of two tiles.
   for (const auto& [map_size, degrees] : {std::pair(0, 2.0), {528, 8.0}}) {
     const scene::Frame frame =
         under_disc(drawn("street", kCascades, GetParam(), scene::DepthFormat::d32, map_size), degrees);
@@ -239,7 +240,7 @@ TEST_P(Flagship, ListsGoOnAlongTheNextAxis) {
   EXPECT_EQ(picture_of(few_across, frame), picture_of(chain("flagship"), frame));
 }
 
-// What no window takes, the threads of a part filter as one thread does: of all pixels that are not decided.
+// The threads of a part filter what no window takes as one thread does, for all pixels that are not decided.
 TEST_P(Flagship, FiltersAloneWhatNoWindowTakes) {
   for (const int cascades : {1, 4}) {
     const scene::Frame frame = under_disc(drawn("street", cascades, GetParam()), 2.0);
@@ -265,7 +266,8 @@ TEST_P(Flagship, FiltersAloneWhatNoWindowTakes) {
 }
 
 // At half resolution every second pixel is computed as at full resolution, with other pixels beside it in its
-// tile: the upsampling copies it. What whole clusters decide may then be computed, and the other way round.
+// tile: the upsampling copies it. A pixel that whole clusters decide may then be computed, and the other way
+// round.
 TEST_P(Flagship, ComputesTheSamePixelsAtHalfResolution) {
   for (const auto& [scene, degrees] : {std::pair("street", 0.53), {"trees", 2.0}, {"slabs", 5.0}}) {
     const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
@@ -294,7 +296,7 @@ TEST_P(Flagship, ComputesTheSamePixelsAtHalfResolution) {
   }
 }
 
-// Of two cameras side by side: each eye's picture is that which the kernels draw for it alone.
+// There are two cameras side by side: each eye's picture is that which the kernels draw for it alone.
 TEST_P(Flagship, DrawsBothEyesAtOnceAsEachAlone) {
   const auto both_eyes = [&] {
     const techniques::TechniqueList& list = library_techniques();
@@ -310,7 +312,8 @@ TEST_P(Flagship, DrawsBothEyesAtOnceAsEachAlone) {
   const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
   const scene::Frame other = under_disc(drawn("slabs", 4, GetParam()), 2.0);
   const CameraImage left = camera_image(frame, RowOrder::top_first);
-  // What another camera sees of another scene, as the same map would shadow it: a picture of its own.
+  // The right eye has a picture of its own: what another camera sees of another scene, as the same map would
+  // shadow it.
   const CameraImage right = camera_image(other, RowOrder::top_first);
   const FrameOnDevice on_device(test_device(), frame);
   const auto alone = [&](const CameraImage& eye) {
@@ -328,7 +331,7 @@ TEST_P(Flagship, DrawsBothEyesAtOnceAsEachAlone) {
   EXPECT_EQ(both, expected);
 }
 
-// A macro of Shaders/TileWindows.hlsl.
+// The value of a macro of Shaders/TileWindows.hlsl.
 int window_constant(const std::string& name) {
   std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Shaders/TileWindows.hlsl");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

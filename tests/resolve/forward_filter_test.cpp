@@ -1,6 +1,6 @@
-// A filter that reads maps, in a forward shader: by its keyword and the one include of Shadows.hlsl, after
-// the passes that make its maps, against the technique whose filter it is. The flagship's kernels make the
-// same maps.
+// Compares a filter that reads maps, in a forward shader, with the technique whose filter it is: by its
+// keyword and the one include of Shadows.hlsl, after the passes that make its maps. The flagship's kernels
+// make the same maps.
 #include <gmock/gmock.h>
 
 #include "platform/data_directory.h"
@@ -25,7 +25,7 @@ class ForwardFilter : public testing::TestWithParam<bool> {
     return names;
   }
 
-  // After the flagship's passes over the map.
+  // The forward filter after the flagship's passes over the map.
   static ShadowGraph forward_after_kernels() {
     ShadowGraph graph = forward();
     const techniques::PassGraph& flagship = library_techniques().find("flagship").graph;
@@ -43,7 +43,7 @@ class ForwardFilter : public testing::TestWithParam<bool> {
     return graph;
   }
 
-  // As a shader of the user's is written.
+  // The graph of a shader written as a user writes it.
   static ShadowGraph forward() {
     ShadowGraph graph = technique();
     ShadowShader& shader = *graph.filter;

@@ -1,5 +1,5 @@
-// Every technique from FXC's bytecode, as Unity compiles it, beside glslang's modules: the same picture, the
-// same fetches.
+// Compares every technique from FXC's bytecode, as Unity compiles it, with glslang's modules: the same
+// picture, the same fetches.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,9 +20,10 @@ namespace {
 // FXC multiplies and adds in one step, in another order, and reads a texture where its value is first needed.
 // Where that is all, pictures differ by the last bits of a float.
 constexpr double kRounding = 1e-5;
-constexpr double kVisible = 1e-4;        // what differs by more is more than rounding
-constexpr double kVisibleShare = 0.025;  // of the pixels, where a technique magnifies rounding
-// The same in the scenes beside the colonnade, where a hash of a large sine turns the disks of more pixels.
+constexpr double kVisible = 1e-4;        // pixels that differ by more have more than rounding
+constexpr double kVisibleShare = 0.025;  // share of the pixels, where a technique magnifies rounding
+// This share holds in the scenes beside the colonnade, where a hash of a large sine turns the disks of more
+// pixels.
 constexpr double kVisibleShareElsewhere = 0.16;
 
 struct Magnified {
@@ -31,9 +32,10 @@ struct Magnified {
 };
 
 constexpr Magnified kMagnified[] = {
-    // Moments, whose differences are much smaller than they are: a last bit is magnified, most where four of
-    // them are solved. With FXC's IEEE strictness, which keeps products and sums apart, moments-16 and
-    // mssm-mip-16 differ by 5e-5 at most, while moments-32 and mssm-sat-32 differ by more than without it.
+    // These are moments, whose differences are much smaller than they are: a last bit is magnified, most
+    // where four of them are solved. With FXC's IEEE strictness, which keeps products and sums apart,
+    // moments-16 and mssm-mip-16 differ by 5e-5 at most, while moments-32 and mssm-sat-32 differ by more than
+    // without it.
     {"exponential-variance-16", 1e-3},
     {"moments-32", 0.3},
     {"moments-16", 5e-3},
@@ -42,15 +44,15 @@ constexpr Magnified kMagnified[] = {
     {"mssm-sat-32", 1e-3},
     {"mssm-mip-16", 0.02},
     {"evsm-mip", 5e-4},
-    // A hash of the pixel by the fraction of a large sine.
+    // These hash the pixel by the fraction of a large sine.
     {"godot-pcss-8", 5e-3},
     {"godot-pcss-8-half-diameter", 1e-3},
     {"godot-pcss-32", 5e-3},
-    // Arc functions, which FXC writes out as polynomials.
+    // These have arc functions, which FXC writes out as polynomials.
     {"far-horizon", 1e-3},
     {"blob", 0.02}};
 
-// In the scenes beside the colonnade, where it is more. A pixel of the flagship is resolved alone by surfaces
+// In the scenes beside the colonnade more is magnified. A pixel of the flagship is resolved alone by surfaces
 // whose normals are rounded otherwise; a ray, a sample's surface or a disk may be decided the other way at a
 // pixel.
 constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
@@ -79,7 +81,7 @@ constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
                                     {"pcss-angular-24-16-far-horizon", 1e-3},
                                     {"pcss-angular-24-16-far-horizon-clouds", 1e-3}};
 
-// Passes that fetch otherwise, and by which share at most. The modules that count are glslang's before
+// These passes fetch otherwise, by such a share at most. The modules that count are glslang's before
 // optimisation: FXC does not read what a path does not need.
 struct Fetching {
   const char* pass;
@@ -87,13 +89,13 @@ struct Fetching {
 };
 constexpr Fetching kFetching[] = {{"FarShadows", 0.05},       {"ConservativeMask", 0.01},
                                   {"ClassifyTiles", 0.02},    {"filter", 0.08},  // of vssm-sat-32
-                                  {"FilterUnrealSmrt", 2e-5},  // a ray that ends a step earlier
-                                  {"MarkSamples", 0.002},  // the four of edges: a sample's surface is decided
-                                  {"MarkSurfaces", 0.02},  // by a comparison of depths
+                                  {"FilterUnrealSmrt", 2e-5},  // a ray may end a step earlier
+                                  {"MarkSamples", 0.002},      // a sample's surface is decided otherwise
+                                  {"MarkSurfaces", 0.02},      // a comparison of depths decides otherwise
                                   {"ShadePixels", 5e-4},      {"ShadeSamples", 0.01},
                                   {"MeanOfSamples", 0.001}};
 
-// In the scenes beside the colonnade, where it is more.
+// In the scenes beside the colonnade more is fetched otherwise.
 constexpr Fetching kFetchingElsewhere[] = {
     {"FarShadows", 0.2},    {"FarShadowsAlone", 1e-4}, {"ConservativeMask", 0.05},
     {"MarkSurfaces", 0.03}, {"ShadePixels", 1e-3},     {"ResolveAlone", 1e-4},
@@ -121,7 +123,7 @@ double share_of_fetches(const std::string& pass, const std::string& scene) {
   return share;
 }
 
-// One scene, or all that fit small pictures: those take a quarter of an hour.
+// The test takes one scene, or all that fit small pictures: those take a quarter of an hour.
 std::vector<std::string> scenes() {
   if (std::getenv("PENUMBRA_EVERY_SCENE") != nullptr)  // NOLINT(concurrency-mt-unsafe)
     return scenes_for_small_pictures();
@@ -187,7 +189,7 @@ void expect_the_same(const GraphResult& by_fxc, const GraphResult& by_glslang, c
 
 TEST_P(FrontEnds, DrawTheSamePicture) {
   Compiler compiler;
-  // One for all: techniques share programs.
+  // One compiler serves all, because techniques share programs.
   static const BytecodeCompiler by_fxc_once = bytecode_by_fxc(fxc::require_fxc());
   compiler.fxc = by_fxc_once;
   GraphRunner by_glslang = runner({});

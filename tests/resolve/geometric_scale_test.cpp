@@ -1,6 +1,6 @@
-// The width of a penumbra in the shader against geometry: a half-plane blocker g metres above a receiver,
-// both facing the light, makes an edge that goes from 0 to 1 over 2 tan(a/2) g metres, in every cascade and
-// for both depth directions. HDRP's scale, twice as large, must fail the same cases.
+// Compares the width of a penumbra in the shader with geometry: a half-plane blocker g metres above a
+// receiver, both facing the light, makes an edge that goes from 0 to 1 over 2 tan(a/2) g metres, in every
+// cascade and for both depth directions. HDRP's scale, twice as large, must fail the same cases.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -44,7 +44,7 @@ struct EdgeCase {
 
 constexpr double kNarrowestTexels = 8.0;
 
-// Metres: 60 texels, or what 85 % of the depth range can make.
+// The widest penumbra, metres: 60 texels, or what 85 % of the depth range can make.
 double widest_penumbra(const FrameSetup& setup, const parameters::Cascade& cascade) {
   const double tan_half = std::tan(setup.light.angular_diameter_degrees * kPi / 360.0);
   return std::min(60.0 * cascade.texel_size_metres, 2.0 * tan_half * 0.85 / cascade.depth_per_metre);
@@ -71,7 +71,7 @@ parameters::Cascade fitted_cascade(const FrameSetup& setup) {
   return set.cascades[static_cast<std::size_t>(setup.cascade)];
 }
 
-// A random camera, light, cascade and gap whose penumbra is 8 to 60 texels wide and fits its tile; a light
+// A random camera, light, cascade and gap whose penumbra is 8 to 60 texels wide and fits its tile. A light
 // too small for that is drawn again.
 EdgeCase random_case(std::mt19937& random, int index) {
   EdgeCase edge;
@@ -88,7 +88,7 @@ EdgeCase random_case(std::mt19937& random, int index) {
   edge.expected_width = uniform(random, kNarrowestTexels * edge.texel, widest_penumbra(setup, cascade));
   const double gap = edge.expected_width / (2.0 * tan_half);
 
-  // Distances from the light's end, as shares of the depth range.
+  // The distances are from the light's end, as shares of the depth range.
   const double receiver = uniform(random, gap / range + 0.02, 0.98);
   const auto stored = [&](double d) { return setup.shadows.reversed_z ? 1.0 - d : d; };
   const auto blocker = static_cast<float>(stored(receiver - gap / range));
@@ -114,7 +114,7 @@ EdgeCase random_case(std::mt19937& random, int index) {
   return edge;
 }
 
-// Metres over which the visibility is neither 0 nor 1.
+// The metres over which the visibility is neither 0 nor 1.
 double measured_width(const std::vector<float>& visibility, double spacing) {
   int partial = 0;
   for (const float v : visibility) partial += v > 0.0f && v < 1.0f ? 1 : 0;
@@ -133,7 +133,7 @@ std::vector<glm::vec4> tile_scales(const scene::Frame& frame, float radial_facto
 
 class GeometricScale : public testing::Test {
  protected:
-  // Limits that are there for speed or looks are lifted: geometry alone decides.
+  // Limits that are there for speed or looks are lifted, so that geometry alone decides.
   static std::array<GraphRunner, 2> unlimited_passes() {
     const techniques::TechniqueList& list = library_techniques();
     techniques::Technique technique = list.find("pcss-angular-64-64");

@@ -1,5 +1,5 @@
-// Graphs that are nothing but their files (tests/techniques/added): passes over the map for each cascade, mip
-// levels, and a chain of kernels with an indirect dispatch, against the same sums in C++.
+// Runs graphs that are nothing but their files (tests/techniques/added): passes over the map for each
+// cascade, mip levels, and a chain of kernels with an indirect dispatch, against the same sums in C++.
 #include "resolve/graph_runner.h"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ struct Means {
   double depth(int x, int y) const {
     return static_cast<double>(atlas.depth[static_cast<std::size_t>(y * atlas.width + x)]);
   }
-  // Of 5 x 5 texels, none beyond the tile.
+  // The mean of 5 x 5 texels, none of them beyond the tile.
   double blurred(int x, int y) const {
     const auto inside = [&](int i, int of) {
       const int low = of / tile * tile;
@@ -80,7 +80,7 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   }
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 
-  // Texels of the map per pixel of the picture, and of its second level.
+  // The texels of the map per pixel of the picture, and of its second level.
   const double map = static_cast<double>(frame.atlas.width) * frame.atlas.height / (kColumns * kColumns);
   std::vector<std::string> names;
   std::vector<double> fetches, written;
@@ -97,7 +97,7 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   EXPECT_THAT(result.fetches, testing::Each(1U));
 }
 
-// Of a picture of 40 x 32 pixels.
+// The picture has 40 x 32 pixels.
 constexpr int kBlocksWidth = 40, kBlocksHeight = 32;
 
 GraphResult run_blocks(const std::string& manifest, const std::string& technique) {
@@ -115,7 +115,7 @@ bool marked(int x, int y) {
   return (x + 2 * y) % 3 == 0;
 }
 
-// unlisted: what the kernel that shades the listed blocks leaves in the others.
+// unlisted is what the kernel that shades the listed blocks leaves in the others.
 void expect_blocks(const GraphResult& result, double unlisted) {
   for (int y = 0; y < kBlocksHeight; ++y) {
     for (int x = 0; x < kBlocksWidth; ++x) {
@@ -156,7 +156,7 @@ TEST(GraphRunner, AKernelThatUpdatesATextureKeepsWhatItDoesNotWrite) {
   expect_blocks(result, 0.125);
 }
 
-// Runs a graph that differs from the one of its manifest; the message of the refusal.
+// Runs a graph that differs from the one of its manifest, and returns the message of the refusal.
 std::string refusal(const ShadowGraph& graph) {
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 64;

@@ -11,12 +11,12 @@ namespace penumbra::resolve {
 
 struct HandPass {
   std::string program;
-  int divisor = 1;              // of the screen
-  bool reads_previous = false;  // as _PenumbraSourceTexture
+  int divisor = 1;              // divisor of the screen's size
+  bool reads_previous = false;  // the previous texture is read as _PenumbraSourceTexture
 };
 
-// Each pass draws into a texture of its own, "t0" the first; the last has the visibility. A mask, the number
-// of a pass, is read by Resolve.
+// Each pass draws into a texture of its own, "t0" the first; the last has the visibility. Resolve reads a
+// mask, the number of a pass.
 inline ShadowGraph hand_graph(const std::vector<HandPass>& passes, bool reversed_z = true,
                               std::vector<std::string> keywords = {}, int mask = -1) {
   ShadowGraph made;

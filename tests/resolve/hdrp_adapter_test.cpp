@@ -1,5 +1,5 @@
-// The adapter for HDRP's own PCSS, on stand-ins for HDRP's files: what it hands to HDRP, and that the answer
-// comes back.
+// Tests the adapter for HDRP's own PCSS, on stand-ins for HDRP's files: what it hands to HDRP, and that the
+// answer comes back.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr int kBlockerSamples = 24;
 constexpr int kFilterSamples = 16;
 constexpr double kReceiverDepth = 0.5;
 
-// Of the HDRP stand-in without further keywords: version 14.
+// The adapter on the HDRP stand-in without further keywords: version 14.
 Adapter adapter_on_hdrp_14() {
   const std::filesystem::path root = platform::data_directory();
   const std::filesystem::path stand_ins = root / "tools" / "programs" / "shaders" / "unity";
@@ -71,8 +71,8 @@ parameters::Cascade chosen(const FrameSetup& setup) {
       .cascades.at(static_cast<std::size_t>(setup.cascade));
 }
 
-// A caster left of the tile's middle, some metres over the receivers, which stand at the given tile U;
-// nothing else.
+// A caster stands left of the tile's middle, some metres over the receivers, which stand at the given tile U.
+// There is nothing else.
 scene::Frame half_plane(const FrameSetup& setup, double metres_above, const std::vector<double>& us) {
   const auto caster = static_cast<float>(kReceiverDepth + metres_above * chosen(setup).depth_per_metre);
   const auto map = [=](double u, double, int tile) {
@@ -155,7 +155,7 @@ TEST(HdrpAdapter, TheShaderDataIsWhatHdrpPacks) {
 }
 
 TEST(HdrpAdapter, TheNormalBiasMovesTheReceiver) {
-  // Caster and receiver a third of a texel apart along the light, which is the receivers' normal.
+  // Caster and receiver are a third of a texel apart along the light, which is the receivers' normal.
   const FrameSetup setup = four_cascades(2.0);
   const scene::Frame frame = half_plane(setup, chosen(setup).texel_size_metres / 3.0, {0.1});
   EXPECT_THAT(run(adapter(), frame).visibility.at(0), ElementsAre(0.0f));

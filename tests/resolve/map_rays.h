@@ -55,13 +55,13 @@ class MapRays {
     while (levels_.back().side > 1) levels_.push_back(half_size(levels_.back()));
   }
 
-  // Of a receiver as a shader has it: texels of the atlas, stored depth and depth per texel.
+  // The receiver as a shader has it: texels of the atlas, stored depth and depth per texel.
   MapReceiver receiver(glm::dvec2 centre, double depth, glm::dvec2 gradient) const {
     return {centre - glm::dvec2(origin_), height_of(depth), sign_ * gradient};
   }
 
-  // The height above the receiver of the highest blocking texel that any ray to the closed disc meets; 0: no
-  // ray meets one.
+  // The height above the receiver of the highest blocking texel that any ray to the closed disc meets; 0
+  // where no ray meets one.
   double highest_in_cone(const MapReceiver& receiver) const {
     double highest = 0.0;
     visit([&](const Node& node) {
@@ -94,7 +94,8 @@ class MapRays {
     return all;
   }
 
-  // Of one ray, to a point of the closed unit disc. highest: above the receiver, of the tile's highest texel.
+  // Whether one ray, to a point of the closed unit disc, is blocked. highest is the height above the receiver
+  // of the tile's highest texel.
   bool ray_is_blocked(const MapReceiver& receiver, glm::dvec2 point, double highest) const {
     const glm::dvec2 step = point * per_height_;  // texels for each unit of height
     glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(receiver.place)), 0, side_ - 1);
@@ -108,8 +109,8 @@ class MapRays {
       const double gap = at(texel) - receiver.height;
       const bool blocks = gap > 0.0 && at(texel) > plane_at(receiver, glm::dvec2(texel) + 0.5);
       const bool under = height <= gap;
-      if (blocks && before_blocks && under != before_under) return true;  // through a wall
-      if (blocks && under && gap <= leaves) return true;                  // through the square
+      if (blocks && before_blocks && under != before_under) return true;  // the ray passes a wall
+      if (blocks && under && gap <= leaves) return true;                  // the ray passes the square
       before_blocks = blocks;
       before_under = blocks && under;
       if (leaves > highest) return false;
@@ -119,7 +120,7 @@ class MapRays {
     }
   }
 
-  // Of the tile's highest texel.
+  // The height of the tile's highest texel.
   double highest_above(const MapReceiver& receiver) const {
     return levels_.back().heights.front().highest - receiver.height;
   }
@@ -184,7 +185,7 @@ class MapRays {
     const glm::dvec2 away = place - receiver.place;
     return limited(receiver.height + receiver.slope.x * away.x + receiver.slope.y * away.y);
   }
-  // Of the receiver's plane at the centres of the block's texels.
+  // The heights of the receiver's plane at the centres of the block's texels.
   Heights plane(const Node& node, const MapReceiver& receiver) const {
     const double size = 1 << node.level;
     const glm::dvec2 away = (glm::dvec2(node.x, node.y) + 0.5) * size - receiver.place;
@@ -193,7 +194,7 @@ class MapRays {
     return {limited(middle - rise), limited(middle + rise)};
   }
 
-  // Height at which a ray leaves the texel along one axis.
+  // The height at which a ray leaves the texel along one axis.
   static double exit(double place, double step, int texel) {
     if (step == 0.0) return std::numeric_limits<double>::infinity();
     return std::max(((step > 0.0 ? texel + 1 : texel) - place) / step, 0.0);
@@ -201,7 +202,7 @@ class MapRays {
 
   template <typename Visitor>
   void visit(const Visitor& visitor) const {
-    std::array<Node, 64> waiting;  // at most three others on each level
+    std::array<Node, 64> waiting;  // there are at most three others on each level
     std::size_t count = 0;
     waiting[count++] = {static_cast<int>(levels_.size()) - 1, 0, 0};
     while (count > 0) {

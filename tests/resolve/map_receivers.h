@@ -10,7 +10,7 @@
 
 namespace penumbra::testing_frames {
 
-// As many pixels as texels.
+// The frame has as many pixels as texels.
 inline scene::Frame map_of(const scene::Scene& scene, int size, bool reversed_z) {
   scene::FrameSettings settings;
   settings.shadows.cascades = 1;
@@ -27,7 +27,7 @@ inline glm::dvec3 position_at(const scene::Frame& frame, int x, int y, double de
   return glm::dvec3(glm::inverse(frame.cascades.cascades[0].world_to_shadow) * shadow);
 }
 
-// `depth`: stored, of a texel's receiver.
+// `depth` is the stored depth of a texel's receiver.
 inline void place_receivers(scene::Frame& frame, const std::function<double(int x, int y)>& depth) {
   choose_cascade(frame.cascades, 0);
   const int size = frame.atlas.width;

@@ -1,5 +1,5 @@
-// The passes of multisampled shadow maps (Shaders/PenumbraMultisampledMaps.shader): the mean of what the
-// samples of a texel hold, against the depths of a tilted sheet at the places where samples lie.
+// Compares the passes of multisampled shadow maps (Shaders/PenumbraMultisampledMaps.shader) with the depths
+// of a tilted sheet: the mean of what the samples of a texel hold, at the places where samples lie.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -20,7 +20,7 @@ constexpr int kMapSize = 64;
 constexpr std::array<std::array<double, 2>, 4> kSamples{
     {{-0.125, -0.375}, {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}}};
 
-// One sheet, tilted, that ends within the map.
+// The scene is one sheet, tilted, that ends within the map.
 scene::Scene sheet() {
   scene::Scene scene;
   scene.name = "sheet";
@@ -78,7 +78,7 @@ class MultisampledMap : public testing::TestWithParam<bool> {
            glm::dvec3(kMapSize, kMapSize, 1.0);
   }
 
-  // Of the sheet's plane, from the light, centred, at a place in texels.
+  // The depth of the sheet's plane, from the light, centred, at a place in texels.
   double plane_at(double x, double y) const {
     const glm::dvec3 first = corner(0);
     const glm::dvec2 across(corner(1) - first), along(corner(2) - first),
@@ -89,7 +89,7 @@ class MultisampledMap : public testing::TestWithParam<bool> {
     return (GetParam() ? 1.0 - stored : stored) - 0.5;
   }
 
-  // How far inside of the sheet's edges a place lies, in texels; negative outside.
+  // The distance of a place inside of the sheet's edges, in texels; negative outside.
   double margin_at(double x, double y) const {
     const glm::dvec2 across(corner(1) - corner(0)), along(corner(2) - corner(0));
     const double turn = across.x * along.y - across.y * along.x > 0.0 ? 1.0 : -1.0;
@@ -105,7 +105,7 @@ class MultisampledMap : public testing::TestWithParam<bool> {
   scene::Frame frame_;
 };
 
-// The rasteriser's bias moves each sample by as much: by 2.5 times the larger slope, and one step.
+// The rasteriser's bias moves each sample by the same amount: 2.5 times the larger slope, and one step.
 TEST_P(MultisampledMap, ATexelHoldsTheMeansOfItsSamples) {
   const std::vector<float> means = read("mean"), squares = read("square");
   const double slope = std::max(std::abs(plane_at(1.0, 0.0) - plane_at(0.0, 0.0)),
@@ -125,7 +125,7 @@ TEST_P(MultisampledMap, ATexelHoldsTheMeansOfItsSamples) {
         mean += depth / 4.0;
         square += depth * depth / 4.0;
       }
-      if (nearest < 0.02) continue;  // on which side of the edge the sample lies is for the rasteriser
+      if (nearest < 0.02) continue;  // the rasteriser decides on which side of the edge the sample lies
       (covered == 4 ? whole : parted) += covered > 0 ? 1 : 0;
       const auto at = static_cast<std::size_t>(y * kMapSize + x);
       ASSERT_NEAR(means[at], 0.5 + mean, snapped) << x << ", " << y << ", slope " << slope;

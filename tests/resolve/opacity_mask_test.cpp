@@ -1,6 +1,6 @@
-// The map of blended casters (Shaders/PenumbraOpacity.shader) and the filters that read it
+// Tests the map of blended casters (Shaders/PenumbraOpacity.shader) and the filters that read it
 // (ShaderLibrary/Filters/OpacityMask.technique.json): the product of what stacked sheets transmit, in
-// whatever order they are drawn, and who is dimmed by it.
+// whatever order they are drawn, and what is dimmed by it.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@ using testing_frames::position_at;
 constexpr int kMapSize = 64;
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
-// Horizontal, over all x from `from` on, and all of z.
+// A horizontal sheet over all x from `from` on, and all of z.
 struct Sheet {
   float height;
-  float alpha;  // below 0: opaque
+  float alpha;  // negative alpha means opaque
   float from = -300.0F;
 };
 
@@ -52,7 +52,8 @@ scene::Scene sheets(const std::vector<Sheet>& stack) {
   return scene;
 }
 
-// 1 less the product of what those transmit that lie over the texel, above its highest opaque one.
+// The opacity is 1 less the product of what those transmit that lie over the texel, above its highest opaque
+// one.
 long double opacity_over(const std::vector<Sheet>& stack, const scene::Frame& frame, int x, int y) {
   const glm::dvec3 near = position_at(frame, x, y, 0.0), far = position_at(frame, x, y, 1.0);
   const auto covers = [&](const Sheet& sheet) {
@@ -85,7 +86,7 @@ class OpacityMask : public testing::TestWithParam<bool> {
     return run(list, "opacity", scene, frame);
   }
 
-  // Its receivers are at that height, on the texels' rays.
+  // The frame's receivers are at that height, on the texels' rays.
   static scene::Frame frame_of(const scene::Scene& scene, double height) {
     scene::Frame frame = testing_frames::map_of(scene, kMapSize, GetParam());
     place_receivers(frame, [&](int x, int y) {

@@ -1,4 +1,4 @@
-// One pass of the package's .shader over images made by hand.
+// Runs one pass of the package's .shader over images made by hand.
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,8 @@ inline glm::vec4 size_vector(int width, int height) {
   return {float(width), float(height), 1.0f / float(width), 1.0f / float(height)};
 }
 
-// A camera at the origin that looks along +z: 90 degrees both ways, near 0.1 m, far 1 km, reversed depth.
+// A camera at the origin that looks along +z, with 90 degrees both ways, near 0.1 m, far 1 km, and reversed
+// depth.
 struct HandCamera {
   static constexpr double kNear = 0.1;
   static constexpr double kFar = 1000.0;
@@ -52,7 +53,7 @@ struct HandCamera {
     matrix[3] = {-1.0, 1.0, 1.0, -offset / scale};
     return matrix;
   }
-  // View depth where the ray through a pixel meets the plane through (0, 0, distance) with this normal.
+  // The view depth where the ray through a pixel meets the plane through (0, 0, distance) with this normal.
   static double on_plane(const glm::dvec3& normal, double distance, int x, int y, int width, int height) {
     const glm::dvec3 ray((x + 0.5) / width * 2.0 - 1.0, 1.0 - (y + 0.5) / height * 2.0, 1.0);
     return normal.z * distance / glm::dot(normal, ray);
@@ -65,7 +66,7 @@ struct PassAnswer {
   std::vector<int> written;
 };
 
-// Runs a pass with a depth image and a source, both rounds: as it ships, and counting.
+// Runs a pass with a depth image and a source, in two rounds: as it ships, and counting.
 class PassRunner {
  public:
   explicit PassRunner(const std::string& pass,
@@ -92,7 +93,8 @@ class PassRunner {
     const gpu::Image shadow_map(test_device(), gpu::Format::depth32, 1, 1);
     resources.images = {{"_CameraDepthTexture", {&depth_image}},
                         {"_PenumbraSourceTexture", {&source_image}},
-                        {"_PenumbraMaskTexture", {&source_image}},  // absent: _PenumbraMaskSize is 0
+                        // The mask counts as absent, because _PenumbraMaskSize is 0.
+                        {"_PenumbraMaskTexture", {&source_image}},
                         {"_MainLightShadowmapTexture", {&shadow_map}}};
     const gpu::Sampler compare(test_device(), gpu::SamplerKind::compare_greater_equal);
     resources.samplers = {{"sampler_PenumbraLinearClampCompare", &compare}};

@@ -1,6 +1,6 @@
-// The filters that follow other engines' rules, against those rules in double precision (peer_references.h):
-// visibility and fetches of every receiver of a slanted surface below casters of several heights, both
-// directions of depth.
+// Compares the filters that follow other engines' rules with those rules in double precision
+// (peer_references.h): visibility and fetches of every receiver of a slanted surface below casters of several
+// heights, both directions of depth.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ Peer godot_peer(const std::string& name, int samples, double degrees) {
           samples, 2 * samples};
 }
 
-// bulb_metres 0: as wide as the light's disc at half the depth range.
+// With bulb_metres 0 the bulb is as wide as the light's disc at half the depth range.
 Peer filament_peer(const std::string& name, int search, int filter, double bulb_metres) {
   return {name,
           [=](const Tile& tile, const Receiver& receiver, const Shift& shift) {
@@ -91,7 +91,7 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-// Distances from the near plane, 0 to 1: the receivers' surface, and two casters above parts of it.
+// The distances are from the near plane, 0 to 1: the receivers' surface, and two casters above parts of it.
 double surface_at(double u, double v) {
   return 0.62 + 0.05 * u - 0.03 * v;
 }
@@ -138,7 +138,7 @@ class PeerFilters : public testing::TestWithParam<Case> {
   }
 };
 
-// Of all places within the errors, by the corners of that box.
+// The answers of all places within the errors, by the corners of that box.
 struct Reachable {
   double least = 1.0, most = 0.0;
   int fewest = 1 << 20, highest = 0;

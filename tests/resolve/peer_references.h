@@ -1,5 +1,6 @@
-// The soft shadows of other engines, transcribed from their descriptions in double precision and in their own
-// terms: world space, their directions of depth, their divisions. The answers of peer_filter_test.cpp.
+// The soft shadows of other engines are transcribed from their descriptions in double precision and in their
+// own terms: world space, their directions of depth, their divisions. They are the answers of
+// peer_filter_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Receiver {
   double noise = 0.0;  // [0, 1)
 };
 
-// How far the shader's floats may have moved a receiver: its place in the map, its noise.
+// The shader's floats may have moved a receiver by this much: its place in the map, its noise.
 struct Shift {
   dvec2 texels{0.0};
   double depth = 0.0;
@@ -50,7 +51,7 @@ class Tile {
         low(dvec2(cascade_.offset_scale.x, cascade_.offset_scale.y) * size),
         high(low + dvec2(cascade_.offset_scale.z, cascade_.offset_scale.w) * size) {}
 
-  // Texels and distance of a world position.
+  // The texels and the distance of a world position.
   dvec3 projected(dvec3 position) const {
     const glm::dvec4 shadow = cascade_.world_to_shadow * glm::dvec4(position, 1.0);
     return {shadow.x * size.x, shadow.y * size.y, frame_.cascades.reversed_z ? 1.0 - shadow.z : shadow.z};
@@ -70,7 +71,7 @@ class Tile {
   double nearest(dvec2 texels) const {
     return distance_at(static_cast<int>(std::floor(texels.x)), static_cast<int>(std::floor(texels.y)));
   }
-  // Any function of the texels, bilinearly; the four of them lie in the tile.
+  // Interpolates any function of the texels bilinearly; the four of them lie in the tile.
   double bilinear(dvec2 texels, const std::function<double(double)>& of_distance) const {
     const dvec2 at = clamped(texels) - 0.5;
     const dvec2 corner = glm::min(glm::floor(at), high - 2.0);
@@ -103,7 +104,7 @@ inline dvec2 turned(dvec2 point, double noise) {
 
 struct GodotSettings {
   int samples = 8;
-  double angular_size_degrees = 0.5;  // of the light
+  double angular_size_degrees = 0.5;  // angular size of the light
   double shadow_bias = 0.1;
   double shadow_normal_bias = 2.0;
 };
@@ -158,7 +159,8 @@ struct FilamentSettings {
   double bulb_radius_metres = 0.02;
 };
 
-// Chain rule over two neighbours on the receiver's plane, as its screen derivatives have them. Per texel.
+// The receiver's plane by the chain rule over two neighbours on it, as its screen derivatives have them. Its
+// slopes are per texel.
 inline dvec2 receiver_plane(const Tile& tile, const Receiver& receiver) {
   const dvec3 right = glm::normalize(glm::cross(receiver.normal, tile.axis(1)));
   const dvec3 down = glm::cross(receiver.normal, right);
@@ -166,7 +168,8 @@ inline dvec2 receiver_plane(const Tile& tile, const Receiver& receiver) {
   const dvec3 x = tile.projected(receiver.position + right) - here;
   const dvec3 y = tile.projected(receiver.position + down) - here;
   const double determinant = x.x * y.y - x.y * y.x;
-  return -dvec2(x.z * y.y - x.y * y.z, x.x * y.z - x.z * y.x) / determinant;  // of reversed depth
+  // The slopes are of reversed depth.
+  return -dvec2(x.z * y.y - x.y * y.z, x.x * y.z - x.z * y.x) / determinant;
 }
 
 inline double hardened(double x) {
@@ -185,7 +188,7 @@ inline Answer filament(const Tile& tile, const Receiver& receiver, const Shift& 
   const dvec3 moved = receiver.position + receiver.normal * (sine * 0.5 * tile.texel);
   const dvec3 coord = tile.projected(moved) + dvec3(shift.texels, shift.depth);
   const dvec2 dz_duv = receiver_plane(tile, receiver);
-  // The casters' offset, polygonOffsetSlope 2, seen from a receiver on the same surface.
+  // The casters' offset, polygonOffsetSlope 2, is seen from a receiver on the same surface.
   const double z_rec = 1.0 - coord.z + 2.0 * std::max(std::abs(dz_duv.x), std::abs(dz_duv.y));
   const double noise = receiver.noise + shift.noise;
   const double bulb = settings.bulb_radius_metres / tile.texel;
@@ -238,7 +241,8 @@ inline dvec2 concentric_disk(dvec2 square) {
   const dvec2 s = 2.0 * square - 1.0;
   if (s == dvec2(0.0)) return s;
   const double radius = std::max(std::abs(s.x), std::abs(s.y));
-  // By octants, counterclockwise from +x, each side of the square an eighth of a turn and back.
+  // The square is gone through by octants, counterclockwise from +x, each of its sides an eighth of a turn
+  // and back.
   double eighths = 0.0;
   if (std::abs(s.x) > std::abs(s.y)) {
     eighths = s.x > 0.0 ? s.y / radius : 4.0 - s.y / radius;
@@ -250,7 +254,7 @@ inline dvec2 concentric_disk(dvec2 square) {
 
 struct SmrtRay {
   dvec3 start;  // texels, depth
-  dvec3 step;   // over the whole ray
+  dvec3 step;   // step over the whole ray
   double extrapolate_slope;
 };
 

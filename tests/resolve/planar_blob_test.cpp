@@ -1,5 +1,5 @@
-// The techniques without a shadow map: planar shadows against rays through the mesh in double, and balls'
-// shadows against rays to the sun's disc.
+// Compares the techniques without a shadow map with rays: planar shadows with rays through the mesh in
+// double, and balls' shadows with rays to the sun's disc.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -30,8 +30,9 @@ std::vector<float> drawn_by(const std::string& technique, const scene::Frame& fr
   return runner.run(FrameOnDevice(test_device(), frame, casters), &camera, kDrawnOnce).visibility[0];
 }
 
-// Height over the place of the lowest triangle of the mesh on the ray; nothing where there is none. Triangles
-// in the ground do not count. Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
+// The height over the place of the lowest triangle of the mesh on the ray; nothing where there is none.
+// Triangles in the ground do not count. The intersection is Moeller and Trumbore's, "Fast, Minimum Storage
+// Ray/Triangle Intersection" (1997).
 std::optional<double> lowest_hit(const scene::Mesh& mesh, const glm::dvec3& from, const glm::dvec3& along) {
   std::optional<double> lowest;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -56,7 +57,7 @@ class Planar : public testing::TestWithParam<bool> {
     return at.w > 0.0F && std::abs(at.y) < 1e-4F && frame.receivers.normal_ws[pixel].y > 0.999F;
   }
 
-  // At the ground under a pixel, and 4 mm beside it in four directions; nothing where these differ.
+  // The hit at the ground under a pixel, and 4 mm beside it in four directions; nothing where these differ.
   std::optional<std::optional<double>> traced(const scene::Frame& frame, std::size_t pixel) const {
     const glm::dvec3 at(glm::dvec2(frame.receivers.position_ws[pixel]), frame.receivers.position_ws[pixel].z);
     const glm::dvec3 sun = -glm::normalize(frame.cascades.light_direction);
@@ -163,7 +164,7 @@ class Blob : public testing::Test {
            static_cast<double>(frame_.receivers.position_ws[pixel].y) < ball.centre.y - 1e-3;
   }
 
-  // Pixels whose surface the depth image tells: level ones, away from edges.
+  // Whether the depth image tells the pixel's surface: it tells level ones, away from edges.
   bool is_known(std::size_t pixel) const {
     const glm::vec4& at = frame_.receivers.position_ws[pixel];
     if (!(at.w > 0.0F) || !(frame_.receivers.normal_ws[pixel].y > 0.999F)) return false;

@@ -1,4 +1,4 @@
-// Techniques whose filter is replaced by a probe: what it returns is read back in place of visibility.
+// Replaces the filter of a technique by a probe: what it returns is read back in place of visibility.
 #pragma once
 
 #include <string>

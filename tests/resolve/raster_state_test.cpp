@@ -1,4 +1,4 @@
-// Render state commands as they are drawn, for both directions of depth.
+// Tests render state commands as they are drawn, for both directions of depth.
 #include "resolve/raster_state.h"
 
 #include <gmock/gmock.h>

@@ -25,7 +25,7 @@ namespace {
 
 constexpr RunOptions kRunOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr double kLongestRay = 50.0;
-constexpr int kPlaces = 256;  // of a ray, for the exact answer
+constexpr int kPlaces = 256;  // places of a ray, for the exact answer
 constexpr int kBlock = 4;     // pixels of a side that a filter over the screen takes together
 
 struct FogRays {
@@ -119,7 +119,7 @@ class FogScene {
 
 struct FogErrors {
   double pixels = 0.0;  // RMSE
-  double blocks = 0.0;  // of the means of kBlock x kBlock pixels
+  double blocks = 0.0;  // RMSE of the means of kBlock x kBlock pixels
 };
 
 FogErrors errors(const FogScene& scene, const std::vector<float>& seen, const std::vector<float>& exact) {
@@ -159,7 +159,7 @@ void write_results(const nlohmann::json& records, const scene::Frame& frame) {
   std::ofstream(file) << results.dump(1) << "\n";
 }
 
-// With more samples the error falls, in every scene's mean: of pixels and of blocks, in thin and in thick
+// With more samples the error falls, in every scene's mean, for pixels and for blocks, in thin and in thick
 // fog.
 TEST(RayVisibility, IsNearerToTracedRaysTheMoreSamplesThereAre) {
   nlohmann::json records = nlohmann::json::array();
@@ -197,7 +197,7 @@ TEST(RayVisibility, IsNearerToTracedRaysTheMoreSamplesThereAre) {
       EXPECT_LT((means[{extinction, jittered, 16}].pixels), 0.04) << extinction << " " << jittered;
       EXPECT_LT((means[{extinction, jittered, 64}].pixels), 0.02) << extinction << " " << jittered;
     }
-  // What jitter is for.
+  // This is what jitter is for.
   for (const int samples : {4, 8, 16})
     EXPECT_LT((means[{0.0, true, samples}].blocks), 0.8 * (means[{0.0, false, samples}].blocks)) << samples;
   write_results(records, *last);

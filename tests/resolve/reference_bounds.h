@@ -1,5 +1,5 @@
-// Bounds of visibility from moments of depth, in long double and by other means than the shaders': the
-// answers of filtered maps.
+// Bounds of visibility from moments of depth, in long double and by other means than the shaders'. They are
+// the answers of filtered maps.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace penumbra::resolve::testing_bounds {
 
 using Real = long double;
 
-// Cantelli's inequality.
+// This is Cantelli's inequality.
 inline Real chebyshev(Real mean, Real square, Real depth, Real smallest_variance) {
   const Real variance = std::max(square - mean * mean, smallest_variance);
   const Real behind = depth - mean;
@@ -46,8 +46,8 @@ struct Nearer {
   Real gap_sum = 0;
 };
 
-// Of the canonical distribution with these four moments: it has `depth` and two more depths, whose weights
-// follow from the moments 0 and 1 (Peters and Klein 2015, section 2).
+// The nearer depths of the canonical distribution with these four moments: it has `depth` and two more
+// depths, whose weights follow from the moments 0 and 1 (Peters and Klein 2015, section 2).
 inline Nearer nearer(std::array<Real, 4> moments, Real depth, Real mix) {
   const std::array<Real, 4> smooth{0, 0.375L, 0, 0.375L};
   for (std::size_t i = 0; i < 4; ++i) moments[i] += mix * (smooth[i] - moments[i]);
@@ -56,7 +56,8 @@ inline Nearer nearer(std::array<Real, 4> moments, Real depth, Real mix) {
   const Real middle = -c[1] / (2 * c[2]);
   const Real half = std::sqrt(std::max(middle * middle - c[0] / c[2], Real(0)));
   const Real low = middle - half, high = middle + half;
-  // low_share + high_share = 1 - own, low_share low + high_share high = mean - own depth
+  // The shares follow from low_share + high_share = 1 - own and low_share low + high_share high = mean - own
+  // depth.
   const Real high_share = (moments[0] - own * depth - (1 - own) * low) / (high - low);
   const Real low_share = 1 - own - high_share;
   Nearer nearer;

@@ -1,5 +1,5 @@
-// Upsampling and denoising through the package's .shader, against the same filters written here in double,
-// over planes, depth edges, sky and rubbish.
+// Compares upsampling and denoising through the package's .shader with the same filters written here in
+// double, over planes, depth edges, sky and rubbish.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ HandImage plane(int width, int height, const glm::dvec3& normal, double distance
   return depth;
 }
 
-// A wall 2 m away left of `column`, another 20 m away from there on.
+// One wall is 2 m away left of `column`, another 20 m away from there on.
 HandImage two_walls(int width, int height, int column) {
   HandImage depth = filled(width, height, HandCamera::stored(20.0));
   for (int y = 0; y < height; ++y) {
@@ -79,10 +79,11 @@ int seen(int pixel, int size) {
   return std::min(2 * pixel + 1, size - 1);
 }
 
-// On one plane every tap counts the same: the half pixels that saw the nearest places.
+// The taps are the half pixels that saw the nearest places: on one plane every tap counts the same.
 std::vector<float> taps_around(const HandImage& halved, int x, int y, int width, int height) {
   const auto around = [](int full, int size, int full_size) {
-    if (full == full_size - 1) return std::vector<int>{size - 1};  // itself, or the one before it
+    // The last half pixel saw the last pixel, or the one before it.
+    if (full == full_size - 1) return std::vector<int>{size - 1};
     std::vector<int> pixels;
     for (const int pixel : {(full + 1) / 2 - 1, full / 2}) {
       const bool known = !pixels.empty() && pixels.back() == pixel;
@@ -97,7 +98,8 @@ std::vector<float> taps_around(const HandImage& halved, int x, int y, int width,
   return taps;
 }
 
-// Where taps differ by more than this, the pass computes the pixel: lit, as no shadow map is bound here.
+// Where taps differ by more than this, the pass computes the pixel. It is lit, as no shadow map is bound
+// here.
 constexpr double kStep = 0.25;
 constexpr float kComputed = 1.0f;
 
@@ -156,8 +158,8 @@ TEST_F(Upsample, DoesNotBleedOverDepthEdges) {
 }
 
 TEST_F(Upsample, ComputesAPixelWhereNoTapIsOfItsSurface) {
-  // A leaf of one pixel that no half pixel saw, sky beside it, four surfaces at its corners, one of them
-  // near.
+  // A leaf of one pixel is seen by no half pixel, has sky beside it and four surfaces at its corners, one of
+  // them near.
   for (const int near_corner : {0, 1, 2, 3}) {
     HandImage depth = filled(16, 16, 0.0f);
     HandImage halved = filled(8, 8, 0.0f);

@@ -1,5 +1,5 @@
-// Built-in scenes drawn for passes over the screen: small, with an asymmetric lens, and what such a pass
-// should make of their camera depth, worked out here in double and another way round.
+// Built-in scenes drawn for passes over the screen: they are small, with an asymmetric lens. What such a pass
+// should make of their camera depth is worked out here in double and in another way.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline scene::FrameSettings screen_settings(int cascades, bool reversed_z) {
   settings.shadows.normal_bias = 0.0;
   settings.shadows.reversed_z = reversed_z;
   settings.angular_diameter_degrees = 2.0;
-  settings.width = 129;  // odd: half and quarter images have a column of their own
+  settings.width = 129;  // odd, so that half and quarter images have a column of their own
   settings.height = 73;
   settings.lens_shift = {0.15, -0.1};
   return settings;
@@ -34,7 +34,8 @@ class SeenByDepth {
   explicit SeenByDepth(const CameraImage& camera)
       : camera_(camera), matrix_(glm::mat4(camera.screen_to_world)) {}
 
-  // Of the whole image; w of the position 0 where there is no surface, a normal of 0 where none can be told.
+  // The receivers of the whole image; w of the position is 0 where there is no surface, and a normal is 0
+  // where none can be told.
   scene::Receivers receivers() const {
     scene::Receivers receivers;
     receivers.width = camera_.width;
@@ -65,7 +66,8 @@ class SeenByDepth {
     return glm::dvec3(h) / h.w;
   }
 
-  // Of the plane through three points: the pixel, and one pixel right and down on the surface's own slope.
+  // The normal of the plane through three points: the pixel, and one pixel right and down on the surface's
+  // own slope.
   glm::dvec3 normal(int x, int y, double here) const {
     const std::optional<double> right = slope(x, y, 1, 0, here);
     const std::optional<double> down = slope(x, y, 0, 1, here);
@@ -76,8 +78,8 @@ class SeenByDepth {
   }
 
  private:
-  // Neighbours that agree to a sixteenth: the smaller change. Else the side that runs straighter; one of
-  // which that is not known stands between a straight one and an edge.
+  // Of neighbours that agree to a sixteenth the smaller change is taken. Otherwise it is the side that runs
+  // straighter; a side of which that is not known stands between a straight one and an edge.
   std::optional<double> slope(int x, int y, int dx, int dy, double here) const {
     std::array<std::optional<double>, 2> slopes;
     std::array<std::optional<double>, 2> bends;

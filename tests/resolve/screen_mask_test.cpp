@@ -1,5 +1,5 @@
-// The penumbra mask through the package's .shader on drawn scenes: what it marks, how it widens, and what the
-// resolve pass makes of it.
+// Tests the penumbra mask through the package's .shader on drawn scenes: what it marks, how it widens, and
+// what the resolve pass makes of it.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ class ScreenMask : public testing::TestWithParam<Case> {
     return library_techniques().find(name);
   }
 
-  // Kept: their pipelines cost more than running them.
+  // The chains are kept, because their pipelines cost more than running them.
   GraphRunner& chain(const std::string& name) const {
     static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
     std::unique_ptr<GraphRunner>& made = (*runners)[{name, GetParam().reversed_z}];
@@ -62,7 +62,7 @@ class ScreenMask : public testing::TestWithParam<Case> {
     return *made;
   }
 
-  // One comparison per pixel of the camera's image, in its own row order, by the library's filter alone.
+  // The library's filter alone makes one comparison per pixel of the camera's image, in its own row order.
   std::vector<float> single_taps() const {
     scene::Frame seen = frame_;
     seen.receivers = SeenByDepth(camera_).receivers();
@@ -80,7 +80,7 @@ class ScreenMask : public testing::TestWithParam<Case> {
   CameraImage camera_;
 };
 
-// Edges as single comparisons at four pixels of the block find them, written out here.
+// The edges are those that single comparisons at four pixels of the block find, written out here.
 std::vector<bool> edges_of(const std::vector<float>& taps, const CameraImage& camera) {
   const int columns[] = {1, 3, 0, 2};
   std::vector<bool> edges;
@@ -124,13 +124,13 @@ TEST_P(ScreenMask, MarksTheBlocksWhoseComparisonsDisagree) {
   EXPECT_LE(wrong, 2 * kBlock * kBlock);
 }
 
-// Metres per block, tile texels and depth range as the C++ side knows them.
+// The metres per block, tile texels and depth range as the C++ side knows them.
 class Widening {
  public:
   Widening(const scene::Frame& frame, const CameraImage& camera)
       : frame_(frame), camera_(camera), seen_(camera) {}
 
-  // Radius in blocks at a pixel: absent where nothing is seen or no map reaches.
+  // The radius in blocks at a pixel; absent where nothing is seen or no map reaches.
   std::optional<double> radius(int x, int y, double penumbra_metres, double filter_texels) const {
     const std::optional<double> depth = seen_.depth(x, y);
     if (!depth) return std::nullopt;
@@ -167,8 +167,8 @@ TEST_P(ScreenMask, WidensByTheReachOfThePenumbra) {
   const Widening widening(frame_, camera_);
   const int columns = blocks(camera_.width);
   const int rows = blocks(camera_.height);
-  // In whole blocks, rounded up, of the tap that needs most; `slack` stands for the rounding of the radius
-  // itself.
+  // The radius of the tap that needs most, in whole blocks, rounded up; `slack` stands for the rounding of
+  // the radius itself.
   const auto widened = [&](double slack) {
     std::vector<int> radii;
     const int tap_columns[] = {1, 3, 0, 2};
@@ -236,7 +236,7 @@ TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
       }
       ++outside;
       apart += std::abs(masked.visibility[0][i] - taps[i]) > 0.01f ? 1 : 0;
-      // Mask, depth, comparison; no comparison past the last cascade.
+      // A pixel reads mask, depth and comparison; it makes no comparison past the last cascade.
       ASSERT_LE(masked.fetches[i], 3u) << name;
       ASSERT_GE(masked.fetches[i], 2u) << name;
     }
@@ -245,7 +245,7 @@ TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
   }
 }
 
-// Half a fetch for the taps, and for each blur its depths and at most two reads a step.
+// There is half a fetch for the taps, and for each blur there are its depths and at most two reads a step.
 TEST_P(ScreenMask, CostsLittle) {
   const GraphResult result = chain("screen-tent-5-masked").run(on_device_, &camera_, kOnce);
   const double share =

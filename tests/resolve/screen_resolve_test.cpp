@@ -1,6 +1,6 @@
-// The resolve pass of the package's own .shader against the library's filter alone, on every built-in scene:
-// an asymmetric lens, either row order, either depth direction, one to four cascades; and of the maps with
-// fewer bits, of which URP's has 16 unless the project says otherwise.
+// Compares the resolve pass of the package's own .shader with the library's filter alone, on every built-in
+// scene: with an asymmetric lens, either row order, either depth direction, one to four cascades; and with
+// maps of fewer bits, of which URP's has 16 unless the project says otherwise.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ class ScreenResolve : public testing::TestWithParam<Case> {
     return technique_.graph.filter_pass() != nullptr && technique_.graph.passes.size() > 1;
   }
 
-  // The passes before the technique's filter, whose maps Resolve reads by their names.
+  // Draws the passes before the technique's filter, whose maps Resolve reads by their names.
   void draw_maps_first(techniques::PassGraph& graph) const {
     const techniques::PassGraph& own = technique_.graph;
     graph.textures.insert(graph.textures.end(), own.textures.begin(), own.textures.end());
@@ -92,7 +92,7 @@ class ScreenResolve : public testing::TestWithParam<Case> {
         .visibility.front();
   }
 
-  // The library's filter over what the depth image tells, found without a shader.
+  // The answers of the library's filter over what the depth image tells, found without a shader.
   std::vector<float> by_library_from_depth(const scene::Frame& frame, RowOrder rows,
                                            float lifted_metres = 0.0f) {
     const CameraImage camera = camera_image(frame, rows);
@@ -138,7 +138,7 @@ void expect_the_same(const std::vector<float>& by_pass, const std::vector<float>
   EXPECT_LE(d.rms, 0.005) << what;
 }
 
-// The same picture with its rows the other way round: noise goes by the row a pixel is stored in.
+// The same picture with its rows the other way round: noise goes by the row that a pixel is stored in.
 scene::Frame in_order(scene::Frame frame, RowOrder rows) {
   scene::Receivers& seen = frame.receivers;
   for (std::vector<glm::vec4>* image : {&seen.position_ws, &seen.position_relative, &seen.normal_ws}) {
@@ -183,7 +183,7 @@ RowOrder row_order(std::size_t scene, int cascades) {
   return top ? RowOrder::top_first : RowOrder::bottom_first;
 }
 
-// Both from one drawing: the picture, and how far it is from ray tracing.
+// One drawing gives both: the picture, and how far it is from ray tracing.
 TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
   const std::vector<std::string> scenes = scenes_for_small_pictures();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -199,7 +199,7 @@ TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
 
       const reference::VisibilityImage& t1 = traced(scenes[i]);
       EXPECT_NEAR(rmse(by_pass, t1), rmse(by_depth, t1), 0.0005) << what;
-      // The filter alone, told each surface's normal: the pass has to find it in the depths beside the
+      // The filter alone is told each surface's normal. The pass has to find it in the depths beside the
       // pixel, and finds another on edges and on grass blades a pixel wide. That must cost next to nothing:
       // at most 0.0018 on lavapipe, and 0.0021 on an NVIDIA H100, which rounds edges in another way.
       const std::vector<float> told =
@@ -209,7 +209,7 @@ TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
   }
 }
 
-// One technique that compares and one that reads the depths themselves.
+// There is one technique that compares and one that reads the depths themselves.
 class ScreenResolveOfFewerBits : public ScreenResolve {};
 
 TEST_P(ScreenResolveOfFewerBits, DrawsWhatTheFilterAloneSays) {
@@ -234,8 +234,8 @@ TEST_P(ScreenResolveOfBlendedCascades, DithersAsTheFilterAloneDoes) {
   EXPECT_GT(difference(dithered, plain, frame, 0.01).above, 100) << "pixels that read the next cascade";
 }
 
-// Every technique that the renderer feature offers, with the passes that make its maps; but for those whose
-// passes draw the visibility themselves.
+// The cases are every technique that the renderer feature offers, with the passes that make its maps, but for
+// those whose passes draw the visibility themselves.
 class ScreenResolveOfEveryChoice : public ScreenResolve {};
 
 TEST_P(ScreenResolveOfEveryChoice, DrawsWhatTheFilterAloneSays) {

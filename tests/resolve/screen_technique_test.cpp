@@ -1,4 +1,5 @@
-// From the manifests to passes, and every technique that runs over the screen from end to end.
+// Tests the way from the manifests to passes, and runs every technique that runs over the screen from end to
+// end.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -55,8 +56,8 @@ TEST(ScreenTechnique, AbsentTexturesAreThoseOfTheProgramAlone) {
       testing::HasSubstr("'Resolve' lists '_CameraDepthTexture' as absent, which every pass is given"));
 }
 
-// What is drawn at half size is what the whole resolve draws at the pixels it stands for, and upsampling
-// leaves it.
+// The pixels drawn at half size are those that the whole resolve draws where they stand, and upsampling
+// leaves them.
 TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
   const scene::Frame& frame = drawn("trees", 4, true);
   const FrameOnDevice on_device(test_device(), frame);

@@ -1,5 +1,5 @@
-// Contact shadows through the package's .shader: against the same march written here in long double and
-// another way round, over planes, against ray tracing, and over rubbish.
+// Compares contact shadows through the package's .shader with the same march written here in long double and
+// in another way, over planes, against ray tracing, and over rubbish.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ PassRunner& trace_pass(const std::string& pass, bool reversed_z) {
   return *runner;
 }
 
-// HandCamera's view in either direction of depth.
+// The depth in HandCamera's view, in either direction of depth.
 float stored_depth(double z, bool reversed_z) {
   const double near = HandCamera::kNear;
   const double far = HandCamera::kFar;
@@ -92,7 +92,7 @@ HandImage traced(const HandImage& depth, bool reversed_z, const TraceSettings& s
       .image;
 }
 
-// Of distances along the view; 0: the sky.
+// The image of distances along the view; 0 is the sky.
 HandImage image_of_distances(const HandImage& distances, bool reversed_z) {
   HandImage depth = filled(distances.width, distances.height, reversed_z ? 0.0f : 1.0f);
   for (std::size_t i = 0; i < depth.texels.size(); ++i)
@@ -100,7 +100,8 @@ HandImage image_of_distances(const HandImage& distances, bool reversed_z) {
   return depth;
 }
 
-// A floor or wall, and boxes that face the camera before it at various distances.
+// The distances are those of a floor or wall, and of boxes that face the camera before it at various
+// distances.
 HandImage random_distances(int width, int height, std::uint32_t seed) {
   std::mt19937 engine(seed);
   const auto between = [&](double low, double high) {
@@ -132,7 +133,7 @@ float gradient_noise(int x, int y) {
   return amplified - std::floor(amplified);
 }
 
-// The march with positions of the world projected by the inverse matrix.
+// The march goes over positions of the world projected by the inverse matrix.
 class MarchInTheWorld {
  public:
   struct Answer {
@@ -196,7 +197,7 @@ class MarchInTheWorld {
 
   Real screen_z_toward_viewer() const { return reversed_z_ ? 1 : -1; }
 
-  // w: of the same sign as that of all points before the camera, or of the other one behind it.
+  // w has the sign of that of all points before the camera, or that of the other ones behind it.
   Real4 screen(const Real3& world) const { return to_screen_ * Real4(world, 1); }
 
   Real3 eye() const { return Real3(to_world_[2]) / to_world_[2].w; }
@@ -330,7 +331,7 @@ TEST(ScreenTrace, IsTheMarchOverTheWorldPixelByPixel) {
   EXPECT_LT(left_out, compared / 4);
 }
 
-// What is promised of the offset: nothing is in a plane's way, at any slope, distance and resolution.
+// The offset promises that nothing is in a plane's way, at any slope, distance and resolution.
 TEST(ScreenTrace, APlaneDoesNotShadowItself) {
   std::mt19937 engine(81);
   const auto between = [&](double low, double high) {
@@ -359,7 +360,7 @@ TEST(ScreenTrace, APlaneDoesNotShadowItself) {
       }
     }
     glm::dvec3 sun = glm::normalize(glm::dvec3(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)));
-    // On the side of the plane that the camera sees; on the other, all is dark.
+    // The sun is on the side of the plane that the camera sees; on the other, all is dark.
     if (glm::dot(sun, normal) * normal.z > 0.0) sun = -sun;
     ASSERT_THAT(traced(depth, reversed_z, settings, glm::vec3(sun)).texels, testing::Each(1.0f))
         << "normal " << normal.x << " " << normal.y << " " << normal.z << ", sun " << sun.x << " " << sun.y
@@ -431,7 +432,7 @@ TEST(ScreenTrace, ReadsTheSurfaceAndOneDepthForEachStepOrPixel) {
   const auto fetches = [&](float length, float steps) {
     settings.length = length;
     settings.steps = steps;
-    // A wall across the view and a sun beside it: 96 pixels are 8 m.
+    // The view has a wall across it and a sun beside it: 96 pixels are 8 m.
     return trace_pass("ScreenTraceAlone", true)
         .run(depth, filled(1, 1, 0.0f), 96, 54,
              with_camera(trace_uniforms(settings, {1.0f, 0.0f, -0.1f}), true))
@@ -472,7 +473,7 @@ TEST(ScreenTrace, IsMultipliedIntoTheSourceDownToTheStrength) {
   }
 }
 
-// From the eye of a person, boxes that are no taller than the ray is long stand on the ground.
+// A person's eye sees boxes that stand on the ground and are no taller than the ray is long.
 scene::Scene boxes_on_the_ground() {
   scene::Scene scene;
   scene::MeshBuilder builder;
@@ -488,7 +489,7 @@ scene::Scene boxes_on_the_ground() {
   return scene;
 }
 
-// All pixels around it are of one visibility: an outline is drawn to a pixel, and none of it is here.
+// Whether all pixels around it are of one visibility: an outline is drawn to a pixel, and none of it is here.
 bool is_inside(const reference::VisibilityImage& image, std::size_t pixel) {
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t x = pixel % width;

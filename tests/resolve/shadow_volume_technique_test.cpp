@@ -1,5 +1,5 @@
-// The technique shadow-volume against one ray to the sun's centre for each pixel: not one pixel differs where
-// the rays of the pixel's surroundings agree.
+// Compares the technique shadow-volume with one ray to the sun's centre for each pixel: not one pixel differs
+// where the rays of the pixel's surroundings agree.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -13,11 +13,11 @@
 namespace penumbra::resolve {
 namespace {
 
-// Of the light over the receiver: below, the surface is nearly along the light.
+// The slope of the light over the receiver: below this, the surface is nearly along the light.
 constexpr double kLeastSlope = 0.02;
-// Pixels that differ and are looked at again: those beyond count as differing.
+// So many pixels that differ are looked at again; those beyond count as differing.
 constexpr int kMostAtEdges = 30;
-// Of a pixel, by which the surroundings are moved to each side.
+// The share of a pixel by which the surroundings are moved to each side.
 constexpr double kNear = 0.25;
 
 struct Seen {
@@ -28,8 +28,8 @@ struct Seen {
 struct Differences {
   int lit = 0;       // pixels that are compared and lit
   int shaded = 0;    // the same in shadow
-  int away = 0;      // whose surface is turned away from the light, which casts that shadow itself
-  int at_edges = 0;  // that differ where only a closer look finds an edge within a quarter of a pixel
+  int away = 0;      // pixels whose surface is turned away from the light, which casts that shadow itself
+  int at_edges = 0;  // pixels that differ where only a closer look finds an edge within a quarter of a pixel
   int differing = 0;
 };
 
@@ -62,8 +62,8 @@ GraphResult drawn_with_volumes(const scene::Scene& scene, const scene::Frame& fr
                     {.noise_seeds = 1, .timing_repeats = 0});
 }
 
-// What the five rays of a pixel may miss, such as a leaf's tip: whether rays from a dense grid between the
-// four surroundings agree.
+// Whether rays from a dense grid between the four surroundings agree. The five rays of a pixel may miss
+// things such as a leaf's tip.
 bool agreed_between(const scene::Scene& scene, const std::vector<Seen>& seen, std::size_t pixel) {
   constexpr int kAcross = 65;
   scene::Receivers grid;
@@ -132,7 +132,7 @@ Differences differences(const scene::Scene& scene, bool reversed_z = true,
   return found;
 }
 
-// Volumes cast whole triangles.
+// The scene has no holes, because volumes cast whole triangles.
 scene::Scene without_holes(scene::Scene scene) {
   for (scene::Material& material : scene.materials) material.cut_out.reset();
   return scene;
@@ -162,7 +162,7 @@ TEST(ShadowVolumeTechnique, DepthOfEitherDirectionAndRowsOfEitherOrderAreTheSame
   EXPECT_EQ(differences(scene, true, RowOrder::bottom_first).differing, 0);
 }
 
-// Where a ray from there to the sun is stopped.
+// Whether a ray from there to the sun is stopped.
 bool in_shadow(const scene::Scene& scene, const glm::dvec3& place) {
   scene::Receivers one;
   one.width = one.height = 1;
@@ -191,7 +191,7 @@ TEST(ShadowVolumeTechnique, TheCameraMayBeInAShadow) {
   EXPECT_GT(compared, 1000);
 }
 
-// Open triangles at random: single ones, fans around a common edge, and pairs of one place.
+// The triangles are open and random: single ones, fans around a common edge, and pairs of one place.
 scene::Scene random_triangles(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(-1.0F, 1.0F);

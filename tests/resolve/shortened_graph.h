@@ -1,5 +1,5 @@
-// A graph without its last passes, for what the earlier ones leave behind, and with a kernel of the tests
-// instead.
+// Shortens a graph by its last passes, for what the earlier ones leave behind, or puts a kernel of the tests
+// in their place.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ inline void remove_passes_after(techniques::PassGraph& graph, const std::string&
   graph.passes.erase(last + 1, graph.passes.end());
 }
 
-// Of tests/resolve/samples, in the generic form that manifests have.
+// The path of a file of tests/resolve/samples, in the generic form that manifests have.
 inline std::string sample_file(const std::string& name) {
   return (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples" / name).generic_string();
 }
 
-// A kernel of samples/RingsByTextures.compute with a thread for each pixel. like: a pass of the flagship,
+// A kernel of samples/RingsByTextures.compute with a thread for each pixel. like is a pass of the flagship,
 // whose parameters it has.
 inline techniques::GraphPass rings_by_textures(const techniques::GraphPass& like, const std::string& kernel) {
   techniques::GraphPass pass = like;

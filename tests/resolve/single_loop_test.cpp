@@ -1,5 +1,5 @@
-// The single-loop soft shadow against its formulae in C++, its early exits against itself without them, and
-// what each reads.
+// Compares the single-loop soft shadow with its formulae in C++, and its early exits with itself without
+// them, and counts what each reads.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class SingleLoop : public testing::TestWithParam<bool> {
     return runner->run(FrameOnDevice(test_device(), frame), kCounted);
   }
 
-  // Receivers all over the tile, its borders included, at two depths, one below the other.
+  // The receivers are all over the tile, its borders included, at two depths, one below the other.
   static scene::Frame frame_of(const FrameSetup& setup, const TexelDepth& map, double tilt) {
     std::vector<TilePoint> receivers;
     for (int i = 0; i < kColumns * kColumns; ++i)
@@ -70,8 +70,8 @@ class SingleLoop : public testing::TestWithParam<bool> {
     return frame;
   }
 
-  // Squares of 8 texels: nothing, or a wall at one of four heights, two of them as low as the slopes' own
-  // rise.
+  // The map has squares of 8 texels: nothing, or a wall at one of four heights, two of them as low as the
+  // slopes' own rise.
   static TexelDepth walls(int texels) {
     return [texels](double u, double v, int tile) {
       const auto square = [&](double at) { return static_cast<unsigned>(at * texels / 8.0); };
@@ -83,7 +83,7 @@ class SingleLoop : public testing::TestWithParam<bool> {
     };
   }
 
-  // Large areas without blockers, large areas below a roof, and walls between.
+  // The map has large areas without blockers, large areas below a roof, and walls between.
   static TexelDepth quarters(int texels) {
     return [texels](double u, double v, int tile) {
       if (u < 0.4) return static_cast<float>(depth(v < 0.5 ? 1.0 : 0.8));
@@ -99,7 +99,7 @@ class SingleLoop : public testing::TestWithParam<bool> {
 float frac(float x) {
   return x - std::floor(x);
 }
-// Core/Noise.hlsl at frame 0, in floats.
+// The rotation is that of Core/Noise.hlsl at frame 0, in floats.
 double rotation_of(int pixel_x, int pixel_y) {
   const float dot =
       (static_cast<float>(pixel_x) + 0.5f) * 0.06711056f + (static_cast<float>(pixel_y) + 0.5f) * 0.00583715f;
@@ -119,7 +119,7 @@ struct Formulae {
   double map_depth(int x, int y) const {
     return frame.atlas.depth[static_cast<std::size_t>(y * frame.atlas.width + x)];
   }
-  // Stored depth per texel along the receiver's plane, from the world positions of three of its points.
+  // The stored depth per texel along the receiver's plane, from the world positions of three of its points.
   glm::dvec2 gradient(const glm::dvec3& normal) const {
     const glm::dmat4 to_world = glm::inverse(cascade.world_to_shadow);
     const glm::dvec3 x(to_world[0] / static_cast<double>(frame.atlas.width));
@@ -128,7 +128,7 @@ struct Formulae {
     return {-glm::dot(normal, x) / glm::dot(normal, z), -glm::dot(normal, y) / glm::dot(normal, z)};
   }
 
-  // Rings of equal area, or of equal width.
+  // The borders are those of rings of equal area, or of equal width.
   double ring_border(double ring) const { return exponent == 1 ? std::sqrt(ring / taps) : ring / taps; }
 
   struct Answer {
@@ -220,7 +220,7 @@ TEST_P(SingleLoop, IsTheLitAreaOfTheRingsOfThePenumbra) {
 // --- the exits
 // ----------------------------------------------------------------------------------------------
 
-// A map of every depth, NaN and infinities among them.
+// The map has every depth, NaN and infinities among them.
 float rough_depth(double u, double v, int tile) {
   std::minstd_rand engine(static_cast<unsigned>(u * 9973.0) * 977u + static_cast<unsigned>(v * 7919.0) * 31u +
                           static_cast<unsigned>(tile) + 1u);
@@ -231,12 +231,12 @@ float rough_depth(double u, double v, int tile) {
   return std::generate_canonical<float, 24>(engine);
 }
 
-// Takes the place of a map that is known already.
+// This takes the place of a map that is known already.
 float no_map(double, double, int) {
   return 0.0F;
 }
 
-// Lit share of the texels at (+-1, +-1) / sqrt(2) from a receiver that faces the light.
+// The lit share of the texels at (+-1, +-1) / sqrt(2) from a receiver that faces the light.
 double four_taps(const scene::Frame& frame, int cascade, std::size_t receiver) {
   const parameters::Cascade& used = frame.cascades.cascades[static_cast<std::size_t>(cascade)];
   const glm::dvec4 shadow =
@@ -264,7 +264,7 @@ class SingleLoopExits : public SingleLoop {
     int lit = 0, dark = 0, looped = 0;
   };
 
-  // most: fetches that an exit takes.
+  // most is the number of fetches that an exit takes.
   static void expect_the_same(const GraphResult& exits, const GraphResult& plain, std::uint32_t most,
                               const std::string& what, Counts& counts) {
     for (std::size_t i = 0; i < kColumns * kColumns; ++i) {
@@ -306,7 +306,8 @@ TEST_P(SingleLoopExits, ChangeNoBit) {
   expect_each_often(planes);
 }
 
-// Random places, depths and normals, steep ones too, above maps of every kind; a million in both directions.
+// Places, depths and normals are random, steep ones too, above maps of every kind; a million in both
+// directions.
 TEST_P(SingleLoopExits, MissNoneOfAMillionReceivers) {
   constexpr int kSide = 354;
   std::minstd_rand engine(GetParam() ? 77 : 78);
@@ -367,8 +368,7 @@ TEST_P(SingleLoopExits, OverATileOfThreeBlocksChangeNoBit) {
   }
 }
 
-// What a penumbra mask may not do, over the built-in scenes: miss a pixel that the filter does not find lit
-// or dark.
+// A penumbra mask may not miss a pixel that the filter does not find lit or dark, over the built-in scenes.
 TEST_P(SingleLoopExits, MissNoPixelOfAScenesPenumbrae) {
   for (const std::string& scene : scenes_for_small_pictures()) {
     for (const double degrees : {0.53, 5.0}) {
@@ -415,8 +415,8 @@ TEST_P(SingleLoop, ExitsOverTheDilatedMapChangeNoBitWhereItReachesTheDisc) {
   EXPECT_GT(looped, 300.0);
 }
 
-// A disc wider than the map reaches: where the range decides, the answer is that of the four taps, and where
-// it does not, that of the loop.
+// The disc is wider than the map reaches. Where the range decides, the answer is that of the four taps, and
+// where it does not, that of the loop.
 TEST_P(SingleLoop, ADecidedRangeIsBelievedForAWiderDisc) {
   for (const int cascade : {1, 3}) {
     const FrameSetup frame_setup = setup(GetParam(), 4, cascade, 20.0);

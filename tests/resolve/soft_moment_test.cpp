@@ -1,7 +1,7 @@
-// Variance and moment soft shadow mapping on summed-area tables, against the papers' steps in C++: sums over
-// the texels themselves, other forms of the bounds. What the shader may miss by is followed through the
-// steps: the receiver's position and depth and the means move within their rounding, and the answer must lie
-// between the least and the most that comes out.
+// Compares variance and moment soft shadow mapping on summed-area tables with the papers' steps in C++: sums
+// over the texels themselves, other forms of the bounds. The shader's error is followed through the steps:
+// the receiver's position and depth and the means move within their rounding, and the answer must lie between
+// the least and the most that comes out.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using Moments = std::array<Real, 4>;
 
 constexpr int kColumns = 16;
 constexpr int kCascade = 1;
-constexpr double kReceiver = 0.6555;  // of the map's range, from the light
+constexpr double kReceiver = 0.6555;  // share of the map's range, from the light
 
 // An occluder's edge across a slightly sloped surface that lies partly before and partly behind the
 // receivers.
@@ -38,10 +38,10 @@ struct Box {
 };
 
 struct Receiver {
-  Real x, y, depth;  // texels of the tile; centred
+  Real x, y, depth;  // in texels of the tile; the depth is centred
 };
 
-// Rounding's directions: of the means of the search and of the filter.
+// The directions of rounding: of the means of the search and of the filter.
 struct Signs {
   int search;
   int filter;
@@ -55,7 +55,7 @@ class Map {
     const double per_metre = glm::length(glm::dvec3(rows[0])) * frame.atlas.width;
     texels_per_depth = std::tan(frame.settings.angular_diameter_degrees * std::acos(-1.0) / 360.0) *
                        per_metre / glm::length(glm::dvec3(rows[2]));
-    // The plane through a receiver: depth along two of its tangents, per texel.
+    // The plane goes through a receiver: depth along two of its tangents, per texel.
     const glm::dvec3 normal(frame.receivers.normal_ws.front());
     const glm::dvec3 a = glm::normalize(glm::cross(normal, glm::dvec3(0.3, 0.5, 0.8)));
     const glm::dvec3 b = glm::cross(normal, a);
@@ -131,7 +131,7 @@ Real reduced(Real bound, const techniques::Technique& technique) {
   return std::clamp((bound - bleeding) / (1 - bleeding), Real(0), Real(1));
 }
 
-// Variance soft shadow mapping.
+// The steps of variance soft shadow mapping.
 class VarianceModel {
  public:
   VarianceModel(const Map& map, const techniques::Technique& technique) : map_(map), technique_(technique) {}
@@ -168,7 +168,7 @@ class VarianceModel {
       *divide = depth <= first && testing_bounds::chebyshev(-first, second, -depth, smallest) > kNegligible;
     return blockers;
   }
-  // By the area's mean, or, where that lies behind, in nine cells of whole texels.
+  // The area is judged by its mean, or, where that lies behind, in nine cells of whole texels.
   Blockers judged(const Receiver& at, const Box& box, int sign) const {
     bool divide = false;
     Blockers blockers = bounded(at, box, sign, &divide);
@@ -193,7 +193,7 @@ class VarianceModel {
   const techniques::Technique& technique_;
 };
 
-// Moment soft shadow mapping.
+// The steps of moment soft shadow mapping.
 class MomentModel {
  public:
   MomentModel(const Map& map, const techniques::Technique& technique) : map_(map), technique_(technique) {}
@@ -219,7 +219,7 @@ class MomentModel {
 
  private:
   Real middle(const Receiver& at, const Box& box) const { return 2 * map_.plane(at, box); }
-  // As they are stored: in steps of 1 / 65535.
+  // The means as they are stored: in steps of 1 / 65535.
   Moments means(const Box& box, int sign) const {
     const auto stored = [](Real depth) {
       const Real z = 2 * depth, cube = z * z * z;
@@ -229,7 +229,7 @@ class MomentModel {
     };
     Moments s = map_.mean(box, stored);
     for (std::size_t k = 0; k < 4; ++k) s[k] += ((sign >> k & 1) != 0 ? kFloat : -kFloat);
-    // ((3/2, -2), (sqrt(3)/2, -2 sqrt(3)/9)), solved.
+    // The system ((3/2, -2), (sqrt(3)/2, -2 sqrt(3)/9)) is solved.
     const Real a = s[0] - 0.5L, c = s[2] - 0.5L, root = std::sqrt(Real(3));
     const Real determinant = 1.5L * (-2 * root / 9) + 2 * root / 2;
     return {(-2 * root / 9 * a + 2 * c) / determinant, s[1] / 4 + s[3],
@@ -273,7 +273,7 @@ void expect_model(const std::string& name, const glm::dvec3& tilt, int signs) {
   setup.light.angular_diameter_degrees = 9.0;
   setup.cascade = kCascade;
   std::vector<testing_frames::TilePoint> receivers;
-  for (int i = 0; i < kColumns * kColumns; ++i)  // between texels, the tile's borders included
+  for (int i = 0; i < kColumns * kColumns; ++i)  // the places lie between texels, the tile's borders included
     receivers.emplace_back((i % kColumns * 2 + 0.7) / 32.0, (i / kColumns * 2 + 0.3) / 32.0, 1.0 - kReceiver);
   scene::Frame frame = testing_frames::make_frame(
       setup, [](double u, double v, int tile) { return static_cast<float>(1.0 - depth_at(u, v, tile)); },
@@ -346,8 +346,8 @@ TEST(SoftShadows, FetchByWhatTheyFind) {
   }
 }
 
-// Kernels as wide as the tile, whose mip levels have a few texels for it: at its borders, too, nothing else
-// counts.
+// The kernels are as wide as the tile, whose mip levels have a few texels for it: at its borders, too,
+// nothing else counts.
 TEST(SoftShadows, LearnNothingFromOutsideTheTileWithTheWidestKernels) {
   const techniques::TechniqueList& list = library_techniques();
   for (const char* name :

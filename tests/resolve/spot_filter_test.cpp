@@ -1,4 +1,4 @@
-// FilterPcssSpot against the share of a disc that an edge hides, and against its sums in double.
+// Compares FilterPcssSpot with the share of a disc that an edge hides, and with its sums in double.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using testing_frames::SpotPoint;
 using testing_frames::SpotSetup;
 using testing_frames::world_position;
 
-// FilterPcssSpot alone.
+// Runs FilterPcssSpot alone.
 class SpotFilter : public testing::TestWithParam<bool> {
  protected:
   GraphResult resolve(const SpotSetup& setup, const scene::Frame& frame, int samples, int seeds) const {
@@ -44,14 +44,14 @@ std::vector<double> means(const GraphResult& result) {
   return sums;
 }
 
-// One caster with a straight edge: visibility is the share of the source's disc beyond the edge.
+// One caster has a straight edge: visibility is the share of the source's disc beyond the edge.
 double half_plane(double distance_in_radii) {
   const double d = std::clamp(distance_in_radii, -1.0, 1.0);
   return 0.5 + (std::asin(d) + d * std::sqrt(1.0 - d * d)) / std::numbers::pi;
 }
 
-// Edges through a place of the slice, across the way to the axis and along it. There the source, which faces
-// the receiver, makes the penumbra in the map 1 / cos as wide, and as wide as on the axis.
+// The edges go through a place of the slice, across the way to the axis and along it. There the source, which
+// faces the receiver, makes the penumbra in the map 1 / cos as wide, and as wide as on the axis.
 TEST_P(SpotFilter, APenumbraIsAsWideAsSimilarTrianglesSay) {
   constexpr double kBlocker = 2.4;
   for (const double outer : {40.0, 110.0}) {
@@ -78,7 +78,7 @@ TEST_P(SpotFilter, APenumbraIsAsWideAsSimilarTrianglesSay) {
         std::vector<SpotPoint> points;
         std::vector<double> exact;
         for (int i = 0; i < 31; ++i) {
-          const double place = (i - 15) / 16.0;  // in radii
+          const double place = (i - 15) / 16.0;  // place in radii
           points.emplace_back(across ? edge + place * radius : u, across ? v : edge + place * radius,
                               kReceiver);
           exact.push_back(half_plane(place));
@@ -99,7 +99,7 @@ TEST_P(SpotFilter, APenumbraIsAsWideAsSimilarTrianglesSay) {
   }
 }
 
-// Alone and scattered among what blocks.
+// NaN stands alone and scattered among what blocks.
 TEST_P(SpotFilter, NaNDoesNotBlock) {
   const SpotSetup at = lamp(GetParam());
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -124,7 +124,7 @@ TEST_P(SpotFilter, ASlantedSurfaceDoesNotShadowItself) {
     const parameters::SpotShadow shadow = at.shadow();
     const glm::dvec3 normal = glm::normalize(-shadow.light.direction + glm::dvec3(0.25, 0.1, 0.2));
     const glm::dvec3 on_plane = at.light.position + 4.0 * shadow.light.direction;
-    const auto metres_at = [&](double u, double v) {  // where the ray of that place meets the plane
+    const auto metres_at = [&](double u, double v) {  // distance where the ray of that place meets the plane
       const glm::dvec3 ray = world_position(shadow, {u, v, 1.0}) - at.light.position;
       return glm::dot(on_plane - at.light.position, normal) / glm::dot(ray, normal);
     };
@@ -144,7 +144,7 @@ TEST_P(SpotFilter, ASlantedSurfaceDoesNotShadowItself) {
   }
 }
 
-// What the harness's receivers have, one component at a time.
+// The fields of the harness's receivers, one component at a time.
 std::vector<float> told(const SpotSetup& setup, const FrameOnDevice& frame, const std::string& component) {
   const techniques::Technique& technique = library_techniques().find("pcss-spot-24-16");
   ShadowShader shader = technique_shader(library_techniques(), technique, Taps::as_listed, setup.reversed_z,
@@ -161,8 +161,8 @@ std::vector<float> told(const SpotSetup& setup, const FrameOnDevice& frame, cons
       .visibility.front();
 }
 
-// Boards, poles and a rough ground at many heights, receivers everywhere on a slanted plane: the same sums in
-// double.
+// Boards, poles and a rough ground are at many heights, and receivers everywhere on a slanted plane; the sums
+// are the same in double.
 TEST_P(SpotFilter, IsWhatItsDescriptionSays) {
   SpotSetup at = lamp(GetParam());
   at.light.source_radius_metres = 0.15;
@@ -207,7 +207,7 @@ TEST_P(SpotFilter, IsWhatItsDescriptionSays) {
                                     of("shadowCoord.z"),
                                     {of("depthGradient.x"), of("depthGradient.y")},
                                     {of("rotation.x"), of("rotation.y")}};
-    receiver.uv = (receiver.uv - glm::dvec2(0.0, 0.5)) * 2.0;  // of the atlas, into the slice
+    receiver.uv = (receiver.uv - glm::dvec2(0.0, 0.5)) * 2.0;  // from the atlas into the slice
     receiver.gradient *= 0.5;
     const double wanted = filter.visibility(receiver);
     between += wanted > 0.02 && wanted < 0.98;

@@ -1,5 +1,5 @@
-// Maps of a spot light made by hand: every texel is a formula, receivers stand at chosen places of one slice
-// of an atlas of two by two.
+// Maps of a spot light made by hand: every texel is a formula, and receivers stand at chosen places of one
+// slice of an atlas of two by two.
 #pragma once
 
 #include <glm/matrix.hpp>
@@ -16,7 +16,7 @@ namespace penumbra::testing_frames {
 struct SpotSetup {
   parameters::SpotLight light;
   int slice_texels = 256;
-  int slice = 0;  // of the atlas's four, by rows
+  int slice = 0;  // one of the atlas's four, by rows
   bool reversed_z = true;
 
   parameters::SpotShadow shadow() const {
@@ -36,7 +36,7 @@ inline glm::dvec3 world_position(const parameters::SpotShadow& shadow, const Spo
   return glm::dvec3(glm::inverse(shadow.world_to_shadow) * (mapped * point.z));
 }
 
-constexpr int kColumns = 20;       // of receivers
+constexpr int kColumns = 20;       // columns of receivers
 constexpr double kReceiver = 4.0;  // metres along the axis
 
 inline SpotSetup lamp(bool reversed_z) {
@@ -52,7 +52,7 @@ inline SpotSetup lamp(bool reversed_z) {
   return setup;
 }
 
-// Over the whole slice, to a quarter of a texel from its edges: beyond them a receiver is not covered.
+// A grid over the whole slice, to a quarter of a texel from its edges: beyond them a receiver is not covered.
 inline std::vector<SpotPoint> grid(double metres) {
   std::vector<SpotPoint> points;
   const auto place = [](int i) { return 0.001 + 0.998 * i / (kColumns - 1.0); };
@@ -68,7 +68,7 @@ inline std::vector<glm::dvec3> positions(const SpotSetup& setup, const std::vect
   return positions;
 }
 
-// normal: of all receivers, world space; 0: towards the light's plane.
+// normal is that of all receivers, in world space; 0 means towards the light's plane.
 inline scene::Frame make_spot_frame(const SpotSetup& setup, const TexelDepth& depth,
                                     const std::vector<glm::dvec3>& positions, int width,
                                     const glm::dvec3& normal = glm::dvec3(0.0)) {
@@ -91,7 +91,7 @@ inline scene::Frame make_spot_frame(const SpotSetup& setup, const TexelDepth& de
   return frame;
 }
 
-// What the shader is told of the slice, as a pipeline with an atlas would tell it.
+// The uniforms that tell the shader of the slice, as a pipeline with an atlas would tell it.
 inline resolve::UniformValues slice_uniforms(const SpotSetup& setup) {
   const glm::dvec2 corner(0.5 * (setup.slice % 2), 0.5 * (setup.slice / 2));
   glm::dmat4 into(1.0);  // scales and moves u and v; both times w

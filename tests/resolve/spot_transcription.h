@@ -24,7 +24,7 @@ struct Settings {
   double min_filter_texels, max_penumbra_metres;
 };
 
-// As the shader was given it: UV and stored depth, depth per UV, the rotation's cosine and sine.
+// The receiver as the shader was given it: UV and stored depth, depth per UV, the rotation's cosine and sine.
 struct Receiver {
   glm::dvec2 uv;
   double depth;
@@ -34,7 +34,7 @@ struct Receiver {
 
 class Filter {
  public:
-  // texel(x, y): stored depth, conventional or reversed.
+  // texel(x, y) is the stored depth, conventional or reversed.
   Filter(const Light& light, const Settings& settings, int texels, bool reversed_z,
          std::function<double(int, int)> texel)
       : light_(light),
@@ -73,7 +73,7 @@ class Filter {
   void place(const Receiver& receiver) {
     receiver_ = receiver;
     centre_ = receiver.uv * double(texels_);
-    // 1 / d_b - 1 / d_r is the stored gap times the range of 1 / d; the source's half angle from there.
+    // 1 / d_b - 1 / d_r is the stored gap times the range of 1 / d, and gives the source's half angle.
     const double range = 1.0 / light_.near_metres - 1.0 / light_.far_metres;
     const double above_far = towards_ > 0 ? receiver.depth : 1.0 - receiver.depth;
     const double metres = 1.0 / (1.0 / light_.far_metres + above_far * range);
@@ -88,7 +88,7 @@ class Filter {
     highest_cone_ = 1e6 / (range * metres * metres);
   }
 
-  // The image of a point of a circle: 1 / cosine longer away from the axis.
+  // The image of a point of a circle, which is 1 / cosine longer away from the axis.
   glm::dvec2 stretched(const glm::dvec2& point) const {
     const double length = glm::length(tangent_);
     if (length == 0.0) return point;
@@ -125,7 +125,7 @@ class Filter {
     return result;
   }
 
-  // width: of the cone looked in, over the light's.
+  // width is that of the cone looked in, over the light's.
   bool blocks(const Texel& texel, double slack, double highest, double width = 1.0) const {
     const double cone = std::max(texel.radius - slack, 0.0) / (texels_per_depth_ * width);
     return texel.above_plane > 0.0 && texel.gap > std::min(cone, highest);
@@ -168,7 +168,7 @@ class Filter {
     return lit > 0.0 ? lit / (lit + blocked) : 0.0;
   }
 
-  // The 4 x 4 texels around the receiver.
+  // The lit share of the 4 x 4 texels around the receiver.
   double block(double radius, double largest_gap, double cone_height) const {
     const double outermost = std::max(radius + 0.4, 0.75);
     const glm::dvec2 corner = glm::floor(centre_ + 0.5);

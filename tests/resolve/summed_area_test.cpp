@@ -1,5 +1,5 @@
-// Summed-area tables and mip levels of the map, against sums in C++: bit by bit where they are integers, else
-// within the rounding of their format.
+// Compares summed-area tables and mip levels of the map with sums in C++: bit by bit where they are integers,
+// and within the rounding of their format elsewhere.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using Digits = std::array<std::uint32_t, 4>;
 using Sums = std::vector<Digits>;
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
-// Multiples of 2^-12, whose digits and squares no rounding touches.
+// The depths are multiples of 2^-12, whose digits and squares no rounding touches.
 double exact_depth(double u, double v, int tile) {
   const auto hash = static_cast<std::uint32_t>(u * 4099.0) * 2654435761u +
                     static_cast<std::uint32_t>(v * 4093.0) * 2246822519u +
@@ -70,7 +70,7 @@ struct Tile {
   }
 };
 
-// `places`: binary ones of the depths.
+// `places` is the number of binary places of the depths.
 scene::Frame frame_of(int resolution, int cascades, int cascade, int step, int places = 12) {
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = resolution;
@@ -89,7 +89,7 @@ scene::Frame frame_of(int resolution, int cascades, int cascade, int step, int p
   return testing_frames::make_frame(setup, depth, receivers, columns);
 }
 
-// 16 of the bits of one channel, which a float holds exactly.
+// Half of the bits of one channel, 16 of them, which a float holds exactly.
 std::string half_of_channel(int channel, int half) {
   return "    const uint4 sum = LOAD_TEXTURE2D(_PenumbraSumsTexture, "
          "int2(TexelCoordinates(receiver.shadowCoord.xy, "
@@ -122,12 +122,12 @@ TEST(SummedAreas, OfDepthsAreThoseOfEveryTexelOfTheirTile) {
     expect_sums("vssm-sat-32", frame_of(64, 4, cascade, 1), cascade, 1, depth_digits);
 }
 
-// 96 texels: no multiple of what a group adds at a time.
+// 96 texels are no multiple of what a group adds at a time.
 TEST(SummedAreas, OfATileOfAnySide) {
   expect_sums("vssm-sat-32", frame_of(96, 1, 0, 1), 0, 1, depth_digits);
 }
 
-// 512 x 512 values of 16 bits: most sums are beyond 2^32. Moments of depths with 5 places are farther from
+// Of 512 x 512 values of 16 bits most sums are beyond 2^32. Moments of depths with 5 places are farther from
 // the middle between two steps than floats are wrong.
 TEST(SummedAreas, OfMomentsAreExactModulo32Bits) {
   const scene::Frame frame = frame_of(1024, 4, 1, 16, 5);
@@ -138,8 +138,8 @@ TEST(SummedAreas, OfMomentsAreExactModulo32Bits) {
   expect_sums("mssm-sat-32", frame, 1, 16, moment_digits);
 }
 
-// Means of boxes with their edges anywhere, also beyond the tile's border, against sums over texels and the
-// shares of them that the boxes have.
+// The boxes have their edges anywhere, also beyond the tile's border. Their means are compared with sums over
+// texels and the shares of them that the boxes have.
 TEST(SummedAreas, GiveTheMeansOfBoxes) {
   const scene::Frame frame = frame_of(128, 4, 2, 3);
   const Tile tile(frame, 2);
@@ -181,7 +181,7 @@ TEST(SummedAreas, GiveTheMeansOfBoxes) {
   }
 }
 
-// The same of whole texels, in 4 fetches: nothing but the digits is rounded.
+// The means are of whole texels, in 4 fetches: nothing but the digits is rounded.
 TEST(SummedAreas, GiveTheMeansOfWholeTexelsInFourFetches) {
   const scene::Frame frame = frame_of(128, 4, 1, 3);
   const Tile tile(frame, 1);

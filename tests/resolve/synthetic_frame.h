@@ -1,4 +1,5 @@
-// Frames made by hand: a map whose every texel is a formula, receivers at chosen places of one tile.
+// Frames made by hand: they have a map whose every texel is a formula, and receivers at chosen places of one
+// tile.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@ struct FrameSetup {
 // A depth for the texel centre (u, v) of a tile, both in [0, 1], and of the tile's index.
 using TexelDepth = std::function<float(double u, double v, int tile)>;
 
-// Where a receiver stands: tile UV and stored depth.
+// The place where a receiver stands: tile UV and stored depth.
 using TilePoint = glm::dvec3;
 
 inline scene::ShadowAtlas make_atlas(const parameters::CascadeSet& set, const TexelDepth& depth) {

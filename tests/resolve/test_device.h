@@ -1,4 +1,4 @@
-// One device for all tests of a program, and what they keep on it; its validation layers must have stayed
+// All tests of a program share one device, and what they keep on it; its validation layers must have stayed
 // silent.
 #pragma once
 
@@ -42,7 +42,7 @@ class TestDevice : public testing::Environment {
 
 inline TestDevice* const kTestDevice = [] {
   auto* const environment = new TestDevice;
-  testing::AddGlobalTestEnvironment(environment);  // which owns it
+  testing::AddGlobalTestEnvironment(environment);  // the environment owns it
   return environment;
 }();
 

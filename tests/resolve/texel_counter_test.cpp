@@ -1,4 +1,4 @@
-// Shaders whose fetches, written texels and operations are known.
+// Counts shaders whose fetches, written texels and operations are known.
 #include "resolve/texel_counter.h"
 
 #include <gmock/gmock.h>
@@ -240,12 +240,12 @@ void Main(uint3 id : SV_DispatchThreadID)
 }
 )",
                                         {}, {4, 1, 1});
-  // The branch and the loop's first comparison; then a sum, the next i and a comparison.
+  // The operations are the branch and the loop's first comparison, then a sum, the next i and a comparison.
   EXPECT_THAT(counts.operations, ElementsAre(2U, 5U, 8U, 11U));
   EXPECT_EQ(counts.invocations, 4U);
 }
 
-// Loops that the optimiser unrolls, one inside of a function and one with a break.
+// The optimiser unrolls these loops, one inside of a function and one with a break.
 TEST(TexelCounter, OperationsOfUnrolledLoopsCountEachTime) {
   const TexelCounts counts = dispatched(R"(
 float Sum(float4 values[4], uint most)
@@ -267,8 +267,9 @@ void Main(uint3 id : SV_DispatchThreadID)
 }
 )",
                                         {}, {6, 1, 1});
-  // 5 tests, 4 steps and 4 products of vectors; then for each i a test, the comparison with the most (a
-  // conversion from int to uint is none) and, unless it ends there, 7 + 1 for the sum and 1 for the step.
+  // There are 5 tests, 4 steps and 4 products of vectors; then for each i a test, the comparison with the
+  // most (a conversion from int to uint is none) and, unless it ends there, 7 + 1 for the sum and 1 for the
+  // step.
   constexpr std::uint64_t kFirst = 5 + 4 + 4 * 4;
   const auto turns = [](std::uint64_t number) { return kFirst + 11 * number; };
   EXPECT_THAT(counts.operations, ElementsAre(turns(0) + 2, turns(1) + 2, turns(2) + 2, turns(3) + 2,
@@ -313,7 +314,7 @@ TEST(TexelCounter, WhatLiesOutsideOfTheGridAddsToTheNearestCell) {
   EXPECT_THAT(picture.written, ElementsAre(1U, 3U, 1U, 3U, 2U, 6U));
 }
 
-// The number of the thread in each form that a shader may ask for it in.
+// A shader may ask for the number of the thread in each of these forms.
 TEST(TexelCounter, TheCellIsFoundWithoutTheShadersHelp) {
   const std::pair<const char*, const char*> cases[] = {
       {"uint3 group : SV_GroupID, uint3 thread : SV_GroupThreadID", "2 * group.x + thread.x"},

@@ -40,17 +40,17 @@ TEST(UniformValues, PutsEveryMemberAtItsOffsetAndNamesTheUnset) {
 
 TEST(UniformValues, MatricesFollowTheirDecoration) {
   glm::dmat4 matrix(1.0);
-  matrix[3] = {10, 20, 30, 1};  // a translation: fourth column of mul(M, v)
+  matrix[3] = {10, 20, 30, 1};  // a translation is the fourth column of mul(M, v)
   UniformValues values;
   values.set("m", std::span<const glm::dmat4>(&matrix, 1));
   std::vector<std::string> unset;
   shaders::UniformMember member{.name = "m", .offset = 0, .size = 64, .matrix_stride = 16, .row_major = true};
   const auto columns = values.pack(block({member}, 64), unset);
-  EXPECT_EQ(float_at(columns, 48), 10.0f);  // column after column
+  EXPECT_EQ(float_at(columns, 48), 10.0f);  // the words go column after column
   EXPECT_EQ(float_at(columns, 12), 0.0f);
   member.row_major = false;
   const auto rows = values.pack(block({member}, 64), unset);
-  EXPECT_EQ(float_at(rows, 12), 10.0f);  // row after row
+  EXPECT_EQ(float_at(rows, 12), 10.0f);  // the words go row after row
   EXPECT_EQ(float_at(rows, 48), 0.0f);
 }
 

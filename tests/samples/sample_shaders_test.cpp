@@ -41,8 +41,8 @@ class SampleShaders : public ProgramTest {
   bool fxc_ = false;
 };
 
-// Errors, and warnings of the lint rules, each once. A driver warns of emitted GLSL's own temporaries, and
-// only where it has not compiled the same text before.
+// The errors, and the warnings of the lint rules, each once. A driver warns of emitted GLSL's own
+// temporaries, and only where it has not compiled the same text before.
 std::set<std::string> findings(const nlohmann::json& report) {
   std::set<std::string> messages;
   for (const nlohmann::json& variant : report["variants"]) {
@@ -70,7 +70,7 @@ TEST_F(SampleShaders, TheCustomPipelinesCompileForEveryTarget) {
 }
 
 TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
-  // What the stand-ins do not tell apart is left out.
+  // Keywords that the stand-ins do not tell apart are left out.
   const nlohmann::json report = validate(
       kForwardLit,
       {"--keywords=-FOG_EXP", "--keywords=-FOG_EXP2", "--keywords=-FOG_LINEAR", "--keywords=-INSTANCING_ON"});
@@ -98,7 +98,7 @@ TEST_F(SampleShaders, TheShadowVolumesCompileForEveryTarget) {
   for (const std::string name : {"Count", "Darken"}) {
     const nlohmann::json report =
         validate(kSource + "/Samples~/ShadowVolumes/Shaders/ShadowVolume" + name + ".shader",
-                 {"--keywords=-INSTANCING_ON"});  // which the stand-ins do not tell apart
+                 {"--keywords=-INSTANCING_ON"});  // the stand-ins do not tell it apart
     EXPECT_EQ(passes(report), (std::set<std::string>{"ShadowVolume" + name}));
     EXPECT_EQ(report["summary"]["variants"], 2 * 5);
     EXPECT_EQ(report["summary"]["failed"], 0);
@@ -116,13 +116,13 @@ std::string first_block(const std::string& page_file, int skipped = 0) {
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
-// As what its reader pastes it into.
+// The README's shader inside the text that its reader pastes it into.
 std::string readme_shader() {
   return "Shader \"Readme\" { SubShader { Pass {\nHLSLPROGRAM\n" + first_block("README.md") +
          "ENDHLSL\n} } }\n";
 }
 
-// The functions of the page on bakes, beside calls of the other functions that read them.
+// The shader has the functions of the page on bakes, beside calls of the other functions that read them.
 std::string bakes_shader() {
   return R"(Shader "Bakes" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
 HLSLPROGRAM
@@ -169,7 +169,7 @@ ENDHLSL
 )";
 }
 
-// The page's fog, with a shadow map and without, of a surface that the pass knows of.
+// The page's fog, with a shadow map and without, is that of a surface that the pass knows of.
 std::string volumetric_shader() {
   return R"(Shader "Volumetric" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
 HLSLPROGRAM
@@ -194,7 +194,7 @@ ENDHLSL
 )";
 }
 
-// The page's vertex program, which leaves out what has no shadow by a clip.
+// The page's vertex program leaves out what has no shadow by a clip.
 std::string planar_shader() {
   return R"(Shader "Planar" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
 HLSLPROGRAM

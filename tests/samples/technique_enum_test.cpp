@@ -67,7 +67,7 @@ TEST(TechniqueEnum, ItsKeywordsAreTheLibrarysAndTheFirstIsTheOneWithout) {
   }
 }
 
-// Of a table of ShadowTechnique.cs: the lines of its entries that are not nested.
+// The rows of a table of ShadowTechnique.cs: the lines of its entries that are not nested.
 std::vector<std::string> rows_of(const std::string& table) {
   const std::string text = text_of("Runtime/Settings/ShadowTechnique.cs");
   const std::size_t begin = text.find(" " + table + " =\n        {\n");
@@ -79,7 +79,7 @@ std::vector<std::string> rows_of(const std::string& table) {
   return found;
 }
 
-// Unity draws enums of nine entries at most. So the techniques are left out whose parameters ShadowUniforms,
+// Unity draws enums of nine entries at most. So techniques are left out whose parameters ShadowUniforms,
 // which a project without the renderer feature calls, does not compute; and those that read maps, which the
 // feature's passes make.
 TEST(TechniqueEnum, HasAnEntryForEveryTechniqueOfTheRendererFeatureThatShadowUniformsServes) {

@@ -19,7 +19,8 @@ class BuiltIn : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(BuiltIn, IsTheSameToTheByteEverywhere) {
-  // Looked at when they were taken. A changed scene changes every published figure: update both together.
+  // These hashes were taken when the scenes were looked at. A changed scene changes every published figure:
+  // update both together.
   const std::map<std::string, std::string> golden{
       {"contact-boxes", "1626be759b9a731721041cc2d384d9fabd44ae0558bc91309f11a7bc70413335"},
       {"poles-and-fence", "1733bdd4d6157f58981b9ed77543fd72fad738b06f7915fbf1303b0dac537db6"},
@@ -106,14 +107,15 @@ TEST_P(BuiltIn, HasASunAboveTheHorizonOrALampAboveTheRoom) {
   EXPECT_LT(scene.light_direction.y, -0.3);
 }
 
-// A grid of camera rays, each followed to the light's centre: the picture has to hold light and shadow.
+// Each camera ray of a grid is followed to the light's centre: the picture has to hold light and shadow.
 TEST_P(BuiltIn, ShowsLightAndShadow) {
   const glm::dvec3 right = glm::normalize(glm::cross(scene.camera.up, scene.camera.forward));
   const glm::dvec3 up = glm::cross(scene.camera.forward, right);
   int lit = 0, shadowed = 0;
   for (int i = 0; i < 192; ++i) {
     const int column = i % 16, row = i / 16;
-    const double x = (column + 0.5) / 8.0 - 1.0, y = -(row + 0.5) / 12.0;  // the lower half of the picture
+    // The rays go through the lower half of the picture.
+    const double x = (column + 0.5) / 8.0 - 1.0, y = -(row + 0.5) / 12.0;
     const glm::dvec3 ray = glm::normalize(scene.camera.forward + x * right + 0.57 * y * up);
     const double distance = first_hit(scene.mesh, scene.camera.position, ray);
     if (distance > scene.shadow_distance_metres) continue;
@@ -173,7 +175,7 @@ TEST(Sunlight, MovesBackByAnAngleOfTheSky) {
 }
 
 TEST(Sunlight, TravelsFromWhereTheSunStands) {
-  const glm::dvec3 east = sunlight(30.0, 90.0);  // azimuth from +Z towards +X
+  const glm::dvec3 east = sunlight(30.0, 90.0);  // the azimuth goes from +Z towards +X
   EXPECT_NEAR(east.x, -std::cos(glm::radians(30.0)), 1e-9);
   EXPECT_NEAR(east.y, -0.5, 1e-9);
   EXPECT_NEAR(east.z, 0.0, 1e-9);

@@ -1,4 +1,4 @@
-// Alpha of cut-outs said anew in long double, and sheets that carry them.
+// Computes the alpha of cut-outs anew in long double, and makes sheets that carry them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline long double distance_to_whole(long double x) {
 
 inline long double exact_pattern(AlphaPattern pattern, const LongVec2& uv) {
   long double alpha = 1.0L;
-  // From the square's centre, -1/2 .. 1/2.
+  // The coordinates are from the square's centre, -1/2 .. 1/2.
   const LongVec2 centred(uv.x - std::floor(uv.x) - 0.5L, uv.y - std::floor(uv.y) - 0.5L);
   if (pattern == AlphaPattern::wire_grid) {
     alpha = 1.0L - std::min(distance_to_whole(uv.x), distance_to_whole(uv.y)) / 0.125L;
@@ -41,7 +41,7 @@ inline int wrapped_texel(int texel, int size, TextureWrap wrap) {
   return within < size ? within : 2 * size - 1 - within;
 }
 
-// The sum over all texels of a tent's weight, not the mixture of four.
+// The alpha is the sum over all texels of a tent's weight, not the mixture of four.
 inline long double exact_texture(const Texture& texture, const CutOut& cut_out, const LongVec2& uv) {
   const long double x = uv.x * texture.width - 0.5L, y = uv.y * texture.height - 0.5L;
   const std::size_t channel = cut_out.channel == TextureChannel::alpha ? 3 : 0;
@@ -65,7 +65,8 @@ inline long double exact_alpha(const Scene& scene, const CutOut& cut_out, const 
   return alpha;
 }
 
-// Odd sides, blocks of every grey: no two texels that a wrong index would mistake for each other are equal.
+// The sides are odd, and the blocks have every grey: no two texels that a wrong index would mistake for each
+// other are equal.
 inline Texture odd_texture() {
   Texture texture{5, 3, {}};
   for (int texel = 0; texel < 15; ++texel) {
@@ -76,7 +77,7 @@ inline Texture odd_texture() {
   return texture;
 }
 
-// The cut-outs that are drawn and asked everywhere.
+// These cut-outs are drawn and asked everywhere.
 struct NamedCutOut {
   const char* name;
   CutOut cut_out;
@@ -98,7 +99,7 @@ inline std::vector<NamedCutOut> cut_outs_of_all_kinds() {
           {"repeat and clamp", texture(TextureWrap::repeat, TextureWrap::clamp, TextureChannel::red, 0.8F)}};
 }
 
-// A material of its own for what is added after this; textures[0] is odd_texture().
+// Adds a material of its own for what is added after this; textures[0] is odd_texture().
 inline std::uint16_t add_cut_out(Scene& scene, const CutOut& cut_out) {
   if (scene.textures.empty()) scene.textures.push_back(odd_texture());
   Material material;

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A triangle whose weights of the second and third corner are the coordinates -3 .. 5, divided by 8.
+// The weights of the triangle's second and third corner are the coordinates -3 .. 5, divided by 8.
 Scene one_triangle(const CutOut& cut_out) {
   Scene scene;
   scene.name = "card";
@@ -39,7 +39,7 @@ bool open_at(const CutOuts& cut_outs, double u, double v) {
 double open_share(const CutOut& cut_out) {
   const Scene scene = one_triangle(cut_out);
   const CutOuts cut_outs(scene);
-  constexpr int side = 1009;  // prime: no edge of a pattern runs along its points
+  constexpr int side = 1009;  // a prime, so that no edge of a pattern runs along its points
   int open = 0;
   for (int i = 0; i < side * side; ++i) {
     open += open_at(cut_outs, (i % side + 0.5) / side, (i / side + 0.5) / side) ? 1 : 0;  // NOLINT
@@ -74,7 +74,7 @@ TEST(CutOuts, AreOpenWhereAlphaInLongDoubleIsBelowTheCutoff) {
     const CutOuts cut_outs(scene);
     int open = 0, asked = 0, near_the_edge = 0;
     for (int i = 0; i < 60000; ++i) {
-      // Over squares of negative and positive coordinates, within the triangle.
+      // The places lie in squares of negative and positive coordinates, within the triangle.
       const double u = -2.9 + 3.7 * std::fmod(i * 0.754877666, 1.0);
       const double v = -2.9 + 3.7 * std::fmod(i * 0.569840291, 1.0);
       const long double alpha = exact_alpha(scene, one.cut_out, {u, v});
@@ -115,7 +115,7 @@ TEST(CutOuts, BlendedSurfacesStopTheirAlphaAndAreDrawnNowhere) {
   EXPECT_EQ(CutOuts(bright).opacity(0, 0.25F, 0.25F), 0.0F);
 }
 
-// The integral over a square, by points.
+// The integral over a square is taken by points.
 TEST(CutOuts, WiresAndSmokeStopAThirdAndATwentiethOfPi) {
   for (const auto& [pattern, mean] :
        {std::pair{AlphaPattern::wire, 1.0 / 3.0}, {AlphaPattern::smoke, std::numbers::pi / 20.0}}) {
@@ -133,7 +133,7 @@ TEST(CutOuts, AlphaAtTheCutoffIsSolidAndAFactorAloneDecidesAll) {
   EXPECT_FALSE(CutOuts(scene).open(0, 0.25F, 0.25F));
   scene.materials.back().cut_out->factor = 0.49F;
   EXPECT_TRUE(CutOuts(scene).open(0, 0.25F, 0.25F));
-  scene.mesh.uvs.clear();  // which no such cut-out reads
+  scene.mesh.uvs.clear();  // no such cut-out reads them
   EXPECT_TRUE(CutOuts(scene).open(0, 0.25F, 0.25F));
 }
 
@@ -220,7 +220,7 @@ TEST(CutOuts, EveryPartOfThemNamesTheContent) {
   }
   EXPECT_EQ(hashes.size(), changes.size() + 1);
   Scene painted = scene;
-  painted.textures[0].rgba[4] ^= 1;  // red, which the cut-out does not read
+  painted.textures[0].rgba[4] ^= 1;  // the cut-out does not read red
   painted.materials[1].base_colour = {1, 0, 0};
   EXPECT_EQ(content_hash(painted), content_hash(scene));
 }

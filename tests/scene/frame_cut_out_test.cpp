@@ -1,5 +1,5 @@
-// Cut-outs in the shadow map and before the camera, against their alpha in long double at texel and pixel
-// centres.
+// Compares cut-outs in the shadow map and before the camera with their alpha in long double at texel and
+// pixel centres.
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -10,14 +10,14 @@
 namespace penumbra::scene {
 namespace {
 
-// A square of 4 m over the ground, with coordinates -1.5 .. 1.5.
+// The card is a square of 4 m over the ground, with coordinates -1.5 .. 1.5.
 struct Card {
   glm::dvec3 centre;
-  glm::dvec3 u, v;  // half of its edges
+  glm::dvec3 u, v;  // vectors of half of its edges
   static constexpr double half_coordinates = 1.5;
 
   glm::dvec3 normal() const { return glm::normalize(glm::cross(u, v)); }
-  // Where a line meets the card's plane, as coordinates of the texture.
+  // The coordinates of the texture where a line meets the card's plane.
   LongVec2 uv(const glm::dvec3& start, const glm::dvec3& direction) const {
     const double along = glm::dot(centre - start, normal()) / glm::dot(direction, normal());
     const glm::dvec3 from_centre = start + along * direction - centre;
@@ -42,7 +42,7 @@ void add_card(Scene& scene, const Card& card, const CutOut& cut_out) {
 
 enum class Seen { solid, open, undecided };
 
-// margin: of coordinates, for snapped vertices and interpolation in floats.
+// margin is that of the coordinates, for snapped vertices and interpolation in floats.
 Seen seen_of(const Scene& scene, const CutOut& cut_out, const LongVec2& uv, long double margin) {
   const long double edge = Card::half_coordinates;
   if (std::max(std::abs(uv.x), std::abs(uv.y)) > edge + margin) return Seen::open;
@@ -65,7 +65,8 @@ Scene card_scene(const CutOut& cut_out) {
   Scene scene = ground_scene();
   scene.camera.forward = {0.05, 0.05, 1.0};
   scene.textures = {odd_texture(), {3, 1, std::vector<std::uint8_t>(12, 255)}};
-  add_card(scene, {{0.0, -1.0, 9.0}, {0.1, 0.0, 0.0}, {0.0, 0.0, 0.1}}, {.texture = 1});  // under the ground
+  // This card is under the ground.
+  add_card(scene, {{0.0, -1.0, 9.0}, {0.1, 0.0, 0.0}, {0.0, 0.0, 0.1}}, {.texture = 1});
   add_card(scene, kCard, cut_out);
   return scene;
 }
@@ -90,7 +91,7 @@ TEST_F(RasterisedFrame, TheMapIsOpenWhereACutOutIs) {
           const double depth = frame.atlas.depth[texel_index(row, frame.atlas.width, column)];
           const glm::dvec3 caster = start + depth * (end - start);
           const bool on_card = std::abs(glm::dot(caster - kCard.centre, kCard.normal())) < 1e-3 &&
-                               caster.y > 0.1;  // where its plane meets the ground
+                               caster.y > 0.1;  // lower, its plane meets the ground
           ASSERT_EQ(on_card, seen == Seen::solid) << one.name << ", texel " << column << ", " << row;
         }
       }
@@ -101,7 +102,7 @@ TEST_F(RasterisedFrame, TheMapIsOpenWhereACutOutIs) {
   }
 }
 
-// In perspective: coordinates are interpolated by the depth.
+// The light's map is in perspective, so coordinates are interpolated by the depth.
 TEST_F(RasterisedFrame, ASpotLightsMapIsOpenWhereACutOutIs) {
   for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
     Scene scene = card_scene(one.cut_out);

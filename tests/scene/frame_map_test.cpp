@@ -1,4 +1,4 @@
-// The rasterised cascade atlas against closed forms of planes.
+// Compares the rasterised cascade atlas with closed forms of planes.
 #include <cmath>
 #include <cstring>
 #include <glm/matrix.hpp>
@@ -14,7 +14,7 @@ struct Plane {
   double offset;      // normal . p = offset, world space
 };
 
-// What the map must hold at an atlas UV that looks at the plane.
+// The depth that the map must hold at an atlas UV that looks at the plane.
 double stored_depth(const parameters::Cascade& cascade, const glm::dvec2& uv, const Plane& plane) {
   const glm::dmat4 to_world = glm::inverse(cascade.world_to_shadow);
   const glm::dvec3 start(to_world * glm::dvec4(uv, 0.0, 1.0));
@@ -34,9 +34,9 @@ struct MapError {
   double worst_allowed = 0.0;  // largest |stored - analytic| as a share of what is allowed
 };
 
-// Allowed: half a step of the format; vertices snapped to 1/256 texel, which tilts the depth by as much of
-// its gradient (Vulkan's least subPixelPrecisionBits is 4, this device has 8); and the float's rounding of
-// three products and sums per coordinate, a step each, for vertex and interpolation.
+// The allowed error is half a step of the format; vertices snapped to 1/256 texel, which tilts the depth by
+// as much of its gradient (Vulkan's least subPixelPrecisionBits is 4, this device has 8); and the float's
+// rounding of three products and sums per coordinate, a step each, for vertex and interpolation.
 MapError compare(const Frame& frame, const parameters::Cascade& cascade, const Plane& plane) {
   const ShadowAtlas& atlas = frame.atlas;
   const glm::dvec2 size(atlas.width, atlas.height);
@@ -114,7 +114,7 @@ TEST_P(FrameMap, HoldsTheGroundsDepthInEveryCascade) {
   }
 }
 
-// Planes perpendicular to the light have no gradient: what is left is the format's own precision. All three
+// Planes perpendicular to the light have no gradient, so only the format's own precision is left. All three
 // stand before the far side of every cascade's sphere.
 TEST_P(FrameMap, HoldsPerpendicularPlanesToTheFormatsPrecision) {
   for (const double distance : {-40.0, -20.0, -3.0}) {
@@ -149,7 +149,7 @@ TEST_P(FrameMap, LeavesTheQuarterWithoutATileClear) {
 
 TEST_P(FrameMap, DrawsWhatIsNearerThanTheNearPlaneOntoIt) {
   Scene scene = ground_scene();
-  add_perpendicular_sheet(scene, -60.0);  // far toward the light, over everything
+  add_perpendicular_sheet(scene, -60.0);  // this sheet is far toward the light, over everything
   FrameSettings tight = settings(1);
   tight.shadows.depth_range_metres = 5.0;
   const Frame frame = rasterise(*device, scene, tight);
@@ -162,7 +162,7 @@ TEST_P(FrameMap, SinksTheGroundByUrpsBias) {
   Scene scene = ground_scene();
   FrameSettings biased = settings(2);
   biased.shadows.depth_bias = 1.0;
-  biased.shadows.normal_bias = 3.0;  // not 2: there a flipped light happens to sink it alike
+  biased.shadows.normal_bias = 3.0;  // at 2 a flipped light happens to sink it alike
   const Frame frame = rasterise(*device, scene, biased);
   ASSERT_EQ(frame.atlas.height, frame.atlas.width / 2);
   const double cosine = -scene.light_direction.y;
@@ -203,7 +203,7 @@ TEST_P(FrameMap, IsAsExactFarFromTheOrigin) {
   }
 }
 
-// A tower far taller than the shadow distance, and a sun just above the horizon.
+// The tower is far taller than the shadow distance, and the sun stands just above the horizon.
 TEST_F(RasterisedFrame, ClampsNoCasterWhenTheSceneFixesTheNearPlane) {
   for (const double sun_degrees : {60.0, 2.0}) {
     Scene scene = ground_scene();
@@ -232,7 +232,7 @@ TEST_F(RasterisedFrame, RepeatsToTheByteFromOneRasteriser) {
   EXPECT_EQ(first.atlas.texels, rasterise(*device, scene, d16).atlas.texels);
 }
 
-// What filters meet when the sun moves on: the map and the matrices of before, the receivers of now.
+// Filters meet this when the sun moves on: the map and the matrices of before, the receivers of now.
 TEST_F(RasterisedFrame, HasAnOldMapInTheLightOfBefore) {
   const Scene now = built_in("contact-boxes");
   Scene before = now;

@@ -1,4 +1,4 @@
-// What the camera sees against rays through pixel centres, near the world's origin and 100 km from it.
+// Compares what the camera sees with rays through pixel centres, near the world's origin and 100 km from it.
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <iostream>
@@ -29,10 +29,10 @@ glm::dvec3 ray(const parameters::Camera& camera, int column, int row, const Rece
 struct Seen {
   double distance = HUGE_VAL;
   glm::dvec3 normal{0.0};
-  double edge = HUGE_VAL;  // how near the ray passes the sheet's border, in units of its half-extent
+  double edge = HUGE_VAL;  // distance of the ray from the sheet's border, in units of its half-extent
 };
 
-// The two sheets of ground_and_wall by hand, the wall first.
+// The two sheets of ground_and_wall are traced by hand, the wall first.
 Seen trace(const glm::dvec3& from, const glm::dvec3& direction) {
   Seen seen;
   const glm::dvec3 u(3, 0, 0.5);
@@ -125,7 +125,7 @@ TEST_F(RasterisedFrame, EveryPixelNamesItsTriangleAtAnyDistance) {
 
 TEST_F(RasterisedFrame, NormalsFaceTheCameraFromBothSides) {
   Scene scene = ground_scene();
-  scene.camera.position.y = -3.0;  // below the ground, looking up
+  scene.camera.position.y = -3.0;  // the camera is below the ground and looks up
   scene.camera.forward = {0.0, 0.3, 1.0};
   const Frame frame = rasterise(*device, scene, unbiased_settings(true, DepthFormat::d32));
   int seen = 0;

@@ -1,4 +1,4 @@
-// Scenes made of single planes, whose maps and receivers have closed forms, and a device to draw them on.
+// Makes scenes of single planes, whose maps and receivers have closed forms, and a device to draw them on.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ class RasterisedFrame : public testing::Test {
   std::shared_ptr<const gpu::ValidationLog> log;
 };
 
-// A parallelogram around centre with edges 2 u and 2 v; its vertex normals are normal.
+// Adds a parallelogram around centre with edges 2 u and 2 v; its vertex normals are normal.
 inline void add_sheet(Mesh& mesh, const glm::dvec3& centre, const glm::dvec3& u, const glm::dvec3& v,
                       const glm::dvec3& normal) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -51,7 +51,8 @@ inline Scene ground_scene() {
   return scene;
 }
 
-// Across the light, distance metres along it from the origin, wider than any tile of these tests.
+// Adds a sheet across the light, distance metres along it from the origin, wider than any tile of these
+// tests.
 inline void add_perpendicular_sheet(Scene& scene, double distance) {
   const glm::dvec3 along = scene.light_direction;
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), along));

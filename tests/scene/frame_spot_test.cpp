@@ -1,4 +1,4 @@
-// A spot light's map against rays from its position.
+// Compares a spot light's map with rays from its position.
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -26,7 +26,8 @@ Scene lamp_scene() {
   return scene;
 }
 
-// From the light through a texel's centre, an axial metre long, said anew from the light's own numbers.
+// The rays lead from the light through a texel's centre and are an axial metre long; they are computed anew
+// from the light's own numbers.
 class MapRays {
  public:
   MapRays(const parameters::SpotLight& light, int resolution) : light_(light), resolution_(resolution) {
@@ -41,7 +42,7 @@ class MapRays {
                  along = 2.0 * (row + 0.5) / resolution_ - 1.0;
     return forward_ + half_width_ * (across * right_ + along * up_);
   }
-  // Axial metres to a plane normal . p = offset.
+  // The axial metres to a plane normal . p = offset.
   double to_plane(double column, double row, const glm::dvec3& normal, double offset) const {
     return (offset - glm::dot(normal, light_.position)) / glm::dot(normal, direction(column, row));
   }
@@ -60,13 +61,13 @@ class MapRays {
 
 struct MapError {
   int texels = 0;
-  int beyond = 0;              // the range, or in front of the near plane
-  int clear = 0;               // of these
+  int beyond = 0;              // texels beyond the range, or in front of the near plane
+  int clear = 0;               // clear ones of these
   double worst_allowed = 0.0;  // largest error as a share of what is allowed
 };
 
-// Allowed: half a step of the format, vertices snapped to 1/256 texel, and float rounding as in the sun's
-// maps.
+// The allowed error is half a step of the format, vertices snapped to 1/256 texel, and float rounding as in
+// the sun's maps.
 MapError compare(const Frame& frame, const MapRays& rays, const glm::dvec3& normal, double offset,
                  double step) {
   const bool reversed_z = frame.cascades.reversed_z;
@@ -123,7 +124,7 @@ TEST_F(RasterisedFrame, OfASpotLightHoldsTheGroundsDepth) {
 // Beside the cone's map and beyond the range the light sees nothing.
 TEST_F(RasterisedFrame, OfASpotLightIsClearBeyondItsRange) {
   Scene scene = lamp_scene();
-  scene.spot_light->direction = {0.0, -0.1, 1.0};  // to the horizon
+  scene.spot_light->direction = {0.0, -0.1, 1.0};  // towards the horizon
   const MapRays rays(*scene.spot_light, 512);
   const Frame frame = rasterise(*device, scene, unbiased_settings(true, DepthFormat::d32, 1));
   const MapError error = compare(frame, rays, {0, 1, 0}, 0.0, format_step_of(DepthFormat::d32));

@@ -1,4 +1,4 @@
-// The camera of an imported model: the model and its shadow fill the picture, whatever their size.
+// Tests the camera of an imported model: the model and its shadow fill the picture, whatever their size.
 #include "scene/framing.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace penumbra::scene {
 namespace {
 
-// Picture coordinates, the edges at -1 and 1.
+// The picture coordinates, with the edges at -1 and 1.
 glm::dvec2 projected(const parameters::Camera& camera, const glm::dvec3& point) {
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.forward));
   const glm::dvec3 up = glm::cross(camera.forward, right);
@@ -22,7 +22,7 @@ glm::dvec2 projected(const parameters::Camera& camera, const glm::dvec3& point) 
           glm::dot(to, up) / (glm::dot(to, camera.forward) * tan_half)};
 }
 
-// Corners of the box, and where the light carries those of its top.
+// The corners of the box, and where the light carries those of its top.
 std::vector<glm::dvec3> model_and_shadow(const parameters::Bounds& box, const glm::dvec3& light) {
   std::vector<glm::dvec3> points;
   for (int corner = 0; corner < 8; ++corner) {

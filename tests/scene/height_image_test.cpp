@@ -1,4 +1,5 @@
-// Images of heights: what their bytes say, by way of another process too, and every way they are refused.
+// Tests images of heights: what their bytes say, by way of another process too, and every way they are
+// refused.
 #include "scene/height_image.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ std::vector<std::byte> raw(const std::vector<int>& samples) {
   return bytes;
 }
 
-// By libpng's own simplified interface: 16 bits a sample in its linear formats, else 8.
+// The file is written by libpng's own simplified interface: 16 bits a sample in its linear formats, else 8.
 std::vector<std::byte> png(int width, int height, const std::vector<std::uint16_t>& samples,
                            png_uint_32 format = PNG_FORMAT_LINEAR_Y) {
   png_image image{};
@@ -96,8 +97,9 @@ TEST(HeightImage, ADamagedPngIsNotTakenForAnotherFormat) {
                        AllOf(HasSubstr("heights.png: cannot be read as an image of heights"), says,
                              testing::Not(HasSubstr("()"))));
   };
-  constexpr std::size_t size_and_depth = 8 + 8 + 9;  // the signature, IHDR's length and name, its beginning
-  constexpr std::size_t end = 12;                    // IEND, which is empty
+  // These bytes are the signature, IHDR's length and name, and its beginning.
+  constexpr std::size_t size_and_depth = 8 + 8 + 9;
+  constexpr std::size_t end = 12;  // IEND, which is empty
   for (std::size_t length = size_and_depth; length < whole.size() - end; ++length)
     refuse(std::span(whole).first(length),
            AllOf(HasSubstr("the file is damaged or incomplete"), HasSubstr("export it again")));

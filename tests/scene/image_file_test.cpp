@@ -1,4 +1,4 @@
-// Pictures from files: what the bytes say, and every way they are refused.
+// Tests pictures from files: what the bytes say, and every way they are refused.
 #include "scene/image_file.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,8 @@ std::vector<std::byte> bytes_of(const std::vector<int>& values) {
   return bytes;
 }
 
-// An uncompressed TGA of 24 bits, rows from the top: an 18-byte header, then blue, green, red of each pixel.
+// An uncompressed TGA of 24 bits with rows from the top: an 18-byte header, then blue, green and red of each
+// pixel.
 std::vector<std::byte> tga(int width, int height, const std::vector<int>& blue_green_red) {
   std::vector<int> file{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   file.insert(file.end(), {width & 255, width >> 8, height & 255, height >> 8, 24, 0x20});

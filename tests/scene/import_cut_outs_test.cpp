@@ -1,4 +1,4 @@
-// Which parts of a model's surfaces are open, as its file says it.
+// Tests which parts of a model's surfaces are open, as its file says it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 const ImportOptions kBare{.ground = false};
 
-// Uncompressed TGA of 32 bits, rows from the top.
+// An uncompressed TGA of 32 bits with rows from the top.
 std::string tga_with_alpha(int width, const std::vector<std::array<int, 4>>& rgba) {
   std::vector<std::array<int, 3>> opaque(rgba.size());
   std::string file = tga(width, opaque).substr(0, 18);
@@ -57,7 +57,7 @@ TEST_F(ImportCutOuts, MaskOfGltfIsTheAlphaOfItsColourTexture) {
   EXPECT_EQ(cut_out_of(scene), expected);
   const CutOuts cut_outs(scene);
   ASSERT_TRUE(cut_outs.cuts(0) && cut_outs.cuts(1));
-  // At the centres of the texels, on the triangle that holds them.
+  // The places are the centres of the texels, on the triangle that holds them.
   for (int texel = 0; texel < 6; ++texel) {
     const glm::vec2 uv((float(texel % 3) + 0.5F) / 3.0F, texel < 3 ? 0.25F : 0.75F);
     int triangles = 0;
@@ -199,7 +199,7 @@ TEST_F(ImportOpacityMaps, MayBeClampedAndMissing) {
   EXPECT_THAT(missing.notes, ElementsAre(HasSubstr("none.tga: no such file"), HasSubstr("it is solid")));
 }
 
-// (0, 0) of a texture is its first row's first corner; where all vertices are there, they still have
+// (0, 0) of a texture is its first row's first corner. Where all vertices are there, they still have
 // coordinates.
 TEST_F(ImportOpacityMaps, AreReadAtTheirCornerToo) {
   write("leaf.tga", kLeaf);

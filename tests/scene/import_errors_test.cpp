@@ -144,7 +144,7 @@ TEST_F(ImportTest, RefusesAGltfWhoseBufferIsMissing) {
   EXPECT_THAT(refusal(write("missing_buffer.gltf", text)), HasSubstr("elsewhere.bin"));
 }
 
-// Neither by "..", nor by an absolute path, nor through a link.
+// The import does so neither by "..", nor by an absolute path, nor through a link.
 TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
   namespace fs = std::filesystem;
   fs::create_directories(folder_ / "model");
@@ -161,7 +161,7 @@ TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
     EXPECT_THAT(refusal(with_buffer(uri)),
                 AllOf(HasSubstr("model.gltf: names the file '"), HasSubstr("outside the model's folder")))
         << uri;
-  // Beneath the model's folder by the importer library, unless that is the working directory.
+  // The importer library looks beneath the model's folder, unless that is the working directory.
   EXPECT_THAT(refusal(with_buffer(bytes.string())), HasSubstr("secret.bin"));
   const fs::path before = fs::current_path();
   fs::current_path(folder_ / "model");
@@ -191,7 +191,7 @@ TEST_F(ImportTest, RefusesAModelThatIsAPipe) {
               AllOf(HasSubstr("pipe.obj: is a device or a pipe"), HasSubstr("write its content to a file")));
 }
 
-// It would be read until somebody writes into it.
+// The buffer would be read until somebody writes into it.
 TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
   std::string text = gltf(kTriangle);
@@ -201,7 +201,7 @@ TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
 }
 
 TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
-  // Its faces share vertices, so that the limit on those is not what is met.
+  // The model's faces share vertices, so that the limit on those is not what is met.
   const auto file =
       write("tetrahedron.ply",
             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"

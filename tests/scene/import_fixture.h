@@ -1,4 +1,4 @@
-// Small model files that tests write for themselves, and what import says about them.
+// Writes small model files for tests, and tells what import says about them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -63,7 +63,8 @@ inline std::string base64(const std::vector<float>& numbers) {
   return text;
 }
 
-// glTF with embedded positions, drawn by one node without indices; node is more of the node's JSON.
+// The text of a glTF with embedded positions, drawn by one node without indices; node is more of the node's
+// JSON.
 inline std::string gltf(const std::vector<float>& positions, const std::string& node = {}) {
   const std::string bytes = std::to_string(positions.size() * 4);
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + node +

@@ -19,7 +19,7 @@ class ImportMaterials : public ImportTest {
   Scene with_texture(const std::string& uri) const {
     return import(write("model.gltf", textured_square(kColourTexture, R"({"uri":")" + uri + "\"}")), kBare);
   }
-  // Imports, in plain colour, with one note about the texture.
+  // Expects an import in plain colour, with one note about the texture.
   static void expect_left_out(const Scene& scene, const std::string& reason) {
     EXPECT_EQ(scene.mesh.triangle_count(), 2U);
     EXPECT_TRUE(scene.textures.empty());

@@ -12,7 +12,7 @@ TEST_F(ImportTest, MirrorsXAndKeepsTheOutside) {
   const Scene scene = import(write("tetrahedron.obj", kTetrahedron), kBare);
   EXPECT_EQ(scene.mesh.triangle_count(), 4U);
   EXPECT_EQ(open_edges(scene.mesh), 0U);
-  EXPECT_NEAR(volume(scene.mesh), 1.0, 1e-6);  // 1 * 2 * 3 / 6, and positive: the winding still points out
+  EXPECT_NEAR(volume(scene.mesh), 1.0, 1e-6);  // 1 * 2 * 3 / 6 is positive: the winding still points out
   // The tall edge stood at the file's least x; in Unity's space that is the greatest.
   for (const glm::vec3& p : scene.mesh.positions) {
     if (p.y > 1.9F) {

@@ -1,4 +1,4 @@
-// The scenes with ground beyond the shadow distance.
+// Tests the scenes with ground beyond the shadow distance.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -50,7 +50,7 @@ TEST(MeshBuilder, HeightsAreASmoothSurfaceThatFacesUp) {
     const glm::vec3& p = mesh.positions[i];
     EXPECT_NEAR(p.y, height(static_cast<int>((p.x - 10.0F) / 2.0F), static_cast<int>((p.z + 4.0F) / 2.0F)),
                 1e-6);
-    // A plane that rises by 0.25 along x and falls by 0.125 along z; at the border slopes are halved.
+    // The plane rises by 0.25 along x and falls by 0.125 along z; at the border slopes are halved.
     if (i != 5 && i != 6) continue;
     EXPECT_NEAR(-mesh.normals[i].x / mesh.normals[i].y, 0.25, 1e-5);
     EXPECT_NEAR(mesh.normals[i].z / mesh.normals[i].y, 0.125, 1e-5);
@@ -69,7 +69,7 @@ TEST(MeshBuilder, StandingBoxStandsOnItsBase) {
 
 TEST(MeshBuilder, TubeIsClosedAndHasThePyramidsVolumeAtEveryAttitude) {
   constexpr int sides = 7;
-  // A frustum over a regular polygon: h/3 (A + B + sqrt(A B)).
+  // The volume is that of a frustum over a regular polygon: h/3 (A + B + sqrt(A B)).
   const auto polygon = [](double r) {
     return 0.5 * sides * r * r * std::sin(2.0 * std::numbers::pi / sides);
   };
@@ -96,14 +96,14 @@ TEST(MeshBuilder, GableIsAClosedPrism) {
 }
 
 TEST(MeshBuilder, LatheIsClosedAndHasTheVolumeOfItsRings) {
-  // A cup: out along the foot, up, over the lip and down the inside to the axis.
+  // The outline is a cup: out along the foot, up, over the lip and down the inside to the axis.
   MeshBuilder builder;
   builder.lathe({{{1.0, 2.0, 3.0}, rotation(20.0, 30.0, 40.0)},
                  {{0.0, 0.0}, {0.4, 0.0}, {0.5, 1.0}, {0.4, 1.0}, {0.3, 0.1}, {0.0, 0.1}},
                  16});
   const Mesh mesh = builder.take();
   EXPECT_EQ(open_edges(mesh), 0U);
-  // Frustums over a regular polygon of 16 sides, whose area is 8 r^2 sin(22.5 degrees).
+  // The frustums stand on a regular polygon of 16 sides, whose area is 8 r^2 sin(22.5 degrees).
   const auto frustum = [](double a, double b, double height) {
     return height / 3.0 * (a * a + b * b + a * b) * 8.0 * std::sin(std::numbers::pi / 8.0);
   };

@@ -1,4 +1,4 @@
-// What the tests of this room ask of a mesh.
+// Properties that the tests of this room ask of a mesh.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ inline glm::dvec3 area_vector(const Mesh& mesh, std::size_t triangle) {
   return glm::cross(b - a, c - a);
 }
 
-// Closed and oriented: every edge, found by the places of its ends, is walked as often in one direction as in
-// the other. Returns the number of edges for which that fails.
+// Returns the number of edges at which the mesh is not closed and oriented: every edge, found by the places
+// of its ends, must be walked as often in one direction as in the other.
 inline std::size_t open_edges(const Mesh& mesh) {
   using Place = std::tuple<double, double, double>;
   std::map<std::pair<Place, Place>, int> balance;
@@ -43,7 +43,7 @@ inline std::size_t open_edges(const Mesh& mesh) {
       std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-// Divergence theorem: positive when the winding points out of the solid.
+// The volume by the divergence theorem: positive when the winding points out of the solid.
 inline double volume(const Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -52,8 +52,8 @@ inline double volume(const Mesh& mesh) {
   return sum;
 }
 
-// How often the mesh winds around a point: about 1 inside a solid, 0 outside, and up to a half either way
-// beside an open sheet (van Oosterom and Strackee 1983, solid angle of a triangle).
+// The number of times that the mesh winds around a point: about 1 inside a solid, 0 outside, and up to a half
+// either way beside an open sheet (van Oosterom and Strackee 1983, solid angle of a triangle).
 inline double winding_number(const Mesh& mesh, const glm::dvec3& point) {
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {

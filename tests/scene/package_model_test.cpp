@@ -37,7 +37,7 @@ TEST(HorseModel, RearsInsteadOfLyingOnItsSide) {
   const glm::dvec3 extent = box.maximum - box.minimum;
   EXPECT_GT(extent.y, extent.x);
   EXPECT_GT(extent.y, extent.z);
-  // Head, neck and forelegs are above; only hind legs and tail below.
+  // Head, neck and forelegs are above; only hind legs and tail are below.
   const std::vector<glm::vec3>& places = scene.mesh.positions;
   const auto low = std::count_if(places.begin(), places.end(), [](auto p) { return p.y < 0.6F; });
   const auto high = std::count_if(places.begin(), places.end(), [](auto p) { return p.y > 1.9F; });

@@ -39,7 +39,7 @@ TEST(Patterns, TintedGoesFromDarkToLightInSrgb) {
             (std::vector<int>{0, 0, 0, 255, 255, 128, 0, 255}));  // 0.2158605 is sRGB's 128
 }
 
-// A ramp that rises to the right and, in rows that go down, to the bottom: the normal leans left and up.
+// The ramp rises to the right and, in rows that go down, to the bottom, so the normal leans left and up.
 TEST(Patterns, NormalsLeanAgainstTheRise) {
   Relief ramp{8, {}};
   for (int y = 0; y < 8; ++y) {

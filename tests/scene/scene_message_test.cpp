@@ -1,4 +1,4 @@
-// What the process that read a model says of it, and what is believed of that.
+// Tests what the process that read a model says of it, and what is believed of that.
 #include "scene/scene_message.h"
 
 #include <gmock/gmock.h>

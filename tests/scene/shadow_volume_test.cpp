@@ -1,5 +1,5 @@
-// Shadow volumes of meshes: closed whatever the mesh is, and inside of them exactly the points that a ray
-// towards the light says.
+// Tests shadow volumes of meshes: they are closed whatever the mesh is, and inside of them are exactly the
+// points that a ray towards the light says.
 #include "scene/shadow_volume.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ ShadowVolume volume_of(const Triangles& mesh, const glm::dvec3& light) {
   return shadow_volume(mesh.positions, mesh.indices, kLength * glm::normalize(light));
 }
 
-// Directed edges that do not cancel.
+// The number of directed edges that do not cancel.
 std::size_t gaps(const ShadowVolume& volume) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
   for (std::size_t first = 0; first < volume.indices.size(); first += 3)
@@ -68,7 +68,8 @@ std::size_t gaps(const ShadowVolume& volume) {
       std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-// How often a volume contains a point: by the solid angles of its triangles (van Oosterom and Strackee 1983).
+// The number of times that a volume contains a point, by the solid angles of its triangles (van Oosterom and
+// Strackee 1983).
 double times_inside(const ShadowVolume& volume, const glm::dvec3& point) {
   Mesh mesh;
   mesh.positions = volume.positions;
@@ -76,7 +77,8 @@ double times_inside(const ShadowVolume& volume, const glm::dvec3& point) {
   return winding_number(mesh, point);
 }
 
-// Triangles between a point and the light, those of closed pieces once for two; absent where an edge is near.
+// The number of triangles between a point and the light, those of closed pieces once for two; absent where an
+// edge is near.
 std::optional<double> casters_before(const Triangles& mesh, const glm::dvec3& point, const glm::dvec3& light,
                                      const std::function<double(const glm::dvec3&)>& weight) {
   double sum = 0.0;
@@ -120,7 +122,7 @@ int compare(const Triangles& mesh, const ShadowVolume& volume, const glm::dvec3&
   return shaded;
 }
 
-// The same on every machine, which distributions of the standard library are not.
+// The places are the same on every machine, which distributions of the standard library are not.
 glm::vec3 random_place(std::mt19937& random, float size) {
   glm::vec3 place;
   for (int axis = 0; axis < 3; ++axis)
@@ -181,7 +183,7 @@ TEST(ShadowVolume, IsClosedAndRightForOpenTriangles) {
   EXPECT_GT(shaded, 1000);
 }
 
-// Triangles that share vertices of a small grid: fans, folds, more than two at an edge, coincident ones, both
+// The triangles share vertices of a small grid: fans, folds, more than two at an edge, coincident ones, both
 // windings, corners on others' edges, and faces along which the light passes exactly.
 TEST(ShadowVolume, IsClosedAndRightForTrianglesOnAGrid) {
   std::mt19937 random(5);
@@ -204,13 +206,13 @@ TEST(ShadowVolume, IsClosedAndRightForTrianglesOnAGrid) {
   EXPECT_GT(dropped, 50);
 }
 
-// Closed pieces count once: by the triangles that are turned away.
+// Closed pieces count once, by the triangles that are turned away.
 TEST(ShadowVolume, OfClosedPiecesCountsTheSolidsBeforeAPoint) {
   std::mt19937 random(9);
   Triangles mesh;
   mesh.add_box({-3, 0, -3}, {-1, 2, -1});
-  mesh.add_box({-1, 0, -1}, {1, 1, 1});  // shares an edge's line and one corner with the first
-  mesh.add_box({1, 0, -1}, {2, 1, 1});   // shares a face
+  mesh.add_box({-1, 0, -1}, {1, 1, 1});  // it shares an edge's line and one corner with the first
+  mesh.add_box({1, 0, -1}, {2, 1, 1});   // it shares a face
   mesh.add_box({-2, 4, -2}, {2, 4.5F, 2});
   const glm::dvec3 light(0.2, -0.9, -0.3);
   const ShadowVolume volume = volume_of(mesh, light);
@@ -272,7 +274,7 @@ TEST(ShadowVolume, TrianglesWithoutThreeCornersAreLeftOut) {
   EXPECT_EQ(volume_of({}, {0, -1, 0}).positions.size(), 0U);
 }
 
-// A closed box one of whose faces is cut at the middle of an edge that its neighbour is not.
+// One face of a closed box is cut at the middle of an edge that its neighbour is not.
 TEST(ShadowVolume, AMeshWithATJunctionIsOpenAndItsVolumeClosed) {
   Triangles mesh;
   mesh.add_box({-1, -1, -1}, {1, 1, 1});
@@ -321,7 +323,7 @@ nlohmann::ordered_json numbers_of(const std::vector<glm::vec3>& positions) {
   return numbers;
 }
 
-// Volumes that the sample for Unity builds, too (tests/csharp/Samples).
+// The sample for Unity builds these volumes, too (tests/csharp/Samples).
 std::string golden_text() {
   std::mt19937 random(11);
   Triangles boxes, leaves, grid;

@@ -1,4 +1,4 @@
-// The plane and the balls that stand for a scene's mesh.
+// Tests the plane and the balls that stand for a scene's mesh.
 #include "scene/stand_ins.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Scene built(MeshBuilder& mesh) {
 TEST(GroundLevel, IsThatOfTheMostLevelAreaThatFacesUp) {
   MeshBuilder mesh;
   mesh.ground({0.0, 0.0, 0.0}, 20.0);
-  mesh.standing_box({0.0, -3.0, 0.0}, {30.0, 0.5, 30.0}, 10.0);  // a cellar, whose floor is smaller
+  mesh.standing_box({0.0, -3.0, 0.0}, {30.0, 0.5, 30.0}, 10.0);  // this is a cellar, whose floor is smaller
   mesh.standing_box({1.0, 0.0, 2.0}, {1.0, 2.0, 3.0}, 30.0);
   EXPECT_NEAR(ground_level(built(mesh).mesh), 0.0, 1e-6);
   MeshBuilder slab;
@@ -43,7 +43,7 @@ TEST(ObjectBalls, HaveAQuarterOfTheSurfaceAndItsCentre) {
   mesh.standing_box({-3.0, 1.0, -4.0}, {2.0, 1.0, 0.5}, 0.0);
   const std::vector<Ball> balls = object_balls(built(mesh).mesh, 16);
   ASSERT_EQ(balls.size(), 2U);
-  // The larger first. The underside of the first box lies in the ground, and belongs to it.
+  // The larger ball comes first. The underside of the first box lies in the ground, and belongs to it.
   EXPECT_NEAR(balls[0].radius, std::sqrt((4.0 + 2.0 + 1.0) / (4.0 * std::numbers::pi)), 1e-6);
   EXPECT_NEAR(glm::length(balls[0].centre - glm::dvec3(-3.0, 1.5, -4.0)), 0.0, 1e-6);
   EXPECT_NEAR(balls[1].radius, std::sqrt(5.0 / (4.0 * std::numbers::pi)), 1e-6);

@@ -1,4 +1,4 @@
-// A textured square as glTF, and the smallest of picture files, for tests that write them.
+// Writes a textured square as glTF, and the smallest of picture files, for tests.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace penumbra::scene {
 
-// Uncompressed TGA of 24 bits, rows from the top.
+// An uncompressed TGA of 24 bits with rows from the top.
 inline std::string tga(int width, const std::vector<std::array<int, 3>>& rgb) {
   const int height = static_cast<int>(rgb.size()) / width;
   std::string file(18, '\0');
@@ -27,8 +27,8 @@ inline std::string tga(int width, const std::vector<std::array<int, 3>>& rgb) {
 }
 
 // A square of 6 m that lies in y = 0 and looks up, in the file's right-handed space. The texture's first row
-// lies at the least z, its first column at the least x. material: more of the material's JSON; images: the
-// array's content; node: more of the node's JSON.
+// lies at the least z, its first column at the least x. material is more of the material's JSON, images the
+// array's content, and node more of the node's JSON.
 inline std::string textured_square(const std::string& material, const std::string& images,
                                    const std::string& node = {}) {
   std::vector<float> numbers;

@@ -1,4 +1,4 @@
-// The kernels of a .compute file with their macros and places.
+// Tests the kernels of a .compute file with their macros and places.
 #include "shaderlab/compute.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// "Blur[WIDE=1 FAST]"
+// The kernels written as "Blur[WIDE=1 FAST]".
 std::vector<std::string> kernels(const std::string& text) {
   const ComputeKernels read = compute_kernels(text, "a.compute");
   EXPECT_THAT(read.diagnostics, IsEmpty());
@@ -54,7 +54,7 @@ TEST(ComputeKernels, MayBeJoinedFromLines) {
   EXPECT_THAT(kernels("// \\\n#pragma kernel A\n#pragma kernel B"), ElementsAre("B[]"));
 }
 
-// Unity takes the line.
+// Unity takes the line that ends with a semicolon.
 TEST(ComputeKernels, MayEndAsStatements) {
   EXPECT_THAT(kernels("#pragma kernel A;\n#pragma kernel B ; /* b */\n#pragma kernel C WIDE=1;"),
               ElementsAre("A[]", "B[]", "C[WIDE=1]"));

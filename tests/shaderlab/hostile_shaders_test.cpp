@@ -23,7 +23,7 @@ double seconds_of(const std::string& text) {
   return seconds;
 }
 
-// Of three runs: what else the machine does takes caches away from one of them.
+// The least time of three runs: what else the machine does takes caches away from one of them.
 double least_seconds_of(const std::string& text) {
   return std::min({seconds_of(text), seconds_of(text), seconds_of(text)});
 }
@@ -38,7 +38,7 @@ std::string repeated(const std::string& part, std::size_t bytes) {
   return text;
 }
 
-// What must hold for any input.
+// Expects what must hold for any input.
 void expect_sound(const std::string& text) {
   const ParsedShader parsed = parse_shader(text, "a");
   const auto errors =
@@ -66,7 +66,7 @@ void expect_sound(const std::string& text) {
     EXPECT_FALSE(kernel.function.text.empty());
 }
 
-// Flips bytes, cuts blocks out, doubles them, puts words of ShaderLab where none belong.
+// Flips bytes, cuts blocks out, doubles them, and puts words of ShaderLab where none belong.
 class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed) {}
@@ -141,7 +141,7 @@ TEST(HostileShaders, EveryPrefixOfASampleIsReadSoundly) {
       expect_sound(sample.substr(0, length));
 }
 
-// Four times the text may take about four times as long: quadratic readers would take sixteen times.
+// Four times the text may take about four times as long; quadratic readers would take sixteen times.
 TEST(HostileShaders, TimeGrowsWithTheLengthOnly) {
   const std::string pass = "Shader \"x\" { SubShader { Pass {\n";
   const std::vector<std::string> parts{"{",

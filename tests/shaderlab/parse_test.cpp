@@ -1,4 +1,4 @@
-// What stands in a .shader file comes out as the tree says, each thing with its place.
+// The contents of a .shader file come out as the tree says, each thing with its place.
 #include "shaderlab/parse.h"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ std::vector<Command> commands_of(const std::string& text) {
   return parsed(in_pass(text)).sub_shaders.at(0).passes.at(0).settings.commands;
 }
 
-// "Blend One Zero , One One"
+// The command written as "Blend One Zero , One One".
 std::string written(const Command& command) {
   std::string text = command.name.text;
   for (const Command::Value& value : command.values)

@@ -32,7 +32,7 @@ inline std::vector<Line> code_lines(const std::string& text) {
   return lines;
 }
 
-// Every line of code stands in the file at that line and column; nothing but blanks stands before it.
+// Expects every line of code to stand in the file at that line and column, with nothing but blanks before it.
 inline void expect_places_of_the_file(const Program& program, const std::string& file) {
   std::vector<std::string> lines{""};
   std::istringstream stream(file);

@@ -59,7 +59,7 @@ TEST_F(Programs, AnIncludeBlockAfterTheProgramComesFirstAndSaysItsLine) {
   const std::string& program = programs_[0].text;
   EXPECT_LT(program.find("int late;"), program.find("int b;"));
   EXPECT_EQ(std::count(program.begin(), program.end(), '#'),
-            1);  // the program has to move back, the include not
+            1);  // the program has to move back, the include does not
 }
 
 TEST_F(Programs, ADirectiveStartsALineEvenWhenItsBlockStartsInTheMiddleOfOne) {

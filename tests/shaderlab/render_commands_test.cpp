@@ -1,4 +1,4 @@
-// Which render state holds for a pass: its own, its SubShader's, its Categories'.
+// Tests which render state holds for a pass: its own, its SubShader's, its Categories'.
 #include "shaderlab/render_commands.h"
 
 #include <gmock/gmock.h>

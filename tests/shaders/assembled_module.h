@@ -1,4 +1,4 @@
-// SPIR-V modules of tests, as text, and words that are none.
+// Makes SPIR-V modules of tests from text, and words that are none.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace penumbra::shaders {
 
-// With the ids of the text; the test fails where it is no valid module.
+// The module has the ids of the text; the test fails where it is no valid module.
 inline SpirvModule assembled(const std::string& text) {
   SpirvModule module;
   const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
@@ -20,7 +20,8 @@ inline SpirvModule assembled(const std::string& text) {
   return module;
 }
 
-// Nothing, too few words for a header, and instructions of no length and of more words than there are.
+// The modules are nothing, too few words for a header, and instructions of no length and of more words than
+// there are.
 inline std::vector<SpirvModule> malformed_modules() {
   return {{}, {1, 2, 3}, {1, 2, 3, 4, 5, 0}, {1, 2, 3, 4, 5, 0x00900036}};
 }

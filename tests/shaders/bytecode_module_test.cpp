@@ -1,4 +1,4 @@
-// What FXC made of the files in bytecode/, beside what glslang makes of them: the same names and kinds.
+// Compares what FXC made of the files in bytecode/ with what glslang makes of them: the same names and kinds.
 // Offsets differ, since glslang aligns a float2 to eight bytes: those are from FXC's listing.
 #include "shaders/bytecode_module.h"
 
@@ -126,7 +126,7 @@ TEST(Bytecode, ItsUniformsAreWhereFxcListsThem) {
 
 TEST(Bytecode, BytesThatAreNoContainerAreRefused) {
   const std::string whole = bytecode("resources");
-  const std::size_t end = whole.find("ISGN");  // of the chunk that names the resources
+  const std::size_t end = whole.find("ISGN");  // end of the chunk that names the resources
   ASSERT_NE(end, std::string::npos);
   EXPECT_THROW(bytecode_uniforms("DXBC"), std::invalid_argument);
   for (std::size_t size = 0; size < end; size += 7)

@@ -1,4 +1,4 @@
-// What compile() takes and delivers, bad files included.
+// Tests what compile() takes and delivers, bad files included.
 #include "shaders/compile.h"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST(Compile, DefinesReachTheSource) {
   EXPECT_THAT(first_message(compile(request)), HasSubstr("shader.hlsl:2:1: error: '#error': no keyword"));
 }
 
-// What glslang's preprocessor throws at.
+// glslang's preprocessor throws at such a line.
 TEST(Compile, AJoinedLineThatBeginsInItsFirstColumnIsAnError) {
   EXPECT_THAT(first_message(compile_text("#define B 1.5\nfloat x = B\\\n+2.0;\n")),
               HasSubstr("a token begins in the first column of a line that"));
@@ -68,7 +68,7 @@ std::vector<std::string> errors_for(VulkanVersion vulkan, const std::string& tex
   return messages;
 }
 
-// Wave intrinsics are of Vulkan 1.1 (GroupNonUniform, SPIR-V 1.3).
+// Wave intrinsics belong to Vulkan 1.1 (GroupNonUniform, SPIR-V 1.3).
 TEST(Compile, AVersionOfVulkanTakesWhatItHas) {
   const std::string waves = compute_shader("WaveActiveSum(1.0f)");
   for (const VulkanVersion vulkan : all_vulkan_versions)

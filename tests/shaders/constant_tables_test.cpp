@@ -9,7 +9,7 @@
 namespace penumbra::shaders {
 namespace {
 
-// %20 is a table of two floats, %21 another; %30 the local variable, %31 one more of its type.
+// %20 is a table of two floats, %21 another; %30 is the local variable, %31 one more of its type.
 std::string shader(const std::string& variables, const std::string& code) {
   return "OpCapability Shader\nOpMemoryModel Logical GLSL450\nOpEntryPoint GLCompute %1 \"main\"\n"
          "OpExecutionMode %1 LocalSize 1 1 1\nOpName %30 \"table\"\nOpDecorate %30 RelaxedPrecision\n"
@@ -44,13 +44,13 @@ TEST(ConstantTables, BecomeInitialisersWhereTheSameOneIsStoredTwiceAndReadWholeA
 TEST(ConstantTables, VariablesThatHoldAnythingElseStayAsTheyAre) {
   const std::string second = kPlain + "%31 = OpVariable %8 Function\n";
   for (const std::string& text : {
-           shader(kPlain, "OpStore %30 %20\n" + kRead + "OpStore %30 %21\n"),  // another table
-           shader(kPlain, "OpStore %30 %20\n" + kRead + "OpStore %40 %10\n"),  // one element
+           shader(kPlain, "OpStore %30 %20\n" + kRead + "OpStore %30 %21\n"),  // another table is stored
+           shader(kPlain, "OpStore %30 %20\n" + kRead + "OpStore %40 %10\n"),  // one element is stored
            shader(kPlain, "OpStore %30 %20\n" + kRead + "%42 = OpAccessChain %9 %40\nOpStore %42 %10\n"),
            shader(kPlain,
                   "OpStore %30 %20\n%42 = OpFunctionCall %2 %60 %30\n" + kRead),  // any callee may write
            shader(second, "OpStore %30 %20\nOpCopyMemory %30 %31\n" + kRead),
-           shader(kPlain, kRead),  // nothing at all
+           shader(kPlain, kRead),  // nothing at all is stored
            shader("%30 = OpVariable %8 Function %21\n",
                   "OpStore %30 %20\n" + kRead),  // it has an initialiser
            shader(kPlain, "%42 = OpUndef %7\nOpStore %30 %42\n" + kRead),

@@ -64,9 +64,9 @@ TEST(CountedModule, IsValidForEveryVulkan) {
 
 constexpr std::int64_t kUnknown = -1;
 
-// What the counters of a shader without branches grow by, which the optimiser computes: fetches, texels
-// written, operations; then the operations' high word: whether the low one wraps is known on the device;
-// last, invocations.
+// The growth of a shader's counters without branches, which the optimiser computes: fetches, texels written,
+// operations; then the operations' high word, since whether the low one wraps is known on the device; last,
+// invocations.
 std::vector<std::int64_t> counts(const std::string& statement) {
   const std::string text = R"(
 TextureCube _Cube;

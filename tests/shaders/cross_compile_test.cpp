@@ -44,7 +44,7 @@ std::string golden(Target target) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// The files were read once and found right: what the test holds is that the emission does not change unseen.
+// The files were read once and found right: the test holds that the emission does not change unseen.
 // PENUMBRA_UPDATE_GOLDEN=1 writes them anew, to be read again.
 TEST(CrossCompile, ShadowFragmentIsTheGoldenTextInEveryTarget) {
   const std::vector<std::uint32_t> spirv = module_of(shadow_fragment, hlsl::Stage::fragment);
@@ -85,7 +85,7 @@ TEST(CrossCompile, SamplersAreCombinedByName) {
 }
 
 TEST(CrossCompile, WhatATargetCannotSayIsADiagnosticThatNamesIt) {
-  // Double precision: in desktop GLSL and HLSL, not in ESSL 3.10.
+  // Desktop GLSL and HLSL have double precision, ESSL 3.10 does not.
   const std::vector<std::uint32_t> spirv =
       module_of(compute_shader("float(_In[id.x] * _In[id.y])", "StructuredBuffer<double> _In;\n"),
                 hlsl::Stage::compute);
@@ -138,7 +138,7 @@ TEST(CrossCompile, RegistersCountFromZeroPerKind) {
   EXPECT_THAT(text, HasSubstr("register(t17)"));
 }
 
-// Among reads of one texel, whose text is the same but for the name.
+// The gathers stand among reads of one texel, whose text is the same but for the name.
 TEST(CrossCompile, HlslGathersComparisons) {
   const std::string text =
       "Texture2D<float> T; TextureCube<float> C; SamplerComparisonState S;\n"

@@ -21,7 +21,7 @@ TEST(GlCheck, AcceptsWhatEachDialectAllows) {
 }
 
 TEST(GlCheck, HoldsEachDialectToItsOwnRules) {
-  // No implicit conversion from int in ESSL; none of its profile in desktop GL 4.5's core 450.
+  // ESSL has no implicit conversion from int; desktop GL 4.5's core 450 has none of its profile.
   const std::string es =
       "#version 310 es\nprecision highp float;\nlayout(location = 0) out vec4 c;\nvoid main()\n{\n    float "
       "x = 1;\n    c = vec4(x);\n}\n";

@@ -1,4 +1,5 @@
-// Modules that are valid SPIR-V and no valid HLSL are refused at the line, and what is never run is no error.
+// Modules that are valid SPIR-V and no valid HLSL are refused at the line, and code that is never run is no
+// error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -263,7 +264,7 @@ TEST(Macros, OfAnyNumberOfArgumentsNameTheWayOut) {
                   "number of arguments"));
 }
 
-// Unity's compilers would take the one for uint.
+// Unity's compilers would take the overload for uint.
 TEST(Overloads, ThatFitEquallyNameTheWayOut) {
   EXPECT_THAT(
       errors("int F(int a, int b) { return a; }\nuint F(uint a, uint b) { return a; }\nfloat4 Main() : "

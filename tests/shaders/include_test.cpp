@@ -1,4 +1,4 @@
-// Unity's include rules, and what is said when an include fails.
+// Tests Unity's include rules, and what is said when an include fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -209,7 +209,7 @@ TEST(Include, CycleWithGuardsIsNone) {
   EXPECT_TRUE(compile(files.request("main.hlsl")).diagnostics.empty());
 }
 
-// URP's way to have a file once for every value of a macro. The second time brings a function of its own.
+// URP has a file once for every value of a macro in this way. The second time brings a function of its own.
 TEST(Include, AFileWhoseGuardIsUndefinedIsReadAgain) {
   const std::string again = "#undef A_INCLUDED\n#define NAME Second\n#include \"a.hlsl\"\n";
   for (const bool by_the_main_file : {true, false}) {

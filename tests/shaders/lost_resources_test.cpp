@@ -70,7 +70,7 @@ TEST(LostResources, AnyWordsAreRead) {
   EXPECT_THAT(lost_resources({1, 2, 3, 4, 5, 0x00010001, 0x00010056, 0x00010019, 0x0002005F, 7}), IsEmpty());
 }
 
-// OpTypeImage %1, OpUndef %1 %2, OpImageFetch %3 %4 %2 ...
+// The words are OpTypeImage %1, OpUndef %1 %2, OpImageFetch %3 %4 %2 ...
 TEST(LostResources, AreFoundByTheirWords) {
   SpirvModule module{0x07230203, 0x00010300, 0, 9, 0};
   module.insert(module.end(), {0x00090019, 1, 8, 1, 0, 0, 0, 1, 0});
@@ -81,7 +81,7 @@ TEST(LostResources, AreFoundByTheirWords) {
   EXPECT_THAT(lost_resources(module)[0].message, HasSubstr("a texture is read uninitialised"));
 }
 
-// What glslang's back end leaves out, it says and returns success.
+// glslang's back end says what it leaves out, and returns success.
 TEST(MissingFunctionality, IsAnError) {
   for (const char* expression : {"Swizzle()", "Array()"}) {
     CompileRequest request;

@@ -81,7 +81,7 @@ TEST(Reflect, RegistersOfTwoKindsDoNotMeet) {
   EXPECT_NE(find(reflection, "_A")->binding, find(reflection, "sampler_A")->binding);
 }
 
-// std140: a vec3 ends at 12, an array's stride is 16, a column of a matrix takes 16.
+// In std140 a vec3 ends at 12, an array's stride is 16, and a column of a matrix takes 16.
 TEST(Reflect, MembersHaveTheirStd140Places) {
   const Reflection reflection = reflect_text(everything);
   const Resource* block = find(reflection, "$Global");
@@ -99,7 +99,7 @@ TEST(Reflect, MembersHaveTheirStd140Places) {
   EXPECT_EQ(matrices.matrix_stride, 16U);
   EXPECT_TRUE(
       matrices
-          .row_major);  // HLSL's column-major default, which SPIR-V, naming rows for columns, calls row-major
+          .row_major);  // HLSL's default is column-major; SPIR-V, naming rows for columns, calls it row-major
   const UniformMember& pairs = block->members[2];
   EXPECT_EQ(pairs.offset, 144U);
   EXPECT_EQ(pairs.array_length, 3U);

@@ -1,5 +1,5 @@
-// What the package's passes ask of Unity's #pragma target: below 4.5 Unity compiles them for Shader Model 4,
-// which has neither gathers nor searches for bits.
+// Tests what the package's passes ask of Unity's #pragma target: below 4.5 Unity compiles them for Shader
+// Model 4, which has neither gathers nor searches for bits.
 #include <gmock/gmock.h>
 
 #include <glslang/SPIRV/GLSL.std.450.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using Keywords = std::vector<std::string>;
 
-// Of the pass by the file's own text.
+// The text of the pass's program, by the file's own text.
 std::string program_text(const fs::path& file, const std::string& pass) {
   std::ifstream stream(file);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -32,7 +32,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// No keyword, and each alone.
+// The sets are no keyword, and each keyword alone.
 std::set<Keywords> keyword_sets(const std::string& text) {
   std::set<Keywords> sets{{}};
   const std::regex line("#pragma multi_compile_local_fragment ([^\n]*)");
@@ -42,7 +42,7 @@ std::set<Keywords> keyword_sets(const std::string& text) {
   return sets;
 }
 
-// The highest of the lines that hold for these keywords; Unity's default is 2.5.
+// The highest target of the lines that hold for these keywords; Unity's default is 2.5.
 double target_of(const std::string& text, const Keywords& keywords) {
   double highest = 2.5;
   const std::regex line("#pragma target ([0-9.]+)([^\n]*)");

@@ -1,4 +1,4 @@
-// What the signature of an entry point says, of every stage.
+// Tests what the signature of an entry point says, of every stage.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// "TEXCOORD0 float2", "out COLOR1 uint4 x3": an array or a matrix takes several.
+// The element written as "TEXCOORD0 float2" or "out COLOR1 uint4 x3": an array or a matrix takes several.
 std::string described(const SignatureElement& element) {
   const char* const types[] = {"float", "int", "uint", "other"};
   std::string text = element.output ? "out " : "";

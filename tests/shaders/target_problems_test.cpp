@@ -1,5 +1,5 @@
-// What some targets cannot express is reported at its line, and what SPIRV-Cross writes wrongly is accepted
-// by a driver.
+// Constructs that some targets cannot express are reported at their line, and a driver accepts what
+// SPIRV-Cross writes wrongly.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ CompileResult compiled_for_targets(const std::string& text, hlsl::Stage stage = 
   return compile(request);
 }
 
-// "target: line: message"
+// The messages as "target: line: message".
 std::vector<std::string> of_targets(const CompileResult& result) {
   std::vector<std::string> all;
   for (const TargetDiagnostics& of : result.of_targets)

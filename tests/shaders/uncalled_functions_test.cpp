@@ -8,7 +8,7 @@
 namespace penumbra::shaders {
 namespace {
 
-// With %30 on top so that all modules have one bound.
+// %30 is on top so that all modules have one bound.
 const std::string kHead =
     "OpCapability Shader\nOpMemoryModel Logical GLSL450\nOpEntryPoint Fragment %1 \"main\"\n"
     "OpExecutionMode %1 OriginUpperLeft\nOpName %1 \"main\"\n";

@@ -1,4 +1,4 @@
-// A vertex shader that chooses the layer it draws to: what each target makes of it.
+// Tests a vertex shader that chooses the layer it draws to: what each target makes of it.
 #include <gmock/gmock.h>
 
 #include "shaders/compile.h"
@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// An input, too: SPIRV-Cross calls both sides TEXCOORD in HLSL.
+// The text has an input, too: SPIRV-Cross calls both sides TEXCOORD in HLSL.
 constexpr const char* vertex_text = R"(
 struct Eye
 {
@@ -83,7 +83,7 @@ TEST(VertexLayer, MetalAndShadersWithoutOneAreLeftAlone) {
   }
 }
 
-// What reads it is the fragment stage, which has it everywhere but in OpenGL ES 3.1.
+// The fragment stage reads it, and has it everywhere but in OpenGL ES 3.1.
 TEST(VertexLayer, AFragmentStageReadsIt) {
   const std::string fragment =
       "float4 Main(float4 p : SV_Position, uint layer : SV_RenderTargetArrayIndex) : SV_Target { return "

@@ -1,4 +1,4 @@
-// What a compiled shader's module says of itself.
+// Tests what a compiled shader's module says of itself.
 #include "spirv/code.h"
 
 #include <gmock/gmock.h>

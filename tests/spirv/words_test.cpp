@@ -1,4 +1,4 @@
-// Instructions of modules, whole ones and words that are none.
+// Tests instructions of modules: whole ones, and words that are none.
 #include "spirv/words.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
-// Against ray tracing, a filter with the opacity mask has far less error under wires and smoke than without.
+// Compares with ray tracing: a filter with the opacity mask has far less error under wires and smoke than
+// without.
 #include <gtest/gtest.h>
 
 #include "reference/scratch_folder.h"
@@ -31,8 +32,8 @@ TEST(BlendedCasters, TheOpacityMaskTakesMostOfTheErrorUnderThem) {
   ASSERT_EQ(outcome.records.size(), 4U);
   const auto error = [&](std::size_t i) { return outcome.records[i].metrics.rmse_penumbra.value(); };
   for (const Record& record : outcome.records) EXPECT_EQ(record.metrics.invalid, 0U);
-  EXPECT_LT(error(1), 0.3 * error(0));  // measured: 0.11
-  EXPECT_LT(error(3), 0.6 * error(2));  // 0.41
+  EXPECT_LT(error(1), 0.3 * error(0));  // 0.11 was measured
+  EXPECT_LT(error(3), 0.6 * error(2));  // 0.41 was measured
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(Chart, SeveralOnOnePageShareNoId) {
       EXPECT_THAT(second, Not(HasSubstr(id)));
     }
   }
-  // Whatever is referred to is there.
+  // Every identifier that is referred to is there.
   for (std::size_t at = first.find("href='#"); at != std::string::npos; at = first.find("href='#", at + 1)) {
     const std::string id = first.substr(at + 7, first.find('\'', at + 7) - at - 7);
     EXPECT_THAT(first, HasSubstr("id='" + id + "'"));
@@ -162,7 +162,7 @@ TEST(PagePanels, PointsLieWhereGnuplotDrewThem) {
       EXPECT_LT(point.x, panel.width);
       EXPECT_GT(point.y, 0.0);
       EXPECT_LT(point.y, panel.height);
-      // Within half a pixel: gnuplot writes hundredths.
+      // The places agree within half a pixel, because gnuplot writes hundredths.
       const std::regex drawn("translate\\(([0-9.]+),([0-9.]+)\\) scale");
       bool found = false;
       for (auto match = std::sregex_iterator(panel.svg.begin(), panel.svg.end(), drawn);
@@ -222,7 +222,7 @@ TEST(ParetoCharts, APointSaysItsFiguresAndHowManyScenesItIsAMeanOf) {
 }
 
 TEST(Labels, StayInTheFrameAndOffEachOther) {
-  // A front as it really comes: dense at the cheap end, and two points at the frame's own corners.
+  // The front is as it really comes: dense at the cheap end, and with two points at the frame's own corners.
   std::vector<LabelRequest> requests;
   std::vector<Box> obstacles;
   requests.reserve(14);

@@ -1,4 +1,4 @@
-// The colours of pictures, as people with each kind of colour vision see them.
+// Tests the colours of pictures, as people with each kind of colour vision see them.
 #include <gtest/gtest.h>
 
 #include "resolve/colour_vision.h"
@@ -44,7 +44,7 @@ TEST(ColourVision, MoreFetchesAreLighterForAll) {
     double last = -1.0;
     for (int i = 0; i <= 20; ++i) {
       const double lightness = seen(unit(fetch_colour(i / 20.0)), kind).x;
-      // Some 78 steps of lightness over the whole: none of twenty parts is flat, none a leap.
+      // There are some 78 steps of lightness over the whole: none of twenty parts is flat, none a leap.
       EXPECT_GT(lightness, last + 2.0) << i;
       EXPECT_LT(lightness, i > 0 ? last + 6.5 : 20.0) << i;
       last = lightness;

@@ -43,7 +43,7 @@ struct MadeUp {
   }
 };
 
-// The line drawn alone, found again in the sheet.
+// The line is drawn alone, and found again in the sheet.
 bool holds_text(const Picture& sheet, const std::string& line, int text_size = kTextSize) {
   const int width = caption_width(line, text_size);
   const Picture alone = compose({{line, filled_picture(width, 1, {255, 255, 255}), {}}}, 1, 0, text_size);
@@ -151,7 +151,7 @@ TEST(ContactSheet, ShowsWhatIsAskedForAndAMaskOnlyWhereThereIsOne) {
   EXPECT_EQ(occurrences(sheet, study.rows[1].mask), 1);
 }
 
-// Error, and the fetches of all passes together.
+// The caption has the error, and the fetches of all passes together.
 TEST(ContactSheet, CaptionsHoldNameErrorAndFetches) {
   MadeUp study;
   study.add("boxes", 2.0, "blockerSamples=4");
@@ -165,7 +165,7 @@ TEST(ContactSheet, CaptionsHoldNameErrorAndFetches) {
   EXPECT_NE(lit, sheet) << "no penumbra to be wrong in";
 }
 
-// A cell of 240 pixels, the least there is, and 8 between cells.
+// A cell has 240 pixels, the least there is, and 8 lie between cells.
 TEST(ContactSheet, ALongCaptionIsBrokenAndTheCellKeepsItsWidth) {
   MadeUp study;
   study.add("boxes", 2.0, "PCSS 24+16 at half resolution, masked and denoised");
@@ -177,7 +177,7 @@ TEST(ContactSheet, ALongCaptionIsBrokenAndTheCellKeepsItsWidth) {
   }
 }
 
-// 420 pixels hold the figures in smaller letters, not of the 28 that so wide a sheet would have.
+// 420 pixels hold the figures in smaller letters, but not in the 28 that so wide a sheet would have.
 TEST(ContactSheet, LettersAreALittleSmallerWhereThatKeepsALineWhole) {
   MadeUp study;
   for (const char* technique : {"a", "b", "c"}) study.add("boxes", 2.0, technique);

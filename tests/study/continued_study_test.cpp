@@ -76,7 +76,7 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   }
 }
 
-// What differs is measured again: settings, and a technique's values.
+// Settings and a technique's values that differ are measured again.
 TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
   const reference::ScratchFolder cache;
   std::vector<Subject> chosen = subjects({"pcss-angular-24-16", "hard"});

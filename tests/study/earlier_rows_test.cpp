@@ -1,4 +1,4 @@
-// Rows of earlier results beside new ones: only where both saw the same pictures.
+// Rows of earlier results stand beside new ones only where both saw the same pictures.
 #include "study/earlier_rows.h"
 
 #include <gmock/gmock.h>

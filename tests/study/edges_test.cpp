@@ -1,4 +1,4 @@
-// Edges of a multisampled picture: the reference, and a technique that shades each of their samples.
+// Tests edges of a multisampled picture: the reference, and a technique that shades each of their samples.
 #include <gmock/gmock.h>
 
 #include "reference/scratch_folder.h"

@@ -1,4 +1,4 @@
-// The exponential mean of frames, against the weights that it gives to each of them.
+// Compares the exponential mean of frames with the weights that it gives to each of them.
 #include "study/history.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(History, IsTheFrameItselfWhereTheNewestIsAll) {
   EXPECT_EQ(histories(frames, 1.0, 3), frames);
 }
 
-// A frame n frames back counts share (1 - share)^n, the first one what is left of the sum.
+// A frame n frames back counts share (1 - share)^n; the first one counts what is left of the sum.
 TEST(History, WeighsFramesByTheirAge) {
   for (const double share : {0.05, 0.1, 0.5}) {
     const int results = 3;

@@ -38,7 +38,7 @@ TEST(CommandHtml, WordsStayWholeAndAreEscaped) {
 }
 
 TEST(Base64, IsThatOfRfc4648) {
-  // Section 10 of the RFC.
+  // The examples are those of section 10 of the RFC.
   EXPECT_EQ(base64(bytes("")), "");
   EXPECT_EQ(base64(bytes("f")), "Zg==");
   EXPECT_EQ(base64(bytes("fo")), "Zm8=");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNoBound = 1e300;
 
-// How many of `repetitions` intervals hold the truth.
+// The share of `repetitions` intervals that hold the truth.
 double coverage(int repetitions, double truth, const std::function<std::optional<Interval>()>& draw) {
   int hits = 0;
   for (int k = 0; k < repetitions; ++k) {
@@ -21,8 +21,8 @@ double coverage(int repetitions, double truth, const std::function<std::optional
   return static_cast<double>(hits) / repetitions;
 }
 
-// A picture of 80 blocks with 20 to 60 pixels each. Pixels of one block err alike: the block's own error,
-// standard deviation 0.1, and the pixel's, 0.05. The true RMSE is the root of 0.1^2 + 0.05^2.
+// The picture has 80 blocks with 20 to 60 pixels each. Pixels of one block err alike: the block's own error
+// has the standard deviation 0.1, and the pixel's 0.05. The true RMSE is the root of 0.1^2 + 0.05^2.
 TEST(BlockInterval, HoldsTheTruthAsOftenAsItSays) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -55,7 +55,7 @@ TEST(BlockInterval, HoldsTheTruthWithFewBlocks) {
   EXPECT_LE(share, 0.99);
 }
 
-// Scenes out of many, whose true figures differ by 0.04, each measured to 0.01.
+// The scenes are out of many, whose true figures differ by 0.04, and each is measured to 0.01.
 class MeanCoverage : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(MeanCoverage, HoldsTheTruthAsOftenAsItSays) {

@@ -1,4 +1,4 @@
-// A study of a landscape: what is baked of its ground, and figures by distance.
+// Tests a study of a landscape: what is baked of its ground, and figures by distance.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr int kSquares = 64;
 constexpr double kSquare = 20.0;
 
-// A ridge 60 m high across level ground, seen along it; a post near the camera is not ground.
+// A ridge 60 m high lies across level ground and is seen along it; a post near the camera is not ground.
 scene::Scene ridge(double sun_elevation) {
   std::vector<double> heights;
   for (int z = 0; z <= kSquares; ++z)
@@ -91,7 +91,7 @@ TEST(LandscapeStudy, FarShadowsTakeOverFromTheCascadesByDistance) {
   EXPECT_LT(ring_at(both, 300.0).rmse_all.value(), 0.12);
   EXPECT_NEAR(ring_at(both, 300.0).rmse_all.value(), ring_at(horizon, 300.0).rmse_all.value(), 1e-6);
   EXPECT_NEAR(ring_at(both, 10.0).rmse_all.value(), ring_at(cascades, 10.0).rmse_all.value(), 0.01);
-  // The post is no ground: its shadow is the cascades' alone.
+  // The post is no ground, so its shadow is the cascades' alone.
   EXPECT_GT(ring_at(horizon, 70.0).rmse_all.value(), 2.0 * ring_at(both, 70.0).rmse_all.value());
   EXPECT_LT(ring_at(of.at("far-heights-32"), 300.0).rmse_all.value(), 0.2);
 

@@ -1,4 +1,4 @@
-// Lit pictures of a small study from end to end, against one that was looked at.
+// Draws lit pictures of a small study from end to end, against one that was looked at.
 #include "study/lit_view.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::vector<PictureRow> lit_rows(const std::vector<std::string>& techniques, int
   for (const std::string& technique : techniques) {
     {
       subjects.push_back(technique_subject(library_techniques(), library_techniques().find(technique), true));
-      subjects.back().raster_bias = {};  // as in the picture
+      subjects.back().raster_bias = {};  // the bias of the picture
     }
   }
   StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
@@ -56,9 +56,9 @@ Picture golden(const std::string& name) {
   return decode_png(std::as_bytes(std::span(bytes)), name);
 }
 
-// Boxes of six paints on concrete in the afternoon, their shadows blue with sky and soft at their ends.
-// Another compiler or processor rounds rays and powers in another way: a pixel at an edge may change, the
-// picture may not.
+// The picture has boxes of six paints on concrete in the afternoon, their shadows blue with sky and soft at
+// their ends. Another compiler or processor rounds rays and powers in another way: a pixel at an edge may
+// change, the picture may not.
 TEST(LitView, IsThePictureThatWasLookedAt) {
   const std::vector<PictureRow> rows = lit_rows({"pcss-angular-24-16"}, 2);
   ASSERT_EQ(rows.size(), 1U);

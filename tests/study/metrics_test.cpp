@@ -44,10 +44,10 @@ TEST(Metrics, CountOnlyPixelsWithAReceiver) {
 TEST(Metrics, ErrorsAreThoseWorkedOutByHand) {
   const HandMade made;
   const Metrics metrics = measure(made.images());
-  // Penumbra errors: seed 0: +1/4, 0, -1/4, 0; seed 1: 0, 0, +1/4, -1/4.
+  // The errors in penumbrae are +1/4, 0, -1/4, 0 with seed 0, and 0, 0, +1/4, -1/4 with seed 1.
   EXPECT_NEAR(metrics.rmse_penumbra.value(), std::sqrt(4.0 / 16.0 / 8.0), kFloatExact);
   EXPECT_NEAR(metrics.bias.value(), 0.0, kFloatExact);
-  // Elsewhere: +1/4 in the umbra, -1/2 in the light.
+  // Elsewhere they are +1/4 in the umbra, and -1/2 in the light.
   EXPECT_NEAR(metrics.rmse_all.value(), std::sqrt((5.0 / 16.0 + 1.0 / 4.0) / 18.0), kFloatExact);
   EXPECT_NEAR(metrics.max_error.value(), 0.5, kFloatExact);
   EXPECT_NEAR(metrics.p99.value(), 0.25, kFloatExact);
@@ -55,7 +55,7 @@ TEST(Metrics, ErrorsAreThoseWorkedOutByHand) {
   EXPECT_NEAR(metrics.false_shadow_rate.value(), 1.0 / 6.0, kFloatExact);
 }
 
-// Half of the picture errs by 1/2, half not at all: blocks of four pixels, 32 across, one row.
+// Half of the picture errs by 1/2, half not at all; there are blocks of four pixels, 32 across, in one row.
 TEST(Metrics, IntervalsAreDrawnFromBlocksOfThePicture) {
   std::vector<float> t1(128 * 4, 0.5F);
   std::vector<float> result(t1);
@@ -70,7 +70,7 @@ TEST(Metrics, IntervalsAreDrawnFromBlocksOfThePicture) {
   EXPECT_FALSE(measure(images).intervals.rmse_penumbra) << "without a width there is one block";
   images.width = 128;
   const Interval interval = measure(images).intervals.rmse_penumbra.value();
-  // Mean square 1/8 with a standard error of 1/8 / sqrt(32); its root by the chain rule.
+  // The mean square is 1/8 with a standard error of 1/8 / sqrt(32); its root's follows by the chain rule.
   EXPECT_NEAR(interval.standard_error, 0.125 / std::sqrt(32.0) / (2.0 * std::sqrt(0.125)), 0.003);
   EXPECT_FALSE(measure(images).intervals.leak_rate) << "no umbra";
   images.width = 100;
@@ -80,7 +80,8 @@ TEST(Metrics, IntervalsAreDrawnFromBlocksOfThePicture) {
 TEST(Metrics, AMaskIsJudgedByWhatItSavesAndWhatItMisses) {
   const HandMade made;
   EXPECT_FALSE(measure(made.images()).mask);
-  // Leaves out five of nine pixels, one of the four in penumbra; the pixel without a receiver counts nowhere.
+  // The mask leaves out five of nine pixels, one of the four in penumbra; the pixel without a receiver counts
+  // nowhere.
   const std::vector<std::uint8_t> masked_out{1, 1, 0, 0, 1, 0, 1, 1, 0, 1};
   MeasuredImages images = made.images();
   images.masked_out = masked_out;
@@ -103,10 +104,10 @@ TEST(Metrics, AMaskOfAnotherSizeIsRefused) {
 
 TEST(Metrics, VarianceIsThatOfTheSeedsAlone) {
   const HandMade made;
-  // Two values a, b: sample variance (a-b)^2/2. Penumbra: 1/32, 0, 1/8, 1/32.
+  // Two values a, b have the sample variance (a-b)^2/2. In penumbrae these are 1/32, 0, 1/8, 1/32.
   EXPECT_NEAR(measure(made.images()).variance.value(), (1.0 / 32 + 1.0 / 8 + 1.0 / 32) / 4.0, kFloatExact);
 
-  // A technique that is wrong but steady has none.
+  // A technique that is wrong but steady has no variance.
   MeasuredImages steady = made.images();
   steady.results = {made.seed0, made.seed0, made.seed0};
   EXPECT_EQ(measure(steady).variance, 0.0);
@@ -137,7 +138,8 @@ TEST(Metrics, FetchesOfSkyDoNotCount) {
 }
 
 TEST(Metrics, PercentilesAreNearestRank) {
-  // 100 penumbra pixels with absolute errors 0.000, 0.005 ... 0.495 in a scrambled order: rank 99 is 0.490.
+  // The 100 penumbra pixels have absolute errors 0.000, 0.005 ... 0.495 in a scrambled order: rank 99 is
+  // 0.490.
   std::vector<float> t1(100, 0.5F);
   std::vector<float> result(100);
   std::vector<std::uint32_t> fetches(100);
@@ -181,7 +183,7 @@ TEST(Metrics, ClassBoundsAreThoseOfTheDefinition) {
                               std::nextafter(0.98F, 0.0F), std::nextafter(0.98F, 1.0F)};
   const std::vector<std::uint8_t> valid(4, 1);
   const std::vector<float> just{0.1F, 0.5F, 0.5F,
-                                0.9F};  // 0.1F is above 0.1, 0.9F below 0.9: a leak, a shadow
+                                0.9F};  // 0.1F is above 0.1 and 0.9F below 0.9: a leak, a shadow
   ASSERT_GT(static_cast<double>(just[0]), 0.1);
   ASSERT_LT(static_cast<double>(just[3]), 0.9);
   MeasuredImages images;
@@ -207,7 +209,7 @@ TEST(Metrics, InvalidResultsAreCountedAndEnterNoFigure) {
   broken.seed0[6] = std::numeric_limits<float>::infinity();
   broken.seed1[6] = 1.5F;
   broken.seed1[2] = -0.25F;
-  broken.seed0[9] = std::numeric_limits<float>::quiet_NaN();  // no receiver: nobody looks
+  broken.seed0[9] = std::numeric_limits<float>::quiet_NaN();  // nobody looks where there is no receiver
   const Metrics metrics = measure(broken.images());
   EXPECT_EQ(metrics.invalid, 4U);
   // Three of the four lost a zero error, so the same squares stand over fewer values.
@@ -241,7 +243,7 @@ TEST_F(Split, MeansAddUpToTheBias) {
   const Metrics metrics = measure(images_);
   EXPECT_NEAR(metrics.split.map->mean + metrics.split.algorithm->mean + metrics.split.sampling->mean,
               metrics.bias.value(), 1e-12);
-  // And the RMSEs of independent errors do not: nobody may read one as the difference of two others.
+  // RMSEs of independent errors do not add up: nobody may read one as the difference of two others.
   EXPECT_GT(metrics.split.map->rmse + metrics.split.algorithm->rmse, metrics.rmse_penumbra.value() + 0.1);
 }
 

@@ -84,7 +84,7 @@ TEST(OwnSettings, ASpotLightsSourceIsAsWideAsTheStudySays) {
   settings.frame.width = 160;
   settings.frame.height = 90;
   settings.frame.shadows.resolution = 512;
-  settings.frame.shadows.cascades = 4;  // of the sun's; a spot light has one map
+  settings.frame.shadows.cascades = 4;  // the sun's maps; a spot light has one
   settings.reference_samples = 64;
   settings.noise_seeds = 1;
   settings.timing_repeats = 0;
@@ -106,7 +106,7 @@ TEST(OwnSettings, ASpotLightsSourceIsAsWideAsTheStudySays) {
     EXPECT_GT(record.metrics.penumbra_pixels, 50U);
   }
   EXPECT_GT(outcome.records[3].metrics.penumbra_pixels, 2 * outcome.records[0].metrics.penumbra_pixels);
-  // Of the wide source, PCSS knows and the others do not.
+  // PCSS knows of the wide source, and the others do not.
   EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),
             0.6 * outcome.records[3].metrics.rmse_penumbra.value());
   EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),

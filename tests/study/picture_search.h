@@ -1,11 +1,11 @@
-// Pictures found again in the picture they were put into.
+// Finds pictures again in the picture that they were put into.
 #pragma once
 
 #include "study/picture.h"
 
 namespace penumbra::study {
 
-// How often a picture occurs unchanged in another.
+// The number of times that a picture occurs unchanged in another.
 inline int occurrences(const Picture& whole, const Picture& part) {
   int count = 0;
   for (int top = 0; top + part.height <= whole.height; ++top) {

@@ -35,7 +35,8 @@ TEST(Png, TheSamePictureIsTheSameBytes) {
   EXPECT_EQ(encode_png(noise(20, 20, 3)), encode_png(noise(20, 20, 3)));
 }
 
-// Greys and one colour, as in a sheet of visibility: a palette of 256 holds them, of 257 does not.
+// The picture has greys and one colour, as a sheet of visibility has: a palette of 256 holds them, 257 would
+// be too many.
 TEST(Png, FewColoursTakeAPalette) {
   Picture picture = filled_picture(257, 8, {7, 8, 9});
   for (int x = 1; x < 256; ++x) {
@@ -48,7 +49,7 @@ TEST(Png, FewColoursTakeAPalette) {
   set_pixel(more, 256, 0, {1, 2, 3});
   const std::vector<std::byte> large = encode_png(more);
   EXPECT_EQ(decode_png(large, "test"), more);
-  constexpr std::size_t kColourType = 25;  // of the IHDR chunk
+  constexpr std::size_t kColourType = 25;  // offset of the IHDR chunk's colour type
   EXPECT_EQ(static_cast<int>(small[kColourType]), 3) << "palette";
   EXPECT_EQ(static_cast<int>(large[kColourType]), 2) << "RGB";
 }

@@ -1,5 +1,5 @@
-// The presets as they are published: whoever chooses a higher one gets a smaller error under every light, and
-// pays with arithmetic.
+// Tests the presets as they are published: a higher one has a smaller error under every light, and costs more
+// arithmetic.
 #include <gtest/gtest.h>
 
 #include <filesystem>

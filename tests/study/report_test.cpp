@@ -58,7 +58,7 @@ TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {
   EXPECT_EQ(count(html, "<svg"), 2 * 2) << "two charts, two lights";
   EXPECT_EQ(count(html, "<tbody data-technique=\"pcss-24-16\""), 4 + 2)
       << "two scenes and their mean, two lights";
-  // The exact figure to sort by, the rounded one to read: 0.25 + 0.0053 of the first record.
+  // The exact figure is there to sort by, the rounded one to read: 0.25 + 0.0053 of the first record.
   EXPECT_THAT(html, HasSubstr("data-value=\"0.2553\">0.255 <span class=\"plus\">± 0.004</span>"));
   EXPECT_THAT(html, HasSubstr("<dt>99th percentile</dt><dd>0.511</dd>")) << "folded away";
   EXPECT_THAT(html, HasSubstr("<dt>bias</dt><dd>−0.0255</dd>"));
@@ -81,8 +81,8 @@ TEST_F(Report, OneRowForEachTechniqueThatWasMeasured) {
 }
 
 TEST_F(Report, EachReferenceStandsOnce) {
-  // Two scenes at one light, two techniques each: one reference and its receivers a scene, result and fetches
-  // of each.
+  // There are two scenes at one light with two techniques each: one reference and its receivers for a scene,
+  // result and fetches of each technique.
   ASSERT_EQ(content_->pictures.size(), 4U);
   EXPECT_EQ(count(render_report(*content_), "id=\"png-"), 2 * 2 + 4 * 2);
 }

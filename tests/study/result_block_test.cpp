@@ -75,7 +75,7 @@ TEST(ResultBlock, OperationsAreShownWhereOptimisedBytecodeRan) {
   EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("operations per pixel")));
 }
 
-// A pass of 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
+// The pass has 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
 TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
   Results results = synthetic::results();
   EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("Passes over the shadow map")));
@@ -121,7 +121,7 @@ TEST(ResultBlock, ARowForEachTechniqueInTheFullForm) {
   EXPECT_THAT(result_block(synthetic::results(), {kChart, {}}), Not(HasSubstr("Use it when")));
 }
 
-// From a file that anybody may have written.
+// The results come from a file that anybody may have written.
 TEST(ResultBlock, WhatResultsHoldCannotEndTheBlock) {
   const std::string hostile = "--> <!-- results:end -->\n```\n| a | \x1B[2J";
   Results results = synthetic::results();
@@ -234,24 +234,24 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
                      HasSubstr("before the begin marker"));
 }
 
-// Every page that scripts/publish writes figures into, and how it calls `penumbra measure --from
+// A page that scripts/publish writes figures into, and how it calls `penumbra measure --from
 // FOLDER/results.json`.
 struct PublishedPage {
   std::string name;
   std::string file;
-  std::string folder;               // below Documentation~/results
-  std::vector<std::string> rows{};  // --rows
+  std::string folder;               // folder below Documentation~/results
+  std::vector<std::string> rows{};  // argument of --rows
   BlockForm form = BlockForm::full;
-  std::string block{kResultBlock};  // --block
-  bool with_urp = true;             // else --rows names all techniques but URP's filters
+  std::string block{kResultBlock};  // argument of --block
+  bool with_urp = true;             // false: --rows names all techniques but URP's filters
 };
 
 void PrintTo(const PublishedPage& page, std::ostream* stream) {
   *stream << page.file << ", " << page.block;
 }
 
-// The techniques of one bias, of the results. URP's own filters, which are in them too, are four-tap, tent-5
-// and tent-7.
+// The results' techniques of one bias. URP's own filters, which are in them too, are four-tap, tent-5 and
+// tent-7.
 std::vector<std::string> without_urp(const Results& results) {
   std::vector<std::string> names;
   for (const Choice& choice : choices(results))
@@ -290,7 +290,7 @@ std::vector<PublishedPage> published_pages() {
        .block = "small-map"}};
 }
 
-// Read once: every manifest of the library, and the costs of its programs.
+// Every manifest of the library and the costs of its programs are read once.
 const FactsOfTechniques& committed_facts() {
   static const FactsOfTechniques all = [] {
     const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
@@ -347,7 +347,7 @@ TEST(PublishedPeers, UrpsFiltersAndOursAreTheSame) {
 INSTANTIATE_TEST_SUITE_P(Page, Published, testing::ValuesIn(published_pages()),
                          [](const auto& instance) { return instance.param.name; });
 
-// What the inspector shows.
+// The inspector shows these figures.
 TEST(PublishedPresets, AreTheCommittedResults) {
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
   const Results results = read_results(root / "Documentation~/results/presets/results.json");
@@ -373,7 +373,7 @@ TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
   Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
                                  "Documentation~/results/presets/results.json");
   const std::string last = results.records.back().technique;
-  results.records.pop_back();  // the last technique's last scene
+  results.records.pop_back();  // it is the last technique's last scene
   expect_input_error([&] { (void)preset_figures_csharp(results, last); },
                      HasSubstr("was not measured on every scene"));
   expect_input_error([&] { (void)preset_figures_csharp(results, "nothing-"); },

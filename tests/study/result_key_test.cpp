@@ -1,4 +1,4 @@
-// The keys of kept results: whatever a manifest says of a picture is in them.
+// Tests the keys of kept results: whatever a manifest says of a picture is in them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ void forget_places(techniques::PassGraph& graph) {
   for (techniques::GraphPass& pass : graph.passes) pass.where.clear();
 }
 
-using Keys = std::map<std::string, std::string>;  // of techniques, by name
+using Keys = std::map<std::string, std::string>;  // keys of techniques, by name
 
 Keys keys_of(const fs::path& manifest) {
   Keys keys;
@@ -48,7 +48,7 @@ void collect_texts(const json& value, std::set<std::string>& texts) {
   for (const json& element : value.is_structured() ? value : json::array()) collect_texts(element, texts);
 }
 
-// Other values that may be valid in the place of this one.
+// Gives other values that may be valid in the place of this one.
 std::vector<json> others(const json& value, const std::set<std::string>& texts) {
   if (value.is_boolean()) return {!value.get<bool>()};
   if (value.is_number_integer()) return {value.get<int>() + 1, value.get<int>() - 1, value.get<int>() * 2};
@@ -100,7 +100,8 @@ class Manifest {
   }
 
  private:
-  // What a graph's source is stands in for the visibility of the graph before, which has its own format.
+  // Whether the place belongs to a graph's source, which stands in for the visibility of the graph before and
+  // has its own format.
   bool is_of_source(const json::json_pointer& at) const {
     const json& parent = whole_.at(at.parent_pointer());
     return parent.is_object() && parent.value("name", "") == "source";
@@ -154,8 +155,8 @@ class Manifest {
 };
 
 TEST(ResultKey, ChangesWithEveryFieldOfAManifest) {
-  // Two passes may write one texture because one of them writes its smaller levels; and what a graph reads of
-  // the one before it, and ends in, is all that it has.
+  // Two passes may write one texture because one of them writes its smaller levels. And all that a graph has
+  // is what it reads of the one before it, and what it ends in.
   EXPECT_THAT(Manifest().change_all(), testing::ElementsAre("_Before", "_Source", "each_mip", "visibility"))
       << "nothing else stays untried";
 }

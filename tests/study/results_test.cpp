@@ -36,7 +36,7 @@ int line_of(const std::string& text, const std::string& what) {
 
 TEST(Results, ComeBackExactlyAsWritten) {
   Results results = synthetic::results();
-  results.records[0].metrics.rmse_penumbra = 0.1 + 0.2;  // 17 digits
+  results.records[0].metrics.rmse_penumbra = 0.1 + 0.2;  // the sum has 17 digits
   results.records[1].metrics.rmse_penumbra = std::nullopt;
   results.records[2].time = std::nullopt;
   results.records[3].metrics.invalid = 12;
@@ -44,7 +44,7 @@ TEST(Results, ComeBackExactlyAsWritten) {
   EXPECT_EQ(parse_results(to_json(results), "results.json"), results);
 }
 
-// Results as `measure` may find them: any figure absent, any setting, any name.
+// Results as `measure` may find them, with any figure absent, any setting and any name.
 class RandomResults {
  public:
   explicit RandomResults(unsigned seed) : random_(seed) {}

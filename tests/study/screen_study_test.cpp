@@ -1,4 +1,4 @@
-// A study of techniques that run over the screen, from the list to the record.
+// Tests a study of techniques that run over the screen, from the list to the record.
 #include <gmock/gmock.h>
 
 #include "reference/scratch_folder.h"
@@ -77,8 +77,8 @@ TEST(ScreenStudy, ARecordHoldsAllPassesTogether) {
   }
 }
 
-// A fixed filter sees the same points at the same places of the map: what is left is the rounding of
-// positions. Noise that stands on the screen passes over the points, noise that moves differs by itself.
+// A fixed filter sees the same points at the same places of the map, so only the rounding of positions is
+// left. Noise that stands on the screen passes over the points; noise that moves differs by itself.
 TEST(ScreenStudy, OnlyNoiseShimmersUnderAPan) {
   const auto of = recorded({"tent-5", "pcss-angular-24-16", "screen-pcss-angular-24-16"}, true, 3);
   const Shimmer fixed = of.at("tent-5").shimmer.value();
@@ -92,7 +92,7 @@ TEST(ScreenStudy, OnlyNoiseShimmersUnderAPan) {
   EXPECT_GT(of.at("screen-pcss-angular-24-16").shimmer.value().per_frame_noise.value(), 0.01);
 }
 
-// Of the same casters' bias, so that all draw the same map.
+// The casters have the same bias, so that all draw the same map.
 TEST(ScreenStudy, ACascadeHasTheAnswerOfTheRuleForIt) {
   const techniques::TechniqueList& list = library_techniques();
   const techniques::Technique& pcss = list.find("pcss-angular-24-16");

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSeamWidth = 2 * kSeamBlock;
 constexpr int kSeamHeight = 2 * kSeamBlock;
 
-// Columns left of the border read cascade 0, the others 1.
+// The columns left of the border read cascade 0, the others 1.
 struct SeamFrame {
   std::vector<int> cascade = std::vector<int>(kSeamWidth * kSeamHeight, 0);
   std::vector<float> t1 = std::vector<float>(kSeamWidth * kSeamHeight, 0.5F);
@@ -51,9 +51,9 @@ TEST(Seam, NoiseAveragesOutAlongTheBorder) {
   EXPECT_NEAR(*frame.seam().step, 0.0, 1e-7);
 }
 
-// Away from the camera whichever side the next cascade is on.
+// The sign is that of the way away from the camera, whichever side the next cascade is on.
 TEST(Seam, HasTheSignOfTheWayToTheNextCascade) {
-  SeamFrame frame(0);  // cascade 1 everywhere, but for columns 8 to 11: two borders in one block
+  SeamFrame frame(0);  // cascade 1 is everywhere but in columns 8 to 11: two borders in one block
   for (int y = 0; y < kSeamHeight; ++y)
     for (int x = 8; x < 12; ++x) {
       frame.cascade[static_cast<std::size_t>(y * kSeamWidth + x)] = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 6;
 
-// Two rows of a world that the camera slides over.
+// The camera slides over two rows of this world.
 float world(int column, int row) {
   return 0.1F + 0.1F * float(column) + (row == 1 ? 0.05F : 0.0F);
 }
@@ -45,8 +45,8 @@ TEST(Shimmer, IsTheRmsChangeOfTheSamePoint) {
 
 TEST(Shimmer, CountsPenumbraPointsWithAReceiverThatStayInThePicture) {
   Pan pan;
-  pan.frames[2][5] = 1.0F;  // world column 7: not in the first picture
-  pan.frames[1][0] = 0.9F;  // world column 1: leaves before the last
+  pan.frames[2][5] = 1.0F;  // world column 7 is not in the first picture
+  pan.frames[1][0] = 0.9F;  // world column 1 leaves before the last
   EXPECT_NEAR(pan.shimmer().value(), 0.0, 1e-7);
   pan.frames[1][2] += 0.3F;
   pan.valid[3] = 0;

@@ -45,7 +45,7 @@ TEST(Summary, ScenesWeighTheSameWhateverTheirSize) {
 
 TEST(Summary, AMeanOverFewerScenesIsNotComplete) {
   Results results = synthetic::results();
-  results.records.erase(results.records.begin());  // boxes, bilinear, 0.53 degrees
+  results.records.erase(results.records.begin());  // the record of boxes, bilinear, 0.53 degrees
   const std::vector<SummaryLine> lines = summarise(results);
   EXPECT_FALSE(line(lines, "bilinear", 0.53).complete);
   EXPECT_TRUE(line(lines, "bilinear", 2.0).complete);

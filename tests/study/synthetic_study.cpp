@@ -94,7 +94,7 @@ PictureRow picture_row(const std::string& scene, const std::string& technique) {
     reference[i] = std::clamp((x - 16.0F) / 16.0F, 0.0F, 1.0F);
     result[i] = std::clamp((x - 20.0F) / edge, 0.0F, 1.0F);
     fetches[i] = x > 12.0F && x < 36.0F ? 40U : 4U;
-    if (i < kWidth * 4) valid[i] = 0;  // sky
+    if (i < kWidth * 4) valid[i] = 0;  // these are sky
   }
   const PixelGrid grid{static_cast<int>(kWidth), static_cast<int>(kHeight), valid};
   PictureRow row{scene, technique, 2.0, {}, {}, {}, {}};

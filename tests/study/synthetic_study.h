@@ -9,16 +9,16 @@
 
 namespace penumbra::study::synthetic {
 
-// Two scenes, the given techniques, lights 0.53 and 2 degrees, on a software device. Errors fall and fetches
-// rise from each technique to the next.
+// The results have two scenes, the given techniques and lights of 0.53 and 2 degrees, on a software device.
+// Errors fall and fetches rise from each technique to the next.
 Results results(const std::vector<std::string>& techniques);
 Results results();
 
-// Images of an edge with a 16-pixel penumbra, 48 x 24, made visible through the real colour maps. The
+// The images show an edge with a 16-pixel penumbra, 48 x 24, made visible through the real colour maps. The
 // technique's own edge is 4 pixels wide (bilinear) or 8, from pixel 20 on.
 PictureRow picture_row(const std::string& scene, const std::string& technique);
 
-// results() with both charts and the pictures of two techniques in both scenes at 2 degrees.
+// The content is results() with both charts and the pictures of two techniques in both scenes at 2 degrees.
 ReportContent report_content();
 
 }  // namespace penumbra::study::synthetic

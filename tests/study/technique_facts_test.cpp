@@ -35,7 +35,7 @@ TEST(MapMebibytes, AreTheShadowMapsAlone) {
 }
 
 TEST(MapMebibytes, CountTexturesOfTheMapAndOfTilesAndNotOfThePicture) {
-  const Record record = record_with_map(2048, "D32", 4);  // four tiles of 1024 x 1024
+  const Record record = record_with_map(2048, "D32", 4);  // the map has four tiles of 1024 x 1024
   EXPECT_EQ(map_mebibytes(record, {texture(ExtentOf::map, "rg32f")}), 16.0 + 32.0);
   EXPECT_EQ(map_mebibytes(record, {texture(ExtentOf::map, "rg16", 4)}), 16.0 + 1.0);
   EXPECT_EQ(map_mebibytes(record, {texture(ExtentOf::tile, "rgba16f")}), 16.0 + 4 * 8.0);
@@ -46,7 +46,7 @@ TEST(MapMebibytes, CountTexturesOfTheMapAndOfTilesAndNotOfThePicture) {
 }
 
 TEST(MapMebibytes, CountMipLevelsAndSamples) {
-  const Record record = record_with_map(1024, "D32", 1);  // 4 MiB
+  const Record record = record_with_map(1024, "D32", 1);  // the map takes 4 MiB
   GraphTexture mips = texture(ExtentOf::map, "r32f");
   mips.mips = 2;
   EXPECT_EQ(map_mebibytes(record, {mips}), 4.0 + 4.0 + 1.0);

@@ -1,4 +1,5 @@
-// A technique with other values, over a part of the picture, or averaged: each really reaches the answer.
+// Runs a technique with other values, over a part of the picture, or averaged: each really reaches the
+// answer.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -150,7 +151,7 @@ TEST(Window, FiguresAreOfItAlone) {
   EXPECT_NEAR(sum(of_left, *of_left.fetches_mean) + sum(of_right, *of_right.fetches_mean),
               sum(of_all, *of_all.fetches_mean), 1e-6 * sum(of_all, *of_all.fetches_mean));
   EXPECT_NE(of_left.preprocess_fetches_per_pixel, of_right.preprocess_fetches_per_pixel);
-  // Fifty-four rows are no whole blocks of four: the last row of blocks counts for its share here.
+  // Fifty-four rows are no whole blocks of four, so the last row of blocks counts for its share here.
   EXPECT_NEAR((of_left.preprocess_fetches_per_pixel + of_right.preprocess_fetches_per_pixel) / 2.0,
               of_all.preprocess_fetches_per_pixel, 0.02 * of_all.preprocess_fetches_per_pixel);
   EXPECT_EQ(left.pictures[0].result, all.pictures[0].result) << "pictures are of everything";

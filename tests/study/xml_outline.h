@@ -1,4 +1,4 @@
-// The tags of an XML text, checked for balance: enough to say whether gnuplot's SVG is one that parses.
+// Checks the tags of an XML text for balance: enough to say whether gnuplot's SVG is one that parses.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace penumbra::study {
 
-// "" when every tag closes in order, every '&' starts an entity and no stray '<' nor the end of a CDATA
-// section stands in text; else what is wrong. It knows no CDATA sections.
+// Returns "" when every tag closes in order, every '&' starts an entity and no stray '<' nor the end of a
+// CDATA section stands in text; otherwise it returns what is wrong. It knows no CDATA sections.
 inline std::string xml_fault(std::string_view text) {
   std::vector<std::string> open;
   if (text.find("]]>") != std::string_view::npos) return "the end of a CDATA section";

@@ -1,5 +1,5 @@
-// Rules for far cascades where a shader keyword selects the filter: the emitted HLSL and C#, and what both
-// are told.
+// Tests rules for far cascades where a shader keyword selects the filter: the emitted HLSL and C#, and what
+// both are told.
 #include "techniques/cascade_rules.h"
 
 #include <gmock/gmock.h>
@@ -30,8 +30,8 @@ Technique& technique_of(TechniqueList& list, const std::string& name) {
                        [&](const Technique& technique) { return technique.name == name; });
 }
 
-// The library's, with fewer samples from cascade 1 on and a tent from cascade 3 on where _PENUMBRA_PCSS is
-// on.
+// The list is the library's, with fewer samples from cascade 1 on and a tent from cascade 3 on where
+// _PENUMBRA_PCSS is on.
 TechniqueList with_rules() {
   TechniqueList list = read_technique_list(PENUMBRA_SOURCE_DIR);
   Technique& pcss = technique_of(list, "pcss-angular-24-16");
@@ -141,7 +141,7 @@ TEST(CascadeRules, AreARowOfTheSelectionsTable) {
           "0.0f),\n            },\n            new CascadeVector[0],\n"));
 }
 
-// The rule's fields over a frame's, packed as a program of this kind is measured with.
+// The rule's fields go over a frame's, packed as a program of this kind is measured with.
 std::string golden() {
   TechniqueList list = with_rules();
   nlohmann::ordered_json cases = nlohmann::ordered_json::array();

@@ -1,5 +1,5 @@
-// What a pass that draws the casters may be: its targets, its depth and when it runs, each mistake with its
-// own message at its own place.
+// Tests what a pass that draws the casters may be: its targets, its depth and when it runs, each mistake with
+// its own message at its own place.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// The casters behind the nearest ones, and what covers both; the passes are not in the order in which they
-// have to run.
+// The graph has the casters behind the nearest ones, and what covers both; the passes are not in the order in
+// which they have to run.
 constexpr const char* kLayers = R"({
 "graphs": [{"name": "layers",
   "textures": [
@@ -36,7 +36,7 @@ constexpr const char* kLayers = R"({
     {"name": "Nearest", "kind": "casters", "shader": "L.shader", "runs": "cascade", "depth": "nearest"}]}],
 "techniques": [{"name": "layers", "title": "Layers", "family": "layers", "source": "s", "graph": "layers"}]})";
 
-// What the camera sees of the casters.
+// The graph has what the camera sees of the casters.
 constexpr const char* kSeen = R"({
 "graphs": [{"name": "seen",
   "textures": [
@@ -47,7 +47,8 @@ constexpr const char* kSeen = R"({
   "visibility": "visibility"}],
 "techniques": [{"name": "seen", "title": "Seen", "family": "seen", "source": "s", "graph": "seen"}]})";
 
-// Counted in the stencil of the camera's depth; again not in the order in which they have to run.
+// The volumes are counted in the stencil of the camera's depth; again the passes are not in the order in
+// which they have to run.
 constexpr const char* kVolumes = R"({
 "graphs": [{"name": "volumes",
   "textures": [
@@ -69,7 +70,7 @@ class CasterGraph : public testing::Test {
   TechniqueList list(const std::string& text) const {
     return read_technique_list(files_.write("t.technique.json", text));
   }
-  // What is said of the text with one thing changed.
+  // The message for the text with one thing changed.
   std::string problem(std::string text, const std::string& from, const std::string& to) const {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

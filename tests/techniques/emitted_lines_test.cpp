@@ -25,7 +25,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// All controls, the separators of lines and paragraphs, and the marks of direction.
+// The characters are all controls, the separators of lines and paragraphs, and the marks of direction.
 std::vector<std::string> leaving_characters() {
   std::vector<std::string> all;
   for (char code = 0; code < 0x20; ++code) all.emplace_back(1, code);
@@ -42,7 +42,7 @@ std::string file_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// Of every text and of every key.
+// Adds the places of every text and of every key.
 void add_places(const Json& value, const Pointer& at, std::vector<Pointer>& texts,
                 std::vector<Pointer>& keys) {
   if (value.is_string()) texts.push_back(at);
@@ -54,7 +54,7 @@ void add_places(const Json& value, const Pointer& at, std::vector<Pointer>& text
   }
 }
 
-// The manifest once for each of its texts and keys, or for one in `every` of them, with the character in it.
+// The manifests with the character in each of their texts and keys in turn, or in one in `every` of them.
 std::vector<std::string> with(const std::string& character, const Json& manifest, std::size_t every = 1) {
   std::vector<Pointer> texts, keys;
   add_places(manifest, Pointer(), texts, keys);
@@ -124,7 +124,7 @@ TEST_F(EmittedLines, NorDoesOneOfTheLibrarys) {
 TEST_F(EmittedLines, NorDoesTheNameOfAManifestOrOfItsFiles) {
   const std::string manifest = file_text(added_ / "Means.technique.json");
   for (const std::string& character : leaving_characters()) {
-    if (character[0] == 0) continue;  // the end of a name
+    if (character[0] == 0) continue;  // it ends a name
     const fs::path file = files_.write("Mea" + character + "ns.technique.json", manifest);
     EXPECT_THAT(problem_of(file), HasSubstr("a file's name is one line"));
     fs::remove(file);
@@ -141,7 +141,7 @@ TEST_F(EmittedLines, ALineDoesNotContinue) {
   }
 }
 
-// What C# reads as the literal: its escapes resolved, which are all of the lowest plane.
+// The text that C# reads as the literal, with its escapes resolved, which are all of the lowest plane.
 TEST(CsharpText, EscapesWhatLeavesALine) {
   for (const std::string& character : leaving_characters()) {
     const std::string literal = csharp_text("a" + character + "\"b\\");

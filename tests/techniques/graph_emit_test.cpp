@@ -1,4 +1,5 @@
-// Graphs as C#: what is checked in is what the manifests say, and names that C# cannot have are refused.
+// Tests graphs as C#: what is checked in is what the manifests say, and names that C# cannot have are
+// refused.
 #include "techniques/graph_emit.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Where each field lies in the vectors, and that the emitted texts say the same.
+// Tests where each field lies in the vectors, and that the emitted texts say the same.
 #include "techniques/parameter_packing.h"
 
 #include <gmock/gmock.h>

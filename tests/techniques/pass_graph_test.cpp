@@ -1,5 +1,5 @@
-// What a graph may be: every way in which one cannot be run has its own message at its own place, and passes
-// run after those whose output they read.
+// Tests what a graph may be: every way in which one cannot be run has its own message at its own place, and
+// passes run after those whose output they read.
 #include "techniques/pass_graph.h"
 
 #include <gmock/gmock.h>
@@ -20,8 +20,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A variance map with a separable blur and mip levels, before the filter that reads it; the passes are not in
-// the order in which they have to run.
+// The graph has a variance map with a separable blur and mip levels, before the filter that reads it; the
+// passes are not in the order in which they have to run.
 constexpr const char* kVariance = R"({
 "graphs": [{"name": "variance",
   "textures": [
@@ -41,7 +41,7 @@ constexpr const char* kVariance = R"({
 "techniques": [{"name": "variance", "title": "Variance", "family": "variance", "source": "Donnelly and Lauritzen 2006",
                 "graph": "variance"}]})";
 
-// Marked tiles of the screen are shaded by an indirect dispatch.
+// An indirect dispatch shades marked tiles of the screen.
 constexpr const char* kTiles = R"({
 "graphs": [{"name": "tiles",
   "textures": [{"name": "visibility", "format": "r32f"}, {"name": "marks", "divisor": 8, "format": "r16ui"}],
@@ -57,7 +57,7 @@ constexpr const char* kTiles = R"({
   "visibility": "visibility"}],
 "techniques": [{"name": "tiles", "title": "Tiles", "family": "tiles", "source": "s", "graph": "tiles"}]})";
 
-// Two techniques over the screen, the second darkened by a graph that reads what it made.
+// There are two techniques over the screen, the second darkened by a graph that reads what it made.
 constexpr const char* kDarker = R"({
 "structs": [
   {"name": "First", "doc": "First.", "fields": [{"name": "taps", "type": "int", "unit": "1", "doc": "taps", "default": 4}]},
@@ -79,7 +79,7 @@ constexpr const char* kDarker = R"({
 "techniques": [
   {"name": "both", "title": "Both", "graph": "darker", "after": "one", "values": {"share": 0.5}}]})";
 
-// With the technique that it follows before it.
+// The graph with the technique that it follows before it.
 std::string darker() {
   std::string text = kDarker;
   const std::string list = "\"techniques\": [";
@@ -98,7 +98,7 @@ class PassGraphTest : public testing::Test {
   PassGraph read(const std::string& text) const {
     return read_technique_list(files_.write("t.technique.json", text)).techniques.at(0).graph;
   }
-  // What is said of the text with one thing changed.
+  // The message for the text with one thing changed.
   std::string problem(std::string text, const std::string& from, const std::string& to) const {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
@@ -133,7 +133,7 @@ TEST_F(PassGraphTest, PassesRunAfterThoseWhoseOutputTheyRead) {
   EXPECT_EQ(tiles.buffer("list")->divisor, 1);
 }
 
-// The mean of this frame and the ones before.
+// The graph makes the mean of this frame and the ones before.
 constexpr const char* kMean = R"({
 "graphs": [{"name": "mean",
   "textures": [
@@ -353,7 +353,7 @@ TEST_F(PassGraphTest, TexturesAndBuffersOfAGraphTogetherAreLimited) {
               AllOf(HasSubstr("buffer 'list'"), HasSubstr("that a graph may")));
 }
 
-// Written from the last to the first, so that each pass is found after a look at all others.
+// The passes are written from the last to the first, so that each is found after a look at all others.
 TEST_F(PassGraphTest, ALongChainRunsInItsOrder) {
   PassGraph graph;
   constexpr int kLong = 120;

@@ -1,4 +1,5 @@
-// What manifests say of the shader keywords and of the renderer feature's options, and what is emitted of it.
+// Tests what manifests say of the shader keywords and of the renderer feature's options, and what is emitted
+// of it.
 #include "techniques/selection.h"
 
 #include <gmock/gmock.h>
@@ -134,7 +135,7 @@ TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
                               "            ShadowTechnique.Plain,\n        };\n"));
   EXPECT_THAT(text,
               HasSubstr("nameof(ShadowOptions.ringTaps),\n            },\n            new string[0],\n"));
-  EXPECT_THAT(text, Not(testing::ContainsRegex("Wide[^n]")));  // but Widens, a table
+  EXPECT_THAT(text, Not(testing::ContainsRegex("Wide[^n]")));  // Widens, a table, is there
   EXPECT_THAT(text, Not(HasSubstr("WIDE")));
 }
 
@@ -177,7 +178,7 @@ TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
               HasSubstr("\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f;\n"));
 }
 
-// Passes that end in a texture, over the screen.
+// The passes end in a texture, over the screen.
 constexpr const char* disc_manifest = R"({
   "order": 2,
   "graphs": [
@@ -197,7 +198,7 @@ constexpr const char* disc_manifest = R"({
   "presets": [{"preset": "preset-low", "fallback": "rings-12"}]
 })";
 
-// Selections of passes that draw the visibility, after those of the ring.
+// Tests selections of passes that draw the visibility, after those of the ring.
 class VisibilitySelectionTest : public SelectionTest {
  protected:
   VisibilitySelectionTest() {
@@ -276,7 +277,7 @@ TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
       << "as what it draws is measured, not as the first with it";
 }
 
-// As upsampling does.
+// Upsampling calls the fallback's filter in the same way.
 TEST_F(VisibilitySelectionTest, APresetWhosePassesCallTheFallbacksFilterHasItsOptions) {
   const auto problem_of = [this](std::string manifest) {
     const auto put = [&](const std::string& from, const std::string& to) {

@@ -271,7 +271,7 @@ TEST_F(TechniqueListTest, NamesMayNotRepeat) {
               AllOf(HasSubstr("two techniques 'box-3'"), HasSubstr("the other one is at ")));
 }
 
-// A manifest of so many techniques, after one that has a graph of some passes.
+// The text of a manifest of so many techniques, after one that has a graph of some passes.
 std::string techniques_of_one_graph(int count) {
   std::string text = R"({"graphs": [{"name": "blurs", "textures": [)";
   for (int i = 0; i < 7; ++i)

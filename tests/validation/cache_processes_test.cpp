@@ -27,7 +27,7 @@ constexpr const char* shader =
     "float4 Main(float2 u : TEXCOORD0) : SV_Target\n{\n#if PLACE % 2\n    return missing_SALT;\n#endif\n"
     "    return u.xyxy * SALT + PLACE;\n}\n";
 
-// Four texts of their own for every salt, two of which fail.
+// Every salt has four texts of its own, two of which fail.
 std::vector<CompileUnit> salted_units(const std::filesystem::path& file, int first, int last) {
   std::vector<CompileUnit> units;
   for (int salt = first; salt <= last; ++salt) {
@@ -48,7 +48,7 @@ EngineOptions keeping(const std::filesystem::path& cache) {
   return options;
 }
 
-// Right by what the shader says, not by another run.
+// Expects answers that are right by what the shader says, not by another run.
 void expect_right(const EngineRun& run, int first) {
   for (const UnitResult& result : run.results) {
     const int salt = first + static_cast<int>(result.unit) / units_of_a_salt;
@@ -87,8 +87,8 @@ std::size_t files_in(const std::filesystem::path& folder) {
   return count;
 }
 
-// Until that many files are in the folder. By what is done and not by time: how long work takes depends on
-// what else the machine does.
+// Waits until that many files are in the folder. It goes by what is done and not by time: how long work takes
+// depends on what else the machine does.
 void wait_for_files(const std::filesystem::path& folder, std::size_t count) {
   const auto hang = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   while (files_in(folder) < count) {

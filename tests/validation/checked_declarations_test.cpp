@@ -1,4 +1,5 @@
-// What was looked at before changes nothing but time: messages and modules are those of a text on its own.
+// Declarations that were looked at before change nothing but time: messages and modules are those of a text
+// on its own.
 #include "validation/checked_declarations.h"
 
 #include <gmock/gmock.h>
@@ -54,7 +55,7 @@ TEST(CheckedDeclarations, WhatIsNotReachedIsLookedAt) {
   EXPECT_THAT(result.spirv, IsEmpty());
 }
 
-// The function is the same, what it calls is not any more.
+// The function is the same, but what it calls has changed.
 TEST(CheckedDeclarations, WhatAKnownFunctionRestsOnIsNotForgotten) {
   CheckedDeclarations declarations;
   const std::string unused = "float unused() { return g(float3(1, 2, 3)).y; }\n";
@@ -91,7 +92,8 @@ TEST(CheckedDeclarations, TheModuleDoesNotDependOnWhatCameBefore) {
   EXPECT_EQ(compiled(other, text).spirv, first.spirv);
 }
 
-// What differs is not reached: the module and what is said of it are the same, files and other notes are not.
+// The difference is not reached: the module and what is said of it are the same, files and other notes are
+// not.
 TEST(CheckedDeclarations, EqualReachedTextsAreCompiledOnce) {
   const std::string twins = "half f(half x) { return x; }\nfloat f(float x) { return x; }\n";
   const std::string main = "float4 Main(float4 p : TEXCOORD0) : SV_Target { return p * f(p.x); }\n";
@@ -169,7 +171,7 @@ class RandomTexts {
   unsigned defined_ = 0;
 };
 
-// Its callers, reached or not, differ from text to text; without a reached one they do not matter.
+// The function's callers, reached or not, differ from text to text; without a reached one they do not matter.
 TEST(CheckedDeclarations, OverloadsThatAreNotReachedDoNotDependOnTheirCallers) {
   const std::string twins = "half f(half x) { return x; }\nfloat f(float x) { return 2 * x; }\n";
   CheckedDeclarations declarations;

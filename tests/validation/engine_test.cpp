@@ -40,7 +40,7 @@ constexpr auto failed = VariantStatus::failed;
 constexpr auto unreached = VariantStatus::unreached;
 constexpr auto unchecked = VariantStatus::unchecked;
 
-// Two files over one include; keywords that matter, that do not, and that break.
+// There are two files over one include, with keywords that matter, that do not, and that break.
 class Engine : public testing::Test {
  protected:
   Engine() {
@@ -68,7 +68,7 @@ class Engine : public testing::Test {
   std::vector<CompileUnit> units_;
 };
 
-// At its line, instead of what SPIRV-Cross says of the text it emits.
+// The message is at its line, instead of what SPIRV-Cross says of the text it emits.
 TEST_F(Engine, WhatOneTargetCannotExpressIsItsFailureAlone) {
   files_.write("Wave.hlsl",
                "float4 Main(float u : TEXCOORD0) : SV_Target\n{\n    return WaveActiveSum(u);\n}\n");
@@ -274,7 +274,7 @@ TEST_F(Engine, ProgressReachesTheTotalColdAndWarm) {
   }
 }
 
-// What is whole in `bad` beside `index` must be as in `good`.
+// Expects all that is whole in `bad` beside `index` to be as in `good`.
 void expect_others_unharmed(const EngineRun& bad, const EngineRun& good, std::size_t index) {
   ASSERT_EQ(bad.results.size(), good.results.size());
   for (std::size_t i = 0; i < bad.results.size(); ++i)
@@ -292,7 +292,7 @@ class Isolation : public Engine {
     options_.keep = files_.path("kept");
   }
 
-  // The run with the second unit misbehaving; every other is as it would be without.
+  // Runs with the second unit misbehaving; every other is as it would be without.
   EngineRun run_with(const std::string& how) {
     const EngineRun good = run();
     std::vector<CompileUnit> units = units_;
@@ -343,7 +343,7 @@ TEST_F(Isolation, ACrashOfThePreprocessorLeavesTheSource) {
   EXPECT_THAT(read(result.targets[0].reproduction), HasSubstr("#include \"Shared.hlsl\""));
 }
 
-// It would take twice the time limit.
+// A second try would take twice the time limit.
 TEST_F(Isolation, ATextThatCannotBeMadeIsTriedOnce) {
   const std::string pipe = files_.path("pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -357,7 +357,7 @@ TEST_F(Isolation, ATextThatCannotBeMadeIsTriedOnce) {
 }
 
 TEST_F(Isolation, AHangEndsAtItsTime) {
-  options_.limits.time = std::chrono::seconds(10);  // of which what comes before it needs a hundredth
+  options_.limits.time = std::chrono::seconds(10);  // what comes before it needs a hundredth of this
   const UnitResult result = run_with("hang@spirv").results[1];
   EXPECT_EQ(
       result.targets[0].diagnostics.at(0).message,

@@ -1,4 +1,5 @@
-// What lint adds to a validation: messages of variants, messages of whole shaders, and when they stay silent.
+// Tests what lint adds to a validation: messages of variants, messages of whole shaders, and when they stay
+// silent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ using testing::SizeIs;
 
 constexpr const char* bent = "float _Base;\nfloat4 Main() : SV_Target\n{\n    return pow(_Base, 1.5);\n}\n";
 
-// "file name:line rule" of every message that a rule gave.
+// The text "file name:line rule" of every message that a rule gave.
 std::vector<std::string> found(const ValidationReport& report) {
   std::vector<std::string> list;
   for (const VariantRecord& record : report.records)

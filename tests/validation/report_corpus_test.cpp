@@ -1,10 +1,9 @@
-// Broken shaders, one mistake each: every one gives one message, at the place and in the words that its first
-// line asks for.
+// Compiles broken shaders with one mistake each: every one gives one message, at the place and in the words
+// that its first line asks for.
 //
 // The first line is a comment: file:line:column: severity: text, the file relative to the folder. A second
-// line
-// "// compile: --stage compute --entry Start -D NAME=VALUE" says how, where it is not fragment, Main and no
-// define. Packages/com.example.tools/ is the folder packages/tools.
+// line "// compile: --stage compute --entry Start -D NAME=VALUE" says how, where it is not fragment, Main and
+// no define. Packages/com.example.tools/ is the folder packages/tools.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,7 +87,7 @@ shaders::CompileRequest request_for(const std::string& name) {
 
 using Diagnostics = std::vector<hlsl::Diagnostic>;
 
-// What becomes of one file: its messages and whether it may be used all the same.
+// The outcome of one file: its messages and whether it may be used all the same.
 struct Outcome {
   Diagnostics diagnostics;
   bool compiled = true;
@@ -118,7 +117,7 @@ std::string text_of(const std::string& name) {
   return hlsl::read_source(corpus() / name).text;
 }
 
-// Every program with the entry points its pragmas name.
+// Compiles every program with the entry points that its pragmas name.
 Outcome compile_shader(const std::string& name) {
   Outcome outcome;
   const shaderlab::ParsedShader parsed = shaderlab::parse_shader(text_of(name), (corpus() / name).string());

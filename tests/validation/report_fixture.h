@@ -1,4 +1,4 @@
-// Reports made by hand: what the tests of the forms look at.
+// Reports made by hand, which the tests of the forms look at.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ inline VariantRecord failed(VariantRecord record, hlsl::Diagnostic diagnostic) {
   return record;
 }
 
-// Every subset of the keywords, smallest number first.
+// Every subset of the keywords, the smallest number first.
 inline std::vector<std::vector<std::string>> subsets(const std::vector<std::string>& keywords) {
   std::vector<std::vector<std::string>> sets;
   for (std::size_t bits = 0; bits < (std::size_t{1} << keywords.size()); ++bits) {
@@ -44,7 +44,8 @@ inline std::vector<std::vector<std::string>> subsets(const std::vector<std::stri
   return sets;
 }
 
-// Something of everything: two causes, a lint finding, notes, a crash, absences, text no form may break on.
+// The report has something of everything: two causes, a lint finding, notes, a crash, absences, text no form
+// may break on.
 inline ValidationReport mixed_report() {
   ValidationReport report;
   hlsl::Diagnostic shared = error_at("Assets/Water.hlsl", 12, 17, "unknown variable 'depth'");

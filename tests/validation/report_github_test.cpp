@@ -1,4 +1,4 @@
-// Annotations as the runner reads them: split at commas, then each part unescaped.
+// Reads annotations as the runner does: split at commas, then each part unescaped.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

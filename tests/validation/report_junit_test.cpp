@@ -1,4 +1,4 @@
-// The XML as libxml2 reads it, through xmllint.
+// Reads the XML as libxml2 does, through xmllint.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ TEST_F(Junit, EveryByteOfAMessageSurvivesOrIsReplaced) {
   ValidationReport report;
   std::string all;
   for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
-  all += "\xEF\xBF\xBE \xEF\xBF\xBF \xED\xA0\x80 \xF4\x90\x80\x80 \xC0\xAF";  // what is no character of XML
+  // These are no characters of XML.
+  all += "\xEF\xBF\xBE \xEF\xBF\xBF \xED\xA0\x80 \xF4\x90\x80\x80 \xC0\xAF";
   report.records.push_back(failed(water({all}), error_at(all, 1, 1, all)));
   EXPECT_EQ(ask(report, "count(//failure)"), "1");
   EXPECT_THAT(ask(report, "string(//failure/@message)"), HasSubstr(" !\"#$%&'()*+,-./0123456789:;<=>?@ABC"));

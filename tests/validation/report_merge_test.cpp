@@ -1,4 +1,4 @@
-// JSON written and read back, and shards joined.
+// JSON is written and read back, and shards are joined.
 #include "validation/report_merge.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ std::string refusal(const std::string& json) {
   return "read";
 }
 
-// Every member away from its default, so that none can be left out unseen.
+// Every member is away from its default, so that none can be left out unseen.
 ValidationReport full_report() {
   VariantRecord record = failed(water({"A", "B"}), error_at("a.hlsl", 2, 3, "no"));
   record.technique = "tent-5";
@@ -89,7 +89,7 @@ TEST(ReportJson, OtherFilesAreRefusedAtTheirPlace) {
   EXPECT_THAT(with("\"module\"", "\"modul\""), HasSubstr("unknown key 'modul'"));
 }
 
-// A run of 24 variants for two targets, whole.
+// The whole run of 24 variants for two targets.
 ValidationReport whole_run() {
   ValidationReport report;
   report.fingerprint = "f00d";
@@ -102,7 +102,7 @@ ValidationReport whole_run() {
         VariantRecord record = water(set, target);
         record.pass = pass;
         record.place = place;
-        record.module = std::to_string(set.size());  // four modules in all
+        record.module = std::to_string(set.size());  // there are four modules in all
         report.records.push_back(set.size() == 3 ? failed(record, error_at("a.hlsl", 1, 1, "no")) : record);
       }
       ++place;

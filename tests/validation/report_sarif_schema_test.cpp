@@ -1,4 +1,4 @@
-// Logs against the schema that OASIS publishes; scripts/setup fetches it where it can.
+// Checks logs against the schema that OASIS publishes; scripts/setup fetches it where it can.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,5 @@
-// What code scanning relies on; the published schema is another test's affair (report_sarif_schema_test.cpp).
+// Tests what code scanning relies on; the published schema is another test's affair
+// (report_sarif_schema_test.cpp).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -60,7 +60,7 @@ TEST(ReportText, TheKeywordsThatDecideAreFound) {
               EndsWith("in 1 of 8 variants: with A B C"));
 }
 
-// A keyword of its own for each variant, and an error that so many neighbours share.
+// The report has a keyword of its own for each variant, and an error that so many neighbours share.
 ValidationReport report_of_errors(int variants, int neighbours) {
   ValidationReport report;
   for (int i = 0; i < variants; ++i)
@@ -69,7 +69,7 @@ ValidationReport report_of_errors(int variants, int neighbours) {
   return report;
 }
 
-// What two of many variants have in common is looked for where the many are not too many.
+// Two of many variants are searched for what they have in common where the many are not too many.
 TEST(ReportText, FewOfVeryManyVariantsAreNotToldApart) {
   EXPECT_THAT(report_text(report_of_errors(1024, 2)), HasSubstr("in 2 of 1024 variants: all with G0\n"));
   EXPECT_THAT(report_text(report_of_errors(1026, 2)),
@@ -99,7 +99,7 @@ TEST(ReportText, TargetsOfOneCauseAreFolded) {
   for (const char* target : {"spirv", "essl310", "glsl450", "msl23"}) {
     const std::string name = target;
     const bool fails = name == "essl310" || name == "glsl450";
-    // gl_check() names the emitted text by its target, and its line is nobody's.
+    // gl_check() names the emitted text by its target, and its line belongs to nobody.
     report.records.push_back(
         fails ? failed(water({}, name), error_at(name, name == "essl310" ? 4 : 7, 1, "bad"))
               : water({}, name));
@@ -222,7 +222,7 @@ TEST(ReportText, NoTextOfAMergedReportReachesTheTerminalAsItIs) {
   }
 }
 
-// As many findings as variants and keywords: the time of each must not grow with all others' pairs.
+// There are as many findings as variants and keywords: the time of each must not grow with all others' pairs.
 TEST(ReportText, ThousandsOfKeywordsWithAFindingEachAreWritten) {
   constexpr int count = 1200;
   ValidationReport report;

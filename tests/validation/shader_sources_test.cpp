@@ -1,4 +1,4 @@
-// The programs and variants of a shader's own text and of what it includes.
+// Tests the programs and variants of a shader's own text and of what it includes.
 #include "validation/shader_sources.h"
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@ constexpr const char* position = "float4 p : SV_Position; ";
 
 class StageLinkage : public testing::Test {
  protected:
-  // `outputs` of Vert and `inputs` of Frag: members of a struct; Frag adds all of `read`.
+  // The text has the members `outputs` in Vert's struct and `inputs` in Frag's; Frag adds all of `read`.
   static std::string stages(const std::string& outputs, const std::string& inputs, const std::string& read) {
     return "struct Out { " + outputs + "};\nstruct In { " + inputs +
            "};\nOut Vert(float4 v : POSITION) { return (Out)v.x; }\n"
@@ -172,7 +172,7 @@ TEST_F(StageLinkage, OpenGLAndVulkanHaveNoStageSpecificKeywords) {
       << "with WAVES, which is no stage's own";
 }
 
-// What a shard lacks for the comparison it compiles, so that the shards find what the whole run finds.
+// A shard compiles what it lacks for the comparison, so that the shards find what the whole run finds.
 TEST_F(StageLinkage, ShardsFindWhatTheWholeRunFinds) {
   ValidationRequest request = this->request(keyword_stages, keyword_pragmas);
   const ValidationReport whole = validate(request);

@@ -1,4 +1,4 @@
-// What goes to workers and into the cache comes back as it was, or not at all.
+// Units and results that go to workers and into the cache come back as they were, or not at all.
 #include "validation/unit.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ UnitReply full_reply() {
   return reply;
 }
 
-// Equal bytes again after a round trip, and no beginning of them is taken for the whole.
+// A round trip gives equal bytes again, and no beginning of them is taken for the whole.
 template <typename Decode>
 void expect_round_trip(const std::string& bytes, const Decode& decode) {
   const auto decoded = decode(bytes);
@@ -74,7 +74,7 @@ void expect_round_trip(const std::string& bytes, const Decode& decode) {
   EXPECT_FALSE(decode(bytes + "x").has_value());
 }
 
-TEST(UnitEncoding, AKeyThatIsNoHashIsRefused) {  // it becomes the name of a file
+TEST(UnitEncoding, AKeyThatIsNoHashIsRefused) {  // the key becomes the name of a file
   for (const char* key : {"", "../../../../home/user/.profile1234", "0123456789abcdef0123456789abcde/"}) {
     UnitReply reply;
     reply.to_keep = {{EntryKind::compile, key, "content"}};

@@ -45,8 +45,8 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
   std::vector<techniques::Technique> all = request.techniques->techniques;
   std::size_t expected = 0;
   for (const techniques::Technique& technique : all) {
-    // A kernel alone; others as a fragment and a vertex shader, or as a fragment and a compute shader; those
-    // of opaque casters with alpha test, too.
+    // A kernel stands alone; other programs are a fragment and a vertex shader, or a fragment and a compute
+    // shader; those of opaque casters have alpha test, too.
     std::size_t programs = 0;
     for (const techniques::GraphPass& pass : technique.graph.passes) {
       const bool opaque_casters =
@@ -183,7 +183,7 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
   EXPECT_THAT(report_text(fails), HasSubstr("absent: f, spirv: never compiles (2 variants)"));
 }
 
-// No error of the shader's; a mistake in it is one all the same.
+// The absence is no error of the shader's; a mistake in it is one all the same.
 TEST(Validate, StagesThatATargetDoesNotHaveAreAbsentWithTheReason) {
   const ShaderFiles files;
   files.write(

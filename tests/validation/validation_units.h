@@ -1,4 +1,4 @@
-// Small units for tests of the engine, and results in a form that can be compared and printed.
+// Makes small units for tests of the engine, and results in a form that can be compared and printed.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace penumbra::validation {
 
-// Workers that are this test program: the first does what the product's do; the second misbehaves where the
+// The workers are this test program: the first does what the product's do; the second misbehaves where the
 // define MISBEHAVE says so: "crash@msl23", "hang@spirv", "eat@preprocess", "kill@spirv"; see worker_main.cpp.
 inline constexpr const char* misbehaving_mode = "--misbehaving-worker";
 
@@ -30,7 +30,7 @@ inline CompileUnit misbehaving(CompileUnit unit, const std::string& how) {
   return unit;
 }
 
-// Everything that must not depend on how a run was made.
+// Prints everything that must not depend on how a run was made.
 inline std::string told(const UnitResult& result) {
   std::string text = std::to_string(result.unit) + " " + result.text_key + " " + result.module_key + "\n";
   for (const TargetResult& target : result.targets)

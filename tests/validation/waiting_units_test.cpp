@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-// Three graphics APIs of two variants, one API after the other, as sources are read.
+// There are three graphics APIs of two variants, one API after the other, as sources are read.
 WaitingUnits two_variants() {
   WaitingUnits waiting;
   for (std::size_t unit = 0; unit < 6; ++unit) waiting.add(unit % 2 == 0 ? "even" : "odd", unit);

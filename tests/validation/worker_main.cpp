@@ -20,7 +20,7 @@
 namespace penumbra::validation {
 namespace {
 
-// From a pipe in the file system, which holds one: a worker can write nothing down.
+// Takes a byte from a pipe in the file system, which holds one: a worker can write nothing down.
 bool takes_a_byte(const std::string& pipe) {
   const int descriptor = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
   char byte = 0;

@@ -1,4 +1,4 @@
-// Texts that want to crash, hang or multiply: an answer comes, and soon.
+// Sends texts that want to crash, hang or multiply: an answer comes, and soon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ class Mutation {
   std::mt19937 random_;
 };
 
-// Everything that is asked of a program: its counts, its first and its last variant.
+// Asks everything of a program: its counts, its first and its last variant.
 void use(const Pragmas& pragmas) {
   try {
     const KeywordSpace space(pragmas);
@@ -108,14 +108,15 @@ std::string numbered(const std::string& before, const std::string& after, int ti
 }
 
 constexpr int kilo = 1000 / sanitizer_reduction;
-constexpr int doublings = sanitizer_reduction == 1 ? 60 : 8;  // of a macro that grows
+constexpr int doublings = sanitizer_reduction == 1 ? 60 : 8;  // doublings of a macro that grows
 
 struct Attack {
   const char* name;
   std::string text;
 };
 
-// About half a megabyte each without the sanitizer; what is quadratic in it would need minutes.
+// Each attack has about half a megabyte without the sanitizer; code that is quadratic in it would need
+// minutes.
 std::vector<Attack> attacks() {
   return {
       {"open comments", repeated("/*", 250 * kilo)},
@@ -156,7 +157,8 @@ TEST(Hostile, WorkStaysLinear) {
   }
 }
 
-// Of each of its 4,096 times, its mistakes: only those that are shown may cost a search for the nearest name.
+// The file has its mistakes at each of its 4,096 times: only those that are shown may cost a search for the
+// nearest name.
 TEST(Hostile, AFileOfMistakesIncludesItself) {
   const std::string text = repeated("#pragma multi_compile_fog_and_more\n", 200 / sanitizer_reduction) +
                            repeated("#include_with_pragmas \"a.hlsl\"\n", 2);
@@ -187,7 +189,7 @@ std::string keywords_named(int first, int last) {
   return text;
 }
 
-// Unity's limit for a shader.
+// This is Unity's limit for a shader.
 TEST(ManyKeywords, MoreThan65534AreRefusedAtTheFirstBeyond) {
   const std::string most = "#pragma vertex V\n#pragma multi_compile _" + keywords_named(0, 65534) + "\n";
   EXPECT_TRUE(pragmas_of(most + "#pragma multi_compile _ _K7\n").diagnostics.empty());

@@ -32,7 +32,8 @@ std::string sets_with_unique_keywords(int sets, int keywords) {
   return text;
 }
 
-// Unity Manual, "Shader variants": two sets of three and four keywords make twelve variants.
+// The example is that of the Unity Manual, "Shader variants": two sets of three and four keywords make twelve
+// variants.
 TEST(KeywordSpace, SetsMultiply) {
   const KeywordSpace space =
       space_of("#pragma multi_compile COLOR_RED COLOR_GREEN COLOR_BLUE\n#pragma multi_compile Q1 Q2 Q3 Q4\n");
@@ -82,7 +83,7 @@ TEST(KeywordSpace, ASharedKeywordIsSeenWhereAnyOfItsSetsIs) {
 TEST(KeywordSpace, ShortcutsCountTheirCombinations) {
   EXPECT_EQ(space_of("#pragma multi_compile_fwdadd_fullshadows\n").whole_program().count(),
             VariantCount(13U * 4U));
-  // 7 of the 8 lightmap combinations, 5 free keywords.
+  // There are 7 of the 8 lightmap combinations, and 5 free keywords.
   EXPECT_EQ(space_of("#pragma multi_compile_fwdbase\n").whole_program().count(), VariantCount(7U * 32U));
   EXPECT_THAT(texts_of(space_of("#pragma multi_compile_fwdbase\n"
                                 "#pragma skip_variants LIGHTMAP_ON DYNAMICLIGHTMAP_ON LIGHTMAP_SHADOW_MIXING "

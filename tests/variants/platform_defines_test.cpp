@@ -45,7 +45,7 @@ TEST(PlatformDefines, OfAConditionAroundPragmasHaveNoStage) {
               UnorderedElementsAre(Key("SHADER_API_METAL"), Key("SHADER_API_MOBILE"), Key("UNITY_VERSION")));
 }
 
-// Unity Manual, "Branch based on Unity version", has the first three.
+// The Unity Manual, "Branch based on Unity version", has the first three.
 TEST(PlatformDefines, VersionsBecomeNumbers) {
   EXPECT_EQ(unity_version_number("2022.3.0f1"), 202230);
   EXPECT_EQ(unity_version_number("2022.3"), 202230);

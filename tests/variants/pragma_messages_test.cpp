@@ -1,4 +1,4 @@
-// What is said about pragmas that are wrong: the whole message, with its place.
+// Tests what is said about pragmas that are wrong: the whole message, with its place.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -33,7 +33,7 @@ TEST(Pragmas, KernelsWithTheirMacros) {
   EXPECT_EQ(pragmas.kernels[1].function, "Copy");
 }
 
-// Unity Manual, "Declare shader keywords".
+// The examples are those of the Unity Manual, "Declare shader keywords".
 TEST(Pragmas, KeywordSetsAsTheManualHasThem) {
   const Pragmas pragmas = pragmas_of(
       "#pragma shader_feature REFLECTION_TYPE1 REFLECTION_TYPE2 REFLECTION_TYPE3\n"
@@ -88,7 +88,7 @@ TEST(Pragmas, DynamicKeywordsMakeNoSet) {
       ElementsAre("a.shader:3:1: warning: 'A' is a dynamic_branch keyword, too: it makes no variants"));
 }
 
-// Unity Manual, "Add built-in keyword sets".
+// The examples are those of the Unity Manual, "Add built-in keyword sets".
 TEST(Pragmas, ShortcutsStandForTheManualsKeywords) {
   EXPECT_THAT(labels_of(pragmas_of("#pragma multi_compile_fog\n")),
               ElementsAre("_ FOG_LINEAR FOG_EXP FOG_EXP2"));
@@ -108,7 +108,7 @@ TEST(Pragmas, ProceduralInstancingIsOneMoreVariant) {
   EXPECT_THAT(labels_of(pragmas), ElementsAre("_ INSTANCING_ON PROCEDURAL_INSTANCING_ON"));
 }
 
-// Unity Manual, "Targeting shader models and GPU features".
+// The examples are those of the Unity Manual, "Targeting shader models and GPU features".
 TEST(Pragmas, TargetsAndRequirementsMayDependOnKeywords) {
   const Pragmas pragmas = pragmas_of(
       "#pragma target 3.5\n#pragma target 4.5 DOTS_INSTANCING_ON OTHER\n"
@@ -152,7 +152,7 @@ TEST(Pragmas, KnownOnesThatChangeNothingAreSilent) {
   EXPECT_THAT(pragmas.tier_renderers, ElementsAre("metal"));
 }
 
-// Unity Manual, "include and include_with_pragmas directives in HLSL".
+// The examples are those of the Unity Manual, "include and include_with_pragmas directives in HLSL".
 TEST(Pragmas, OnlyFilesIncludedWithPragmasCount) {
   const Files files{{"with.hlsl", "#pragma multi_compile _ WITH\n#include_with_pragmas \"deeper.hlsl\"\n"},
                     {"deeper.hlsl", "#pragma multi_compile _ DEEPER\n"},

@@ -1,4 +1,4 @@
-// Small programs for the tests of this room, read as one file "a.shader".
+// Reads small programs for the tests of this room as one file "a.shader".
 #pragma once
 
 #include <map>
@@ -25,7 +25,7 @@ inline Pragmas pragmas_of(const std::string& text, const Files& files = {},
   return read_pragmas({"a.shader", text, defines, find_in(files)});
 }
 
-// "a.shader:1:9: warning: ..." without the source line.
+// The messages as "a.shader:1:9: warning: ..." without the source line.
 inline std::vector<std::string> messages_of(const Pragmas& pragmas) {
   std::vector<std::string> messages;
   for (hlsl::Diagnostic diagnostic : pragmas.diagnostics) {
@@ -35,14 +35,14 @@ inline std::vector<std::string> messages_of(const Pragmas& pragmas) {
   return messages;
 }
 
-// The sets as labels: "_ A B".
+// The sets as labels such as "_ A B".
 inline std::vector<std::string> labels_of(const Pragmas& pragmas) {
   std::vector<std::string> labels;
   for (const KeywordSet& set : pragmas.keyword_sets) labels.push_back(label_of(set));
   return labels;
 }
 
-// The variants as "A C"; "-" for the one without keywords.
+// The variants as texts such as "A C"; "-" is the one without keywords.
 inline std::vector<std::string> texts_of(const VariantList& variants) {
   std::vector<std::string> texts;
   for (const Keywords& variant : variants) {

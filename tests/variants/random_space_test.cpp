@@ -1,4 +1,4 @@
-// Counts and lists of random small spaces, against every combination written out and filtered.
+// Compares counts and lists of random small spaces with every combination written out and filtered.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::UnorderedElementsAre;
 
-// The sets of a lit forward pass, as any URP shader that takes shadows declares them.
+// The sets are those of a lit forward pass, as any URP shader that takes shadows declares them.
 const std::string lights =
     "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN\n"
     "#pragma multi_compile _ _ADDITIONAL_LIGHTS_VERTEX _ADDITIONAL_LIGHTS\n"
@@ -31,8 +31,9 @@ std::vector<std::string> within(const std::string& text, const UrpSettings& sett
 }
 
 TEST(UrpSettings, InvalidCombinationsGoWhateverTheSettings) {
-  // Without Forward+: 4 main shadows; per-pixel lights with and without shadows, else without; soft with any
-  // shadow. (_, vertex): 3 with soft or not + 1; (_ADDITIONAL_LIGHTS): 4 * 2 states, all but one may be soft.
+  // Without Forward+ there are 4 main shadows; per-pixel lights with and without shadows, else without; soft
+  // with any shadow. (_, vertex): 3 with soft or not + 1; (_ADDITIONAL_LIGHTS): 4 * 2 states, all but one may
+  // be soft.
   const auto variants = within(lights + "#pragma skip_variants _FORWARD_PLUS\n", {});
   EXPECT_EQ(variants.size(), 2U * (3 * 2 + 1) + (7 * 2 + 1));
   for (const std::string& variant : variants) {
@@ -170,7 +171,8 @@ TEST(UrpAsset, NoMainLightCastsNoShadow) {
             false);
 }
 
-// Two quality levels of which one casts soft shadows, and one renderer: both levels' variants are needed.
+// There are two quality levels of which one casts soft shadows, and one renderer: both levels' variants are
+// needed.
 TEST(UrpAsset, QualityLevelsWidenAndTheirRendererAdds) {
   const std::filesystem::path folder = testing::TempDir();
   const auto write = [&](const char* name, const std::string& text) {

@@ -8,7 +8,7 @@
 namespace penumbra::texel {
 namespace {
 
-// Texels on the wrong side of an edge by as much, and it is not used.
+// An edge with texels on its wrong side by as much is not used.
 constexpr double kWorstMisfit = 0.25;
 constexpr int kPoints = 64;
 
@@ -51,7 +51,7 @@ struct Border {
   int first, last;  // sides before and after this one
   double begin, end;
 
-  // Of the line, at `at` sides from the beginning of this one.
+  // The height of the line, at `at` sides from the beginning of this one.
   double height(double at) const {
     const double length = last + 1 - first, t = (at - first) / length;
     if (begin * end > 0.0) return begin * std::abs(1.0 - 2.0 * t);
@@ -159,7 +159,7 @@ double revectorised(Point place, const Texels& texels, double radius, int reach)
   const std::uint16_t block = texels.block();
   if (block == 0 || block == 0xffff) return block == 0 ? 0.0 : 1.0;
   int covered = 0;
-  for (int k = 0; k < kPoints; ++k) {  // a Fibonacci disc
+  for (int k = 0; k < kPoints; ++k) {  // the points are those of a Fibonacci disc
     static const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double away = radius * std::sqrt((k + 0.5) / kPoints);
     const Point point{place.x + away * std::cos(turn * k), place.y + away * std::sin(turn * k)};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Of the share by the distance, as parts of the radius: 0 at -1, 1 at 1.
+// The antiderivative of the share by the distance, as parts of the radius: 0 at -1, 1 at 1.
 double antiderivative(double t) {
   if (t <= -1.0) return 0.0;
   if (t >= 1.0) return t;
@@ -25,7 +25,7 @@ double area_of_corner(double x, double y) {
   x = std::clamp(x, -1.0, 1.0);
   y = std::clamp(y, -1.0, 1.0);
   if (x == -1.0 || y == -1.0) return 0.0;
-  // Columns: left of the disc's crossings with the line, all or nothing; between them, up to the line.
+  // Columns left of the disc's crossings with the line are all or nothing; those between go up to the line.
   const double half = std::sqrt(1.0 - y * y);
   const auto columns = [&](double from, double to, double share) {  // share of a column's height
     to = std::min(to, x);
@@ -42,7 +42,7 @@ double area_of_corner(double x, double y) {
 
 int Random::poisson(double mean) {
   int count = 0;
-  // In parts, so that no exponential is too small.
+  // The sum is in parts, so that no exponential is too small.
   for (double left = mean; left > 0.0; left -= 16.0) {
     const double limit = std::exp(-std::min(left, 16.0));
     for (double product = chance(); product > limit; product *= chance()) ++count;
@@ -86,7 +86,7 @@ bool Ellipse::interval(double y, double& from, double& to) const {
   const double dy = y - centre.y;
   const double p = axis.x / major, q = -axis.y / minor;
   const double u = dy * axis.y / major, v = dy * axis.x / minor;
-  // (p x + u)^2 + (q x + v)^2 = 1
+  // The roots are those of (p x + u)^2 + (q x + v)^2 = 1.
   const double a = p * p + q * q, b = p * u + q * v, c = u * u + v * v - 1.0;
   const double root = b * b - a * c;
   if (!(root > 0.0)) return false;

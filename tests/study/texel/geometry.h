@@ -12,7 +12,7 @@ struct Point {
   double x, y;
 };
 
-// The same numbers on every platform.
+// Gives the same numbers on every platform.
 class Random {
  public:
   explicit Random(std::uint32_t seed) : bits_(seed) {}
@@ -24,14 +24,14 @@ class Random {
   std::mt19937 bits_;
 };
 
-// Share of a disc on the blocker's side of a straight edge. inside: how far the centre lies on that side,
-// negative beyond.
+// The share of a disc on the blocker's side of a straight edge. inside is how far the centre lies on that
+// side, negative beyond.
 double covered_by_half_plane(double inside, double radius);
 
-// Mean of that share over all edges parallel to this one, up to `reach` from it on either side.
+// The mean of that share over all edges parallel to this one, up to `reach` from it on either side.
 double mean_covered_by_half_plane(double inside, double reach, double radius);
 
-// Shares of a disc in the squares of the 4 x 4 texels around (0, 0), row by row.
+// The shares of a disc in the squares of the 4 x 4 texels around (0, 0), row by row.
 std::array<double, 16> shares_of_texels(Point centre, double radius);
 
 struct Ellipse {
@@ -40,12 +40,13 @@ struct Ellipse {
   Point axis;           // unit, along the major one
 
   bool contains(Point point) const;
-  // Where a horizontal line is inside. False if it passes by.
+  // Gives the interval in which a horizontal line is inside. False if it passes by.
   bool interval(double y, double& from, double& to) const;
 };
 
-// Share of a disc in a union of ellipses, exact along each of so many lines across the disc (Gauss-Chebyshev,
-// of the second kind). With 64 lines the error's root mean square is below 1e-3 of the disc.
+// The share of a disc in a union of ellipses, exact along each of so many lines across the disc
+// (Gauss-Chebyshev, of the second kind). With 64 lines the error's root mean square is below 1e-3 of the
+// disc.
 double covered_by_ellipses(Point centre, double radius, const std::vector<Ellipse>& ellipses, int lines);
 
 }  // namespace penumbra::texel

@@ -9,10 +9,10 @@ namespace penumbra::texel {
 namespace {
 
 constexpr std::size_t kBlocks = 1U << 16;
-// The kernel counts like so many receivers.
+// The kernel counts like this many receivers.
 constexpr double kPriorWeight = 2.0;
 
-// From -1 to 1 each, so that all terms weigh about the same.
+// The terms go from -1 to 1 each, so that all weigh about the same.
 std::array<double, 10> terms(Point place) {
   const double x = 4.0 * place.x - 1.0, y = 4.0 * place.y - 1.0;
   return {1.0, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y};
@@ -30,7 +30,7 @@ std::uint16_t permuted(std::uint16_t block, bool mirror_x, bool mirror_y, bool s
   return static_cast<std::uint16_t>(bits);
 }
 
-// Of a symmetric positive definite system, by Cholesky; the lower triangle, row by row.
+// Solves a symmetric positive definite system, by Cholesky; the lower triangle is given row by row.
 template <std::size_t N>
 std::array<double, N> solved(std::array<double, N*(N + 1) / 2> lower, std::array<double, N> right) {
   const auto at = [&](std::size_t row, std::size_t column) -> double& {

@@ -1,5 +1,5 @@
-// What many receivers tell about each pattern of 4 x 4 bits: the bound of what any filter of that footprint
-// can reach.
+// Learns what many receivers tell about each pattern of 4 x 4 bits: the bound of what any filter of that
+// footprint can reach.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ struct Canonical {
 };
 Canonical canonical(Point place, std::uint16_t block);
 
-// For each block a cubic of the place, by least squares to the covered share less the shipped kernel's. What
-// a block's receivers do not tell stays at the kernel's.
+// Fits for each block a cubic of the place, by least squares to the covered share less the shipped kernel's.
+// What a block's receivers do not tell stays at the kernel's.
 class TrainingSums {
  public:
-  // penumbra: receivers of which the disc is partly covered count, else all.
+  // penumbra says whether only receivers count of which the disc is partly covered, or all.
   explicit TrainingSums(bool penumbra);
   void add(const Receiver& receiver);
   void add(const TrainingSums& others);
@@ -35,7 +35,7 @@ class TrainingSums {
     std::array<std::array<double, kTerms>, kRadii.size()> products{};
   };
   bool penumbra_;
-  std::vector<std::unique_ptr<OfBlock>> blocks_;  // by block, where there is one
+  std::vector<std::unique_ptr<OfBlock>> blocks_;  // sums by block, where there is one
 };
 
 class Learned {
@@ -48,7 +48,7 @@ class Learned {
   std::vector<std::unique_ptr<std::array<Cubic, kRadii.size()>>> blocks_;
 };
 
-// Radius of the kernel that is learned to be corrected.
+// The radius of the kernel that is learned to be corrected.
 double learned_kernel(std::size_t radius);
 
 }  // namespace penumbra::texel

@@ -6,7 +6,7 @@
 namespace penumbra::texel {
 namespace {
 
-// How far from the receiver an edge, or the middle of a bar, can be.
+// An edge, or the middle of a bar, is no farther from the receiver than this.
 constexpr double kFarthest = 2.0;
 constexpr double kNarrowestBar = 0.5, kWidestBar = 3.0;
 constexpr double kSmallestLeaf = 0.5, kLargestLeaf = 2.0, kNarrowestLeaf = 0.3, kRoundestLeaf = 1.0;
@@ -48,7 +48,7 @@ void draw_bar(Receiver& receiver, Random& random, int reach) {
 }
 
 std::vector<Ellipse> strewn_leaves(Random& random, double reach) {
-  // Mean of the product of the half axes: independent, the major one's square and the ratio.
+  // The mean of the product of the half axes, of which the major one's square and the ratio are independent.
   const double square =
       (kLargestLeaf * kLargestLeaf + kLargestLeaf * kSmallestLeaf + kSmallestLeaf * kSmallestLeaf) / 3.0;
   const double area = std::numbers::pi * square * 0.5 * (kNarrowestLeaf + kRoundestLeaf);

@@ -23,7 +23,7 @@ class Texels {
 
   bool covers(int x, int y) const { return (rows_[y + kReach] >> (x + kReach) & 1) != 0; }
   void set(int x, int y, bool covered);
-  // The 4 x 4 around the middle, row by row, the lowest bit first.
+  // The 4 x 4 texels around the middle, row by row, the lowest bit first.
   std::uint16_t block() const;
   static Texels of_block(std::uint16_t block);  // the others are clear
 
@@ -31,8 +31,8 @@ class Texels {
   std::array<std::uint16_t, 2 * kReach> rows_{};
 };
 
-// Receiver: the middle four texels are those that bilinear filtering weighs for it, so it lies within half a
-// texel of (0, 0).
+// A receiver lies within half a texel of (0, 0), because the middle four texels are those that bilinear
+// filtering weighs for it.
 struct Receiver {
   Point place;
   Texels texels;
@@ -43,8 +43,8 @@ struct Receiver {
   }
 };
 
-// reach: how many texels from the middle are drawn, 2 to Texels::kReach; the others are clear.
-// lines: across a disc, to integrate what leaves cover.
+// reach is how many texels from the middle are drawn, 2 to Texels::kReach; the others are clear. lines across
+// a disc integrate what leaves cover.
 Receiver drawn(Kind kind, Random& random, int reach, int lines);
 
 }  // namespace penumbra::texel

@@ -1,6 +1,6 @@
-// How much of a penumbra narrower than a texel can be told from the texels' bits: errors of several
-// estimators, on random blockers of one height. Writes JSON, from which tests/study/page makes the tables of
-// Documentation~/flagship.md.
+// Measures how much of a penumbra narrower than a texel can be told from the texels' bits: errors of several
+// estimators, on random blockers of one height. It writes JSON, from which tests/study/page makes the tables
+// of Documentation~/flagship.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,15 +21,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kReceivers = 250'000;   // of each kind
-constexpr int kTraining = 2'000'000;  // of each kind, others than those
+constexpr int kReceivers = 250'000;   // receivers of each kind
+constexpr int kTraining = 2'000'000;  // receivers of each kind, others than those
 constexpr std::uint32_t kSeed = 1, kTrainingSeed = 101;
 
 constexpr double kKernels[] = {0.0, 0.5, 0.75, 0.9, 1.0, 1.125, 1.25};
 constexpr double kShipped[] = {0.75, 0.875, 1.0, 1.125, 1.25};
 constexpr double kEdgeKernel = 0.9;  // smallest radius of the kernel where no edge fits
 
-// Sum of squared errors and of their squares.
+// The sum of squared errors and of their squares.
 struct Errors {
   double sum = 0.0, squares = 0.0;
   std::size_t count = 0;
@@ -41,7 +41,7 @@ struct Errors {
     ++count;
   }
   double rmse() const { return std::sqrt(sum / static_cast<double>(count)); }
-  // Half the width of its 95 % confidence interval.
+  // Half the width of the error's 95 % confidence interval.
   double half() const {
     const double all = static_cast<double>(count), mean = sum / all;
     return 1.96 * std::sqrt((squares / all - mean * mean) / all) / (2.0 * std::sqrt(mean));
@@ -50,7 +50,7 @@ struct Errors {
 
 struct Estimator {
   std::string name;
-  double floor;  // smallest radius, texels; below 0: it has none
+  double floor;  // smallest radius, texels; negative: it has none
   std::function<double(const Receiver&, std::size_t radius)> covered;
 };
 
@@ -143,7 +143,7 @@ Json errors_of(Kind kind, const std::vector<Estimator>& estimators) {
   return records;
 }
 
-// Of each kind, on as many threads as the machine has.
+// Runs the task for each kind, on as many threads as the machine has.
 template <class Task>
 auto of_all_kinds(const Task& task) {
   std::vector<std::future<decltype(task(Kind::kEdges))>> results;

@@ -10,7 +10,7 @@
 namespace penumbra::texel {
 namespace {
 
-// Share of a disc where `covers` is true: 500 x 500 points of its square.
+// The share of a disc where `covers` is true, by 500 x 500 points of its square.
 template <class Covers>
 double supersampled(Point centre, double radius, const Covers& covers) {
   constexpr int kSide = 500;
@@ -141,8 +141,7 @@ TEST(TexelEstimators, NothingAndEverythingAreKept) {
   }
 }
 
-// Of an edge along a column of texels it is known only that it lies between their centres: its middle is at
-// 0.
+// An edge along a column of texels is known only to lie between their centres, so its middle is at 0.
 TEST(TexelEstimators, AnEdgeAlongTheTexels) {
   const Texels texels = covered_right_of(0);
   const FittedEdge edge = fitted_edge(texels.block());
@@ -190,8 +189,7 @@ TEST(TexelEstimators, WhatNoEdgeFitsIsTheKernel) {
   EXPECT_NEAR(fit_of_edge({0.2, 0.1}, texels, 0.5, 0.9), disc_kernel({0.2, 0.1}, texels, 0.9), 1e-12);
 }
 
-// Stairs of one step to the side in each row, and of one in four: the border's place is taken by a straight
-// edge.
+// The stairs have one step to the side in each row, or one in four; a straight edge takes the border's place.
 TEST(TexelEstimators, RevectorisedStairsAreStraight) {
   for (const int step : {1, 4}) {
     const auto covers = [&](Point at) { return at.y + (step == 1 ? 0.5 : 0.25) < at.x / step; };
@@ -204,7 +202,7 @@ TEST(TexelEstimators, RevectorisedStairsAreStraight) {
   }
 }
 
-// A step up to either side of four texels: the line between them rises from (-2, -.5) to (2, .5).
+// The border steps up to either side of four texels: the line between them rises from (-2, -.5) to (2, .5).
 TEST(TexelEstimators, ABorderIsALineBetweenItsEnds) {
   Texels texels;
   for (int x = -Texels::kReach; x < Texels::kReach; ++x)
