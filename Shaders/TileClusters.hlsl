@@ -54,7 +54,7 @@ struct PartReceivers
     float2 high;
 };
 
-// What is decided of a part's receivers. No blocker's penumbra exceeds radius, texels, where visibility is kUndecided.
+// The decision on a part's receivers. No blocker's penumbra exceeds radius, texels, where visibility is kUndecided.
 struct PartDecision
 {
     float visibility;

@@ -5,7 +5,7 @@
 // Source:     Screen/CameraSurface.hlsl.
 // Inputs:     _CameraDepthTexture; ScreenView; _PenumbraTargetSize; the square.
 // Cost:       of a square 100 gathers for 16 x 16 pixels, 324 for 32 x 32: 0.39 and 0.32 fetches per pixel, where 5 to
-//             9 are needed alone; at half resolution, where every fourth pixel is needed, 1.27. Of one pixel 2 gathers,
+//             9 are needed alone; at half resolution, where every fourth pixel is needed, 1.27. One pixel: 2 gathers,
 //             and up to 4 loads more at edges.
 // Guarantees: those of CameraSurface.hlsl, and the same values.
 // Use it:     in kernels, all threads of which call LoadScreenDepths.

@@ -151,7 +151,7 @@ namespace Penumbra
             return copies;
         }
 
-        private const int MostLevels = 15;  // of a texture of 16384 texels
+        private const int MostLevels = 15;  // levels of a texture of 16384 texels
 
         internal void Finish()
         {

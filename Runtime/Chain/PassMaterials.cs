@@ -15,7 +15,7 @@ namespace Penumbra
         private readonly PassAssets assets;
         private readonly Dictionary<Object, Material> others = new Dictionary<Object, Material>();
 
-        /// <param name="own">With PenumbraShadows.ShaderFile.</param>
+        /// <param name="own">The material of PenumbraShadows.ShaderFile.</param>
         internal PassMaterials(Material own, PassAssets assets)
         {
             this.own = own;

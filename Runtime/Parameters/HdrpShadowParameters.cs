@@ -25,7 +25,7 @@ namespace Penumbra
         public readonly Vector4 Params0;
         public readonly Vector4 Params1;
 
-        /// <param name="scales">Of the cascade; they contain the light's angular diameter.</param>
+        /// <param name="scales">Scales of the cascade; they contain the light's angular diameter.</param>
         public HdrpShadowParameters(in CascadeScales scales, in SoftShadowParameters parameters)
         {
             var radialPerDepth = scales.IsMapped ? 2.0 * scales.UvPerMetreInDouble / scales.DepthPerMetreInDouble : 0.0;

@@ -2,7 +2,7 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>What determines a texture's size, before its divisor is applied.</summary>
+    /// <summary>The source of a texture's size, before its divisor is applied.</summary>
     internal enum GraphExtent
     {
         /// <summary>The camera's target, with a slice per eye if two are drawn at once.</summary>

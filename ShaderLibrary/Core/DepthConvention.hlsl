@@ -20,7 +20,8 @@ static const float kFarthestDepth = 1.0;
 static const float kTowardLight = -1.0;
 #endif
 
-// How much nearer to the light `mapDepth` lies than `referenceDepth`; negative when it lies behind. Stored units.
+// The amount by which `mapDepth` lies nearer to the light than `referenceDepth`; negative when it lies behind. Stored
+// units.
 float DepthGap(float mapDepth, float referenceDepth)
 {
     return (mapDepth - referenceDepth) * kTowardLight;

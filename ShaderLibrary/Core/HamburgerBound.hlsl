@@ -22,7 +22,7 @@ struct HankelFactors
 {
     float2 moments; // b1, b2: the first column of L below its 1
     float lower;    // L's third row, second column
-    float2 pivots;  // of D: the second and third; the first is 1
+    float2 pivots;  // second and third entry of D; the first is 1
 };
 
 HankelFactors FactorHankel(float4 moments)

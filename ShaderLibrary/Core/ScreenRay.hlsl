@@ -19,7 +19,7 @@
 struct ScreenRay
 {
     float3 origin; // (u, v, stored depth)
-    float3 slope;  // of these per metre, at the origin
+    float3 slope;  // their change per metre, at the origin
     float bend;    // 1 / metre
 };
 

@@ -35,7 +35,7 @@ struct SpotMap
     float sourceRadiusMetres;
 };
 
-// Where a position lies in the map.
+// The place of a position in the map.
 struct SpotCoordinate
 {
     bool covered;       // false: behind the light, outside of the map's sides, or not between its planes

@@ -17,8 +17,9 @@
 //             each pixel; channels, what the heights' red and green are multiplied with, (1, 0) of a bake. A terrain of
 //             Unity stores heights up to 32766 / 65535, with Vulkan and OpenGL ES in two channels, red the low byte and
 //             green the high one (its PaintContext.kNormalizedHeightScale and UnpackHeightmap).
-// Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before. Of heights in
-//             two channels four times as many, not filtered: devices may round filtered texels of 8 bits to 8 bits.
+// Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before. Heights in
+//             two channels take four times as many, not filtered: devices may round filtered texels of 8 bits to 8
+//             bits.
 // Guarantees: [0, 1] for any input; at most 256 steps; beside the map all is lit; a sun below the horizontal is hidden.
 // Use it:     for ground that changes, or a sun that has moved since horizons were baked. Not: for narrow ridges
 //             between two steps, which are missed.

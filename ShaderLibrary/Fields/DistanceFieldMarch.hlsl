@@ -116,7 +116,7 @@ float2 ConeThroughBox(float3 origin, float3 direction, float farthest, float spr
     return RayThroughBox(origin, direction, box.corner - wider, box.corner + box.size + wider, farthest);
 }
 
-// What a cone meets.
+// The edge that a cone meets, and where.
 struct FieldCone
 {
     float edge;     // the object's edge over the disc's middle, in radii of the disc: -1 is free, 1 covered
@@ -181,7 +181,7 @@ float FieldConeVisibility(TEXTURE3D(field), SAMPLER(sampler_linear), float3 orig
                                       min(max(steps, 1), 256), box).edge);
 }
 
-// What an object leaves free of the six parts of the disc.
+// The shares of the six parts of the disc that an object leaves free.
 struct FieldParts
 {
     float3 first;

@@ -4,9 +4,10 @@
 //             FieldSceneConeVisibility  the share of a disc light that the objects leave free, by a cone for each
 //             FieldSceneSoftVisibility  the same, by six more cones in each object's penumbra
 // Source:     DistanceFieldMarch.hlsl. What two objects leave free of a disc lies between max(0, a + b - 1), where they
-//             cover different parts of it, and min(a, b), where the same part. Which it is, the six parts of the disc
-//             tell for the most part: of each part the least over the objects is free. Of one cone each, the shares are
-//             multiplied, as if one said nothing about the other. Documentation~/distance-fields.md compares the ways.
+//             cover different parts of it, and min(a, b), where they cover the same part. Which it is, the six parts of
+//             the disc tell for the most part: of each part the least over the objects is free. With one cone each, the
+//             shares are multiplied, as if one said nothing about the other. Documentation~/distance-fields.md compares
+//             the ways.
 // Inputs:     a 3D texture in which each object has a part, of `penumbra bake distance-field --objects N`; world
 //             positions and the surface's normal, in metres; uniforms:
 //             _PenumbraFieldAtlas   voxels of the JSON file, the texture's texels along x, y and z; the number of

@@ -181,8 +181,8 @@ RingSearch SearchCells(RingSearch search, uint4 cells, int2 quad, int level, flo
     return next;
 }
 
-// What the search has found, and the filter that follows, over the 4 x 4 texels around the receiver, over a disc, or
-// over both.
+// The penumbra that the search has found, and the filter that follows, over the 4 x 4 texels around the receiver, over
+// a disc, or over both.
 struct RingPenumbra
 {
     bool blocked;         // false: the receiver is lit

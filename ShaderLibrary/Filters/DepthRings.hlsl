@@ -54,8 +54,8 @@ static const float kDeepestGround = 8.0;
 // PcssAngular.hlsl.
 static const float kNearbyCones = 5.0;
 
-// What lies in a cell above the receiver's plane: the share of the cell's area that it takes, and how much nearer to
-// the light than the receiver it is.
+// The part of a cell that lies above the receiver's plane: the share of the cell's area that it takes, and how much
+// nearer to the light than the receiver it is.
 struct CellBlockers
 {
     float share;

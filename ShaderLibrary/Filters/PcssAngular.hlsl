@@ -157,7 +157,7 @@ float FilterDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receive
     return LitShare(lit, blocked);
 }
 
-// What the search at a receiver leads to.
+// The search at a receiver, and what it leads to.
 struct AngularSearch
 {
     QuadReceiver receiver;

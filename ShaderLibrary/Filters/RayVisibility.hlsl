@@ -45,8 +45,8 @@ struct TileSegment
 struct ShadowSegment
 {
     float3 originWS; // metres
-    float3 spanWS;   // from the origin to the segment's end, metres
-    CascadeSpheres spheres; // with one cascade these are not read
+    float3 spanWS;   // way from the origin to the segment's end, metres
+    CascadeSpheres spheres; // not read with one cascade
     int cascades;
     TileSegment in0; // segments at and beyond `cascades` are not read
     TileSegment in1;

@@ -52,12 +52,12 @@ struct TexelQuad
 {
     float4 gap;        // how much nearer to the light than the receiver each texel lies, stored depth
     float4 abovePlane; // the same above the receiver's plane at the texel's centre
-    float4 radius;     // from the receiver to the texel's centre, texels, as the light's disc has it
+    float4 radius;     // distance from the receiver to the texel's centre, texels, as the light's disc has it
     float4 blocking;   // 1 where the texel hides light, else 0
     float4 weight;     // bilinear weight at the sample's position
 };
 
-// What a blocker search finds.
+// The result of a blocker search.
 struct BlockerEstimate
 {
     float gap;   // mean gap, stored depth

@@ -25,7 +25,7 @@ struct CameraSurface
     bool seen;
     float3 positionWS;    // metres
     float3 normalWS;      // unit, of either sign; 0 where it was not requested or is not known
-    float metresPerPixel; // in the plane of equal depth
+    float metresPerPixel; // width of a pixel in the plane of equal depth
 };
 
 float ReadCameraDepth(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel)

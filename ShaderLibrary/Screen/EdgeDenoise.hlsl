@@ -25,7 +25,7 @@
 
 static const int kLargestDenoiseRadius = 8;
 
-// How a surface continues to either side of a pixel, as stored depth.
+// The continuation of a surface to either side of a pixel, as stored depth.
 struct SurfaceLine
 {
     float depth;

@@ -30,7 +30,7 @@ struct HalfTaps
 {
     int2 first;        // half-resolution pixel of the first tap
     int2 count;        // taps each way, 1 or 2
-    float4 visibility; // in the order (0, 0), (1, 0), (0, 1), (1, 1)
+    float4 visibility; // visibilities in the order (0, 0), (1, 0), (0, 1), (1, 1)
 };
 
 // The first tap along one axis, and how many there are. The half image has the last pixel of an odd size, too.

@@ -43,13 +43,13 @@ float2 SampleOffset(int samples, int index)
     return float2(sixteenths) / 16.0;
 }
 
-// What one sample sees.
+// The surface that one sample sees.
 struct SampleSurface
 {
     bool seen;
     float3 positionWS;    // metres
     float3 normalWS;      // unit; 0 where it is not known
-    float metresPerPixel; // in the plane of equal depth
+    float metresPerPixel; // width of a pixel in the plane of equal depth
 };
 
 // uv is where the sample lies, not the pixel's centre.

@@ -1,4 +1,4 @@
-// How far a float on the GPU lies from the same function in long double, in ULP.
+// Measures how far a float on the GPU lies from the same function in long double, in ULP.
 //
 // The ULP is the spacing of floats at `scale`: the size of the largest term the result is made of. Where
 // terms cancel, a result's own spacing says nothing about how well it was computed; where they do not, scale

@@ -50,7 +50,7 @@ struct HdrpShadow {
 
 struct HdrpFrame {
   std::vector<HdrpShadow> shadows;
-  std::vector<glm::vec4> spheres;  // of the cascades: centre, squared radius
+  std::vector<glm::vec4> spheres;  // centre and squared radius of each cascade
   std::vector<float> borders;
   glm::vec2 atlas_texels{1.0f};
   std::vector<float> atlas;       // stored depths, row by row; for shaders that read the map

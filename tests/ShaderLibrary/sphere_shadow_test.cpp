@@ -134,7 +134,7 @@ TEST(SphereVisibility, IsDarkInsideAndLitBeforeASphereBehind) {
                 {0.1f, 0.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // inside
                  0.0f, -5.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // under the receiver
                  0.0f, 5.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // before the sun
-                 0.0f, 5.0f,  0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.005f}),  // of no size
+                 0.0f, 5.0f,  0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.005f}),  // without a size
             (std::vector<float>{0.0f, 1.0f, 0.0f, 1.0f}));
   Random random(53);
   const std::vector<float> cases = random_special_floats(random, 8 * kRandomCases);

@@ -11,7 +11,7 @@
 namespace penumbra::architecture {
 
 struct Include {
-  std::string path;  // of the including file
+  std::string path;  // path of the including file
   int line;
   std::string target;  // between the quotes or brackets
 };

@@ -118,7 +118,7 @@ TEST(BakedFiles, ADistanceFieldIsASheetOfSlices) {
   for (int z = 0; z < 5; ++z)
     for (int y = 0; y < 2; ++y)
       for (int x = 0; x < 3; ++x) {
-        const int column = 3 * (z % 3) + x, row = 2 * (1 - z / 3) + y;  // from the bottom
+        const int column = 3 * (z % 3) + x, row = 2 * (1 - z / 3) + y;  // counted from the bottom
         const double share = sheet.samples[static_cast<std::size_t>(9 * row + column)] / 65535.0;
         EXPECT_NEAR((2.0 * share - 1.0) * largest, field.at(x, y, z), 1.01 * largest / 65535.0)
             << x << y << z;

@@ -29,7 +29,7 @@ struct Parameters {
 
 struct Sun {
   double elevation = 0.0;  // radians
-  double azimuth = 0.0;    // from +Z towards +X
+  double azimuth = 0.0;    // measured from +Z towards +X
   double half_diameter = 0.265 * kDegree;
 
   glm::dvec3 towards() const {

@@ -139,7 +139,7 @@ TEST_F(FieldScene, AHardShadowIsThatOfRaysButForAVoxelBesideItsEdge) {
   const double voxel = 1.4 / 48.0;
   int decided = 0, dark = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    bool lit = true, blocked = true;  // of rays in a circle of a voxel and a half
+    bool lit = true, blocked = true;  // answers of rays in a circle of a voxel and a half
     for (int k = 0; k < 24; ++k) {
       const double angle = k * kHalfTurn / 12.0;
       const glm::dvec3 beside =

@@ -80,7 +80,8 @@ TEST(HorizonSearch, SeesAWallFromOutsideAndNothingBehindIt) {
   const HorizonSearch search(field);
   EXPECT_NEAR(search.steepest({-5.0, 3.0}, 0.0, {1.0, 0.0}), 7.0 / 10.0, 1e-12);
   EXPECT_NEAR(search.steepest({0.0, 3.0}, 0.0, {1.0, 0.0}), 7.0 / 5.0, 1e-12);
-  EXPECT_NEAR(search.steepest({0.0, 3.0}, 0.0, {1.0, 0.0}, 7.0), 1.0, 1e-12);  // from 7 m on
+  // The ground counts from 7 m on.
+  EXPECT_NEAR(search.steepest({0.0, 3.0}, 0.0, {1.0, 0.0}, 7.0), 1.0, 1e-12);
   EXPECT_EQ(search.steepest({-5.0, 3.0}, 0.0, {-1.0, 0.0}), -kInfinity);
   EXPECT_EQ(search.steepest({-5.0, 30.0}, 0.0, {1.0, 0.0}), -kInfinity);
   EXPECT_LT(search.steepest({0.0, 3.0}, 20.0, {1.0, 0.0}), 0.0);

@@ -142,7 +142,7 @@ class BareLoop {
 
 struct Spent {
   double seconds = 0.0;
-  double processor_seconds = 0.0;  // of all threads
+  double processor_seconds = 0.0;  // processor time of all threads
 
   template <typename Work>
   void add(const Work& work) {

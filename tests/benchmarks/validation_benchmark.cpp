@@ -251,7 +251,7 @@ struct Way {
   bool drivers;
   bool lint;
   bool every_api;
-  bool kept;  // from the cache of the way before
+  bool kept;  // the cache of the way before is kept
 };
 
 constexpr Way ways[] = {{"alone", Sharing::nothing, false, false, false, false},

@@ -77,7 +77,7 @@ TEST(DeviceChoice, DescribesTheDevice) {
 // The layers must be heard at all before their silence says something.
 TEST(Validation, IsHeard) {
   Device device({.name = "", .validation = true});
-  RasterShaders shaders;  // of whose three colours the fragment shader writes two
+  RasterShaders shaders;  // the fragment shader writes two of the three colours
   shaders.vertex = compile_test_shader("Triangle.hlsl", "Vertex", hlsl::Stage::vertex);
   shaders.vertex_entry = "Vertex";
   shaders.fragment = compile_test_shader("Triangle.hlsl", "Fragment", hlsl::Stage::fragment);

@@ -47,7 +47,7 @@ std::string expanded(const std::string& text, bool bare) {
   shaders::CompileRequest request;
   request.file = "soup.hlsl";
   request.text = text;
-  request.prepare = bare;  // which sees to it that the preprocessor reads the bare source
+  request.prepare = bare;  // the preprocessor then reads the bare source
   shaders::SourceMemory memory;
   const shaders::PreprocessedSource source = shaders::expand(request, memory);
   if (hlsl::has_errors(source.diagnostics)) return "";

@@ -8,7 +8,7 @@
 namespace penumbra::programs {
 
 struct BatchResult {
-  int programs = 0;  // that were run
+  int programs = 0;  // number of programs that were run
   int unfit = 0;     // programs whose results the language leaves open
   std::int64_t most_ulps = 0;
   std::vector<std::string> differences;  // messages with the seed and the text of the program

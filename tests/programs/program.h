@@ -12,9 +12,9 @@ enum class Base { boolean, integer, natural, real };  // bool, int, uint, float:
 
 struct Type {
   Base base = Base::real;
-  int rows = 0;        // of a matrix; 0: none
-  int columns = 0;     // of a matrix or vector; 0: a scalar
-  int length = 0;      // of an array; 0: none
+  int rows = 0;        // rows of a matrix; 0 for other types
+  int columns = 0;     // columns of a matrix or vector; 0 for a scalar
+  int length = 0;      // length of an array; 0 for other types
   int structure = -1;  // index into Program::structures; -1: a number
 
   bool operator==(const Type&) const = default;
@@ -22,9 +22,10 @@ struct Type {
   bool is_vector() const { return rows == 0 && columns > 0; }
   bool is_scalar() const { return columns == 0 && is_number(); }
   bool is_number() const { return length == 0 && structure < 0; }
-  int components() const { return (rows > 0 ? rows : 1) * (columns > 0 ? columns : 1); }  // of a number
+  // The number of components of a number.
+  int components() const { return (rows > 0 ? rows : 1) * (columns > 0 ? columns : 1); }
   Type of_base(Base other) const { return {other, rows, columns, length, structure}; }
-  Type element() const { return {base, rows, columns, 0, structure}; }  // of an array
+  Type element() const { return {base, rows, columns, 0, structure}; }  // element of an array
 };
 
 inline Type scalar(Base base) {
@@ -105,7 +106,7 @@ struct Function {
 };
 
 struct Program {
-  std::string prefix;  // of the names at file scope
+  std::string prefix;  // prefix of the names at file scope
   std::vector<Structure> structures;
   std::vector<Variable> variables;
   std::vector<int> globals;         // static variables, zero at the start

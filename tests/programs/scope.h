@@ -10,7 +10,7 @@
 
 namespace penumbra::programs {
 
-// The same numbers from the same seed on every platform; the standard's distributions promise nothing.
+// Gives the same numbers from the same seed on every platform; the standard's distributions promise nothing.
 class Chance {
  public:
   explicit Chance(std::uint32_t seed) : engine_(seed) {}

@@ -88,7 +88,7 @@ struct Fetching {
   double share;
 };
 constexpr Fetching kFetching[] = {{"FarShadows", 0.05},       {"ConservativeMask", 0.01},
-                                  {"ClassifyTiles", 0.02},    {"filter", 0.08},  // of vssm-sat-32
+                                  {"ClassifyTiles", 0.02},    {"filter", 0.08},  // vssm-sat-32 has this share
                                   {"FilterUnrealSmrt", 2e-5},  // a ray may end a step earlier
                                   {"MarkSamples", 0.002},      // a sample's surface is decided otherwise
                                   {"MarkSurfaces", 0.02},      // a comparison of depths decides otherwise

@@ -65,7 +65,8 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   setup.cascade = 2;
   std::vector<testing_frames::TilePoint> receivers;
   constexpr int kColumns = 8;
-  for (int i = 0; i < kColumns * kColumns; ++i)  // not where texels of the second level meet
+  // The places do not lie where texels of the second level meet.
+  for (int i = 0; i < kColumns * kColumns; ++i)
     receivers.emplace_back((i % kColumns * 2 + 0.9) / 17.0, (i / kColumns * 2 + 0.9) / 17.0, 0.5);
   const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, kColumns);
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find("means"))));

@@ -138,7 +138,7 @@ class MarchInTheWorld {
  public:
   struct Answer {
     Real visibility = 1;
-    bool near_a_decision = false;  // which rounding may turn
+    bool near_a_decision = false;  // whether rounding may turn a decision
   };
 
   MarchInTheWorld(const CameraImage& camera, bool reversed_z, const TraceSettings& settings,

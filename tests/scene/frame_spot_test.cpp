@@ -21,7 +21,8 @@ parameters::SpotLight lamp() {
 Scene lamp_scene() {
   Scene scene = ground_scene();
   scene.spot_light = lamp();
-  scene.mesh = {};  // not far beyond the light's reach: float coordinates of 100 m would tell
+  // The ground does not go far beyond the light's reach, because float coordinates of 100 m would tell.
+  scene.mesh = {};
   add_sheet(scene.mesh, {0, 0, 8}, {20, 0, 0}, {0, 0, 20}, {0, 1, 0});
   return scene;
 }

@@ -200,7 +200,7 @@ class RandomDeclarations : public testing::TestWithParam<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomDeclarations, testing::Values(11, 14, 15));
 
 TEST_P(RandomDeclarations, SayWhatIsSaidOfTheTextAlone) {
-  CheckedDeclarations declarations;  // of all of them
+  CheckedDeclarations declarations;  // declarations of all texts
   RandomTexts texts(GetParam());
   int good = 0;
   int bad = 0;
