@@ -1,4 +1,4 @@
-// The constant buffers a module declares: names, members, offsets. Internal to this room; program_rules.h
+// The constant buffers a module declares: names, members, offsets. Internal to this folder; program_rules.h
 // offers them to callers.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace penumbra::lint {
 
-// Of the block's struct type.
+// `block_type` is the block's struct type.
 ConstantBuffer constant_buffer(const spirv::Code& code, spirv::Id block_type);
 
 }  // namespace penumbra::lint

@@ -1,5 +1,5 @@
 // A function's control-flow graph in which the first iteration of loops that certainly run is peeled.
-// Internal to this room.
+// Internal to this folder.
 //
 // `for (i = 0; i < 4; ++i)` looks to a path analysis as if its body might be skipped. If constant folding
 // decides the condition for the first iteration, the test before that iteration becomes a separate node whose
@@ -14,7 +14,7 @@
 namespace penumbra::lint {
 
 struct Paths {
-  std::vector<std::size_t> block;  // by node; two nodes may refer to one block
+  std::vector<std::size_t> block;  // block of each node; two nodes may have one block
   Graph successors;
   Graph predecessors;
   std::vector<std::size_t> order;  // reachable nodes, reverse postorder

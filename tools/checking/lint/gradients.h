@@ -1,4 +1,4 @@
-// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this room.
+// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this folder.
 //
 // Implicit derivatives (Sample, SampleCmp, SampleBias, ddx, ddy, fwidth, CalculateLevelOfDetail) are only
 // defined in uniform control flow within a quad (SPIR-V specification, "Derivatives"). Direct3D's compiler
@@ -14,10 +14,10 @@
 
 namespace penumbra::lint {
 
-// Of a legalised fragment shader.
+// `linted` is a legalised fragment shader.
 std::vector<Finding> gradient_findings(const LintedCode& linted);
 
-// Loops marked [unroll] without a constant bound; any stage, legalised.
+// Finds loops marked [unroll] without a constant bound, in any legalised stage.
 std::vector<Finding> unroll_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -1,4 +1,4 @@
-// Expands a request into sources with their keywords. Internal to this room.
+// Expands a request into sources with their keywords. Internal to this folder.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct SourceVariant {
   CompileUnit unit;
 };
 
-// Of the techniques and of the files.
+// Returns the sources of the techniques and of the files.
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
 
 }  // namespace penumbra::validation

@@ -1,4 +1,4 @@
-// Semantics that two inputs or two outputs of a program share. Internal to this room.
+// Semantics that two inputs or two outputs of a program share. Internal to this folder.
 //
 // FXC rejects shared outputs and system values (X4504, X4574) and inputs of different types (X3536); for
 // other inputs it warns (X4711). DXC rejects all.
@@ -13,7 +13,7 @@
 
 namespace penumbra::preparation {
 
-// `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
+// A use of a semantic: `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
 struct SemanticUse {
   std::size_t type = npos;  // the tokens of its type, its name and its semantic
   std::size_t name = npos;

@@ -2,7 +2,7 @@
 // character.
 //
 // - `#include_with_pragmas "x"` (Unity's, docs.unity3d.com/Manual/shader-include-directives.html) becomes an
-//   `#include`: its pragmas are read by the variants room.
+//   `#include`: its pragmas are read by the code in variants/.
 // - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
 // - `#pragma pack_matrix(...)` becomes an identifier that matrix_packing.h reads after the preprocessor.
 // - `#pragma warning(disable : 3206)` becomes an identifier, too, which is for FXC alone (with_pragmas), if
@@ -26,12 +26,12 @@
 
 namespace penumbra::preparation {
 
-// The identifiers that replace #pragma pack_matrix, followed by a ';'.
+// These identifiers replace #pragma pack_matrix, followed by a ';'.
 inline constexpr std::string_view kPackedByRows = "penumbra_by_rows";
 inline constexpr std::string_view kPackedByColumns = "penumbra_by_columns";
 inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";
 
-// Begins the identifier that replaces #pragma warning: the specifier's first two letters and the numbers
+// This begins the identifier that replaces #pragma warning: the specifier's first two letters and the numbers
 // follow, as in "penumbra_w_di_3206_3556".
 inline constexpr std::string_view kWarningPragma = "penumbra_w_";
 
@@ -42,8 +42,8 @@ struct PreparedSource {
 
 PreparedSource prepare_source(std::string text);
 
-// The expanded text with these identifiers as pragmas again, for a compiler that knows them. No line is added
-// or moved.
+// Returns the expanded text with these identifiers as pragmas again, for a compiler that knows them. No line
+// is added or moved.
 std::string with_pragmas(const std::string& expanded);
 
 }  // namespace penumbra::preparation

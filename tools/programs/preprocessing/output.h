@@ -1,5 +1,5 @@
 // The text that glslang's preprocessor produces from tokens and their lines (DoPreprocessing and
-// SourceLineSynchronizer in its ShaderLang.cpp). Internal to this room.
+// SourceLineSynchronizer in its ShaderLang.cpp). Internal to this folder.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ class Output {
 
   // `place.column` may be 0 for a token that begins no line.
   void token(const Token& token, int line, int column);
-  // Tokens of one run, in which no macro is called.
+  // Copies tokens of one run, in which no macro is called.
   void copy(const CutSource& source, std::size_t first, std::size_t last);
   // Emits a directive on `line`: the next line is line `next` of the file.
   void line_directive(int line, int next, const std::string& file);

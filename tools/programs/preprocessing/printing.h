@@ -1,5 +1,5 @@
-// Where glslang's preprocessor prints a space between two tokens (DoPreprocessing in its ShaderLang.cpp).
-// Internal to this room.
+// The spaces that glslang's preprocessor prints between two tokens (DoPreprocessing in its ShaderLang.cpp).
+// Internal to this folder.
 #pragma once
 
 #include "preprocessing/token.h"

@@ -1,4 +1,4 @@
-// A preprocessing token and its location. Internal to this room.
+// A preprocessing token and its location. Internal to this folder.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace penumbra::preprocessing {
 
 enum class Kind : std::uint8_t {
-  end,  // of the text
+  end,  // the end of the text
   newline,
   argument_end,
   identifier,
-  integer,  // of type int, which #if can evaluate
-  number,   // any other
+  integer,  // a number of type int, which #if can evaluate
+  number,   // any other number
   string,
   punctuation,
   paste,   // ## in a macro's body
@@ -33,8 +33,8 @@ struct Token {
 };
 
 // Lines and columns count from 1. `after` is the column that glslang's scanner reports once it has read the
-// token; 0 if unknown. `joined`: a backslash right after the token joins the next line, and glslang's
-// scanner, which has read that line's first character, reports a location on that line.
+// token; 0 if unknown. `joined` means that a backslash right after the token joins the next line, and
+// glslang's scanner, which has read that line's first character, reports a location on that line.
 struct Place {
   int line = 0;
   int column = 0;
@@ -42,7 +42,7 @@ struct Place {
   bool joined = false;
 };
 
-// Thrown inside this room: glslang's preprocessor has to read the source.
+// Thrown inside this folder: glslang's preprocessor has to read the source.
 class Unusual : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

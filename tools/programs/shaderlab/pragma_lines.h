@@ -1,4 +1,4 @@
-// The #pragma lines of a shader text before preprocessing. Internal to this room.
+// The #pragma lines of a shader text before preprocessing. Internal to this folder.
 //
 // Comments are white space, a backslash at the end of a line joins the next; #if is not evaluated.
 #pragma once
@@ -11,9 +11,9 @@
 namespace penumbra::shaderlab {
 
 struct PragmaLine {
-  Place place;              // of '#'
-  Place end;                // after the last token
-  std::vector<Name> words;  // after #pragma, with their locations
+  Place place;              // place of '#'
+  Place end;                // place after the last token
+  std::vector<Name> words;  // the words after #pragma, with their locations
   bool has_line_comment = false;
 };
 

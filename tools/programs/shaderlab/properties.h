@@ -1,4 +1,4 @@
-// The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this room.
+// The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this folder.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace penumbra::shaderlab {
 
-// After the word Properties; appends what its braces hold.
+// Called after the word Properties; appends what its braces hold.
 void parse_properties(Cursor& cursor, std::vector<Property>& properties);
 
 }  // namespace penumbra::shaderlab

@@ -1,5 +1,5 @@
 // Reads without comparison through a comparison sampler. HLSL has no such overload; glslang accepts them and
-// treats the next argument as the comparison reference, or crashes if there is none. Internal to this room.
+// treats the next argument as the comparison reference, or crashes if there is none. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// In the whole syntax tree, because SPIR-V is generated for all of it.
+// Finds them in the whole syntax tree, because SPIR-V is generated for all of it.
 std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

@@ -1,5 +1,5 @@
 // Operations that need derivatives (Sample, SampleBias, SampleCmp, CalculateLevelOfDetail, ddx, ddy, fwidth)
-// in stages that have none. Internal to this room.
+// in stages that have none. Internal to this folder.
 //
 // Direct3D accepts them only in fragment programs (X4532 "cannot map expression to vs_5_0 instruction set";
 // in compute from shader model 6.6). glslang silently reads the largest mip level instead. Compilers report
@@ -16,10 +16,11 @@
 
 namespace penumbra::shaders {
 
-// In the whole syntax tree, each with its location.
+// Finds them in the whole syntax tree, each with its location.
 std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage);
 
-// Those of `written` of which the module, which keeps its debug lines, has an instruction on the same line.
+// Returns those of `written` for which the module, which keeps its debug lines, has an instruction on the
+// same line.
 std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module);
 
 }  // namespace penumbra::shaders

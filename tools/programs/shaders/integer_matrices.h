@@ -1,5 +1,5 @@
 // Integer matrices in memory, such as a cbuffer's int4x4: SPIR-V, GLSL and Metal have only float matrices
-// (SPIR-V specification, OpTypeMatrix). Internal to this room.
+// (SPIR-V specification, OpTypeMatrix). Internal to this folder.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace penumbra::shaders {
 
-// Those that remain in `optimised`; `text` and `file`: its source, for the locations.
+// Finds those that remain in `optimised`; `text` and `file` are its source, for the locations.
 std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

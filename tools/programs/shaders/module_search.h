@@ -1,5 +1,5 @@
 // A traversal of a module's instructions that reports problems, each once and at its line. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class ModuleSearch {
  protected:
   virtual void visit(spirv::Words instruction) = 0;
 
-  // For the current instruction.
+  // Reports a problem of the current instruction.
   void report(std::string message) {
     ModuleProblem problem{place_, std::move(message)};
     if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())

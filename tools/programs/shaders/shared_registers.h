@@ -1,4 +1,4 @@
-// Two resources at one explicit register: FXC X4500, X4578. Internal to this room.
+// Two resources at one explicit register: FXC X4500, X4578. Internal to this folder.
 //
 // HLSL's compilers report it if the program uses both.
 #pragma once
@@ -10,7 +10,8 @@
 
 namespace penumbra::shaders {
 
-// `optimised`: the module with the names of the resources that it still uses; `text` and `file`: its source.
+// `optimised` is the module with the names of the resources that it still uses; `text` and `file` are its
+// source.
 std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

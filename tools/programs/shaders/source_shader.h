@@ -1,4 +1,4 @@
-// A text prepared for glslang's front end. Internal to this room.
+// A text prepared for glslang's front end. Internal to this folder.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>
@@ -18,7 +18,7 @@ struct Source {
   std::string name;
   const std::string& text;
   std::string preamble;                    // #define lines before the text that do not count as lines
-  const std::string* suggested = nullptr;  // as in PreprocessedSource; null: the text
+  const std::string* suggested = nullptr;  // see PreprocessedSource; null means the text
 };
 
 EShLanguage language(hlsl::Stage stage);

@@ -1,4 +1,4 @@
-// SPIR-V modules in SPIRV-Cross's C API. Internal to this room.
+// SPIR-V modules in SPIRV-Cross's C API. Internal to this folder.
 #pragma once
 
 #include <spirv_cross/spirv_cross_c.h>
@@ -36,7 +36,7 @@ class SpirvCrossModule {
   spvc_parsed_ir module_ = nullptr;
 };
 
-// One back end that processes it.
+// A back end that processes the module.
 class SpirvCrossSession {
  public:
   // Throws std::invalid_argument when the module is not one for this back end.

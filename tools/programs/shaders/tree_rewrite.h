@@ -1,4 +1,4 @@
-// A traversal of glslang's syntax tree that replaces nodes. Internal to this room.
+// A traversal of glslang's syntax tree that replaces nodes. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -15,7 +15,7 @@ class TreeRewrite {
   void run(glslang::TIntermediate& tree);
 
  protected:
-  // The node's replacement: itself if nothing changes.
+  // Each returns the node's replacement: the node itself if nothing changes.
   virtual glslang::TIntermTyped* of_aggregate(glslang::TIntermAggregate& node);
   virtual glslang::TIntermTyped* of_binary(glslang::TIntermBinary& node);
   virtual glslang::TIntermTyped* of_unary(glslang::TIntermUnary& node);

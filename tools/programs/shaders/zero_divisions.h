@@ -1,4 +1,4 @@
-// Integers divided by a constant zero. Internal to this room.
+// Integers divided by a constant zero. Internal to this folder.
 //
 // FXC rejects them (X4010 "Unsigned integer divide by zero"), and so does DXC's validation (DXIL.rst,
 // InstrNoIDivByZero); SPIRV-Tools folds the result to 0. Compilers report only reachable divisions: before
@@ -15,7 +15,7 @@ namespace penumbra::shaders {
 bool divides_by_zero(const SpirvModule& unoptimised);
 // Replaces every such division by a division of a value by itself, which the optimiser does not fold.
 void mark_zero_divisions(SpirvModule& unoptimised);
-// Each once. For a module that was marked and then optimised, with debug lines.
+// Reports each once. It is for a module that was marked and then optimised, with debug lines.
 std::vector<ModuleProblem> marked_divisions(const SpirvModule& optimised);
 
 }  // namespace penumbra::shaders
