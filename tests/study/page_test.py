@@ -39,13 +39,13 @@ class Pages(unittest.TestCase):
             self.assertEqual(text, page.written(text, parts), "run tests/study/page")
 
     def test_every_field_of_a_record_has_its_meaning(self):
-        figures = (page.DOCUMENTATION / "measure.md").read_text().split("\n## Figures\n")[1].split("\n## ")[0]
+        figures = page.MEASURING.read_text().split("\n## Figures\n")[1].split("\n## ")[0]
         cells = re.findall(r"^\| (.*?) \|", figures, re.MULTILINE)
         named = {name for cell in cells for name in re.findall("`([^`]*)`", cell)}
         for file in page.RESULTS.glob("**/results.json"):
             for record in json.loads(file.read_text())["records"]:
                 parts = [record, *(record[part] for part in PARTS if part in record)]
-                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in measure.md")
+                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in docs/measuring.md")
 
 
 class Volumetric(unittest.TestCase):

@@ -2,7 +2,7 @@
 //
 // Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties) or of FXC's
 // (fxc/bytecode.h), taken over as it is, or counted in the bytecode; what does not give one leaves it empty.
-// Documentation~/cost.md says what each means.
+// docs/cost.md says what each means.
 #pragma once
 
 #include <cstdint>

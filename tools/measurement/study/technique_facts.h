@@ -13,7 +13,7 @@
 
 namespace penumbra::study {
 
-// Of a GPU that is fully occupied, per 64 threads; static estimates (Documentation~/cost.md).
+// Of a GPU that is fully occupied, per 64 threads; static estimates (docs/cost.md).
 struct ProgramCycles {
   double visibility = 0.0;  // of the program that gives the visibility
   double others = 0.0;      // the sum of those of its other passes
