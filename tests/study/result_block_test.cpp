@@ -280,8 +280,7 @@ std::vector<PublishedPage> published_pages() {
           {"FlagshipFullHd", flagship, "flagship-full-hd"},
           {"FlagshipFullHdLowSun", flagship, "flagship-full-hd-low-sun"},
           {"FlagshipKept", flagship, "flagship-kept"},
-          {"FlagshipHalf", flagship, "flagship-half"},
-          {"FlagshipOnAGpu", flagship, "flagship-gpu-full-hd"}};
+          {"FlagshipHalf", flagship, "flagship-half"}};
 }
 
 // Every manifest of the library and the costs of its programs are read once.
