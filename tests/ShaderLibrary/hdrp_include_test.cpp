@@ -1,6 +1,6 @@
 // Pipelines/Hdrp.hlsl compiles by its one include: every keyword, both depth directions, every declared HDRP
-// version, every target; after HDRP's shadow context too. The shader of Documentation~/pipelines.md compiles as it
-// stands there.
+// version, every target; after HDRP's shadow context too. The shader of Documentation~/pipelines.md compiles
+// as it stands there.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -73,7 +73,7 @@ TEST(ResultBlock, OperationsAreShownWhereOptimisedBytecodeRan) {
 }
 
 // The pass has 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
-TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
+TEST(ResultBlock, PassesOverTheMapAreGivenApart) {
   Results results = synthetic::results();
   EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("Passes over the shadow map")));
   for (MeasuredFrame& frame : results.frames) {
@@ -91,8 +91,7 @@ TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
   }
   const std::string block = result_block(results, {kChart, {}});
   EXPECT_THAT(block, HasSubstr("divided by the pixels of the pictures, which are of 480 x 270 pixels."));
-  // 1,048,576 fetches are 0.51 per pixel of 1920 x 1080.
-  EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 | 10.5 |"));
+  EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 |\n"));
 }
 
 TEST(ResultBlock, ARowForEachTechniqueInTheFullForm) {

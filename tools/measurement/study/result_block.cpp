@@ -196,9 +196,8 @@ std::string how_to_read(const Results& results, BlockForm form) {
 // middle light; empty without such a pass.
 std::string map_pass_table(const Results& results) {
   if (!has_map_passes(results)) return {};
-  constexpr double kFullHd = 1920.0 * 1080.0;
-  MarkdownTable table({"Technique", "fetches of the passes over the map, millions", "other fetches per pixel",
-                       "fetches per pixel if 1920 x 1080 pixels shared those over the map"});
+  MarkdownTable table(
+      {"Technique", "fetches of the passes over the map, millions", "other fetches per pixel"});
   for (const Choice& choice : choices(results)) {
     double of_map = 0.0, others = 0.0;
     int scenes = 0;
@@ -215,8 +214,7 @@ std::string map_pass_table(const Results& results) {
     }
     if (scenes == 0) continue;
     table.add({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
-               fmt::format("{:.1f}", others / scenes),
-               fmt::format("{:.1f}", (others + of_map / kFullHd) / scenes)});
+               fmt::format("{:.1f}", others / scenes)});
   }
   return folded("Passes over the shadow map, " + light_name(middle_light(results)) +
                     " light: their fetches in a frame that draws every cascade",
