@@ -6,7 +6,7 @@ namespace Penumbra.Editor
 {
     /// <summary>
     /// The JSON file of `penumbra bake heightfield` or `penumbra bake horizon`; fields have its keys, which
-    /// Documentation~/bakes.md describes.
+    /// Documentation~/far-shadows.md describes.
     /// </summary>
     [Serializable]
     internal sealed class BakeFile

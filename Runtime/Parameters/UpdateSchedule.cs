@@ -7,7 +7,7 @@ namespace Penumbra
     /// with periods 1, 2, 4 and 4 every frame draws two of four.
     /// <para>Periods are powers of two from 1 to 64, in frames; others are rounded down, and clamped. In the first
     /// frame and after a cut of the camera, draw all cascades, whatever is due. The error of old maps is in
-    /// Documentation~/cascades.md.</para>
+    /// Documentation~/pipelines.md.</para>
     /// </summary>
     public readonly struct UpdateSchedule
     {

@@ -18,7 +18,7 @@ namespace Penumbra
         Fixed,
     }
 
-    /// <summary>A texture of a graph, as its manifest declares it: see Documentation~/add-technique.md.</summary>
+    /// <summary>A texture of a graph, as its manifest declares it: see docs/add-technique.md.</summary>
     internal readonly struct GraphTexture
     {
         internal readonly string name;

@@ -6,7 +6,7 @@
 // Source:     DistanceFieldMarch.hlsl. What two objects leave free of a disc lies between max(0, a + b - 1), where they
 //             cover different parts of it, and min(a, b), where they cover the same part. Which it is, the six parts of
 //             the disc tell for the most part: of each part the least over the objects is free. With one cone each, the
-//             shares are multiplied, as if one said nothing about the other. Documentation~/distance-fields.md compares
+//             shares are multiplied, as if one said nothing about the other. Documentation~/other-shadows.md compares
 //             the ways.
 // Inputs:     a 3D texture in which each object has a part, of `penumbra bake distance-field --objects N`; world
 //             positions and the surface's normal, in metres; uniforms:
@@ -17,7 +17,7 @@
 //                                   may be turned, moved and scaled alike along all axes; then, of the object's entry
 //                                   in the file, corner_metres and distances_metres[1]; size_metres and a voxel's edge,
 //                                   size_metres[0] / voxels[0]; first_voxel. Lengths but for the first three rows are
-//                                   those of the field's own space. Documentation~/bakes.md sets them from C#.
+//                                   those of the field's own space. Documentation~/far-shadows.md sets them from C#.
 //             They are constants, not a buffer, so that OpenGL ES 3.0 and WebGL 2 have them.
 // Cost:       for each object about 30 operations where its box is beside the ray or cone; else
 //             DistanceFieldMarch.hlsl's.

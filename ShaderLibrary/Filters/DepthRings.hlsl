@@ -28,7 +28,7 @@
 
 // The distance from the receiver to where the next level begins, in cells of the level: one number for the filter, and
 // one for the search, whose mean changes less with the size of cells. Other numbers can be defined before this file, to
-// measure them (Documentation~/noise.md).
+// measure them (Documentation~/screen-passes.md).
 #if !defined(PENUMBRA_RING_CELLS)
 #define PENUMBRA_RING_CELLS 5.0
 #endif

@@ -1,6 +1,6 @@
 // Pipelines/Hdrp.hlsl compiles by its one include: every keyword, both depth directions, every declared HDRP
-// version, every target; after HDRP's shadow context too. The shader of Documentation~/hdrp.md compiles as it
-// stands there.
+// version, every target; after HDRP's shadow context too. The shader of Documentation~/pipelines.md compiles
+// as it stands there.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -107,9 +107,9 @@ std::string between(const std::string& text, const std::string& first, const std
 }
 
 TEST(HdrpDocumentation, ItsShaderCompiles) {
-  std::ifstream file(PENUMBRA_SOURCE_DIR "/Documentation~/hdrp.md", std::ios::binary);
+  std::ifstream file(PENUMBRA_SOURCE_DIR "/Documentation~/pipelines.md", std::ios::binary);
   const std::string page((std::istreambuf_iterator<char>(file)), {});
-  const std::string shader = between(page, "```hlsl\n", "```");
+  const std::string shader = between(page.substr(page.find("\n## In HDRP\n")), "```hlsl\n", "```");
   const std::string program = between(shader, "HLSLPROGRAM", "ENDHLSL");
   ASSERT_NE(program.find("#pragma fragment Frag"), std::string::npos);
   for (const HdrpVersion version : kHdrpVersions) {

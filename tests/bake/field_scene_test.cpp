@@ -194,7 +194,7 @@ TEST_F(FieldScene, AnObjectMayBeTurnedMovedAndScaled) {
   EXPECT_LT(std::sqrt(sum / 256.0), 0.03);
 }
 
-// The bounds are by light and shape, over places in the penumbra; Documentation~/distance-fields.md has more
+// The bounds are by light and shape, over places in the penumbra; Documentation~/other-shadows.md has more
 // of them.
 TEST_F(FieldScene, ASoftShadowIsNearThatOfRays) {
   struct Case {

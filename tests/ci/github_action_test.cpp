@@ -58,7 +58,7 @@ TEST(GithubAction, OtherActionsAreNamedByTheirCommit) {
     ++used;
   }
   EXPECT_GT(used, 0);
-  const std::string page = read_text_file(repository + "/Documentation~/ci.md");
+  const std::string page = read_text_file(repository + "/docs/validating.md");
   const std::regex uses("uses: (\\S+)");
   for (std::sregex_iterator it(page.begin(), page.end(), uses), end; it != end; ++it)
     EXPECT_TRUE((*it)[1] == "OWNER/penumbra@TAG" || std::regex_match((*it)[1].str(), commit)) << (*it)[1];

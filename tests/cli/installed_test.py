@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-PAGE = ROOT / "Documentation~" / "installing-the-program.md"
+PAGE = ROOT / "docs" / "cpp-library.md"
 CMAKE = os.environ["PENUMBRA_CMAKE"]
 READ_AT_RUN_TIME = (".hlsl", ".shader", ".technique.json")
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "PENUMBRA_ROOT"}

@@ -42,8 +42,9 @@ std::string refusal(const std::string& command) {
 TEST(Pages, PrintOnlyCommandsThatTheProgramParses) {
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
   std::vector<std::filesystem::path> pages{root / "README.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(root / "Documentation~"))
-    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  for (const char* folder : {"Documentation~", "docs"})
+    for (const auto& entry : std::filesystem::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
   std::size_t commands = 0;
   for (const std::filesystem::path& page : pages)
     for (const std::string& command : commands_of(read(page))) {

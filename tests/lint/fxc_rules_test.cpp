@@ -161,7 +161,7 @@ std::vector<std::string> names_in(const std::string& text) {
 
 // The words in the list of the page.
 std::vector<std::string> words_of_page() {
-  std::ifstream stream(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~" / "lint.md");
+  std::ifstream stream(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "docs" / "lint.md");
   std::string page{std::istreambuf_iterator<char>(stream), {}};
   page.erase(0, page.find("### reserved-name"));
   const std::size_t begin = page.find("```\n") + 4;

@@ -13,7 +13,7 @@ namespace penumbra::lint {
 namespace {
 
 std::string page() {
-  std::ifstream stream(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~" / "lint.md");
+  std::ifstream stream(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "docs" / "lint.md");
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();

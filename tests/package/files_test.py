@@ -44,7 +44,7 @@ class Paths(UnpackedTarball):
                              "remove it and use 'files' of package.json")
 
     def test_links(self):
-        (self.folder / "Documentation~" / "linked.txt").symlink_to("bias.md")
+        (self.folder / "Documentation~" / "linked.txt").symlink_to("filters.md")
         (self.folder / "Documentation~" / "linked").symlink_to("results", target_is_directory=True)
         text = "is a link, which npm leaves out: put the file itself there"
         self.assert_problems(f"Documentation~/linked: {text}", f"Documentation~/linked.txt: {text}")
@@ -105,8 +105,8 @@ class Metas(UnpackedTarball):
         self.assert_problems(f"ShaderLibrary/Core.meta: does not say that its path is a folder: {REMAKE}")
 
     def test_hidden_folders_have_none(self):
-        self.write("Documentation~/bias.md.meta", "")
-        self.assert_problems("Documentation~/bias.md.meta: is in a folder where Unity reads no .meta files: remove it")
+        self.write("Documentation~/filters.md.meta", "")
+        self.assert_problems("Documentation~/filters.md.meta: is in a folder where Unity reads no .meta files: remove it")
 
     def test_a_file_of_a_sample_without_one(self):
         (self.folder / "Samples~/Scenes/SampleScene.cs.meta").unlink()

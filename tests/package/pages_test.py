@@ -62,8 +62,8 @@ class Changelog(UnpackedTarball):
 
 class Links(UnpackedTarball):
     def test_links_that_lead_somewhere(self):
-        self.write(PAGE, "[a](bias.md) [b](../README.md#requirements) ![c](results/presets/pareto-fetches.svg \"title\") [d](#here)\n"
-                         "[e](https://example.com/nothing.md) [f](../ShaderLibrary) [g](<bias.md>) [h](mailto:a@example.com)\n")
+        self.write(PAGE, "[a](filters.md) [b](../README.md#requirements) ![c](results/presets/pareto-fetches.svg \"title\") [d](#here)\n"
+                         "[e](https://example.com/nothing.md) [f](../ShaderLibrary) [g](<filters.md>) [h](mailto:a@example.com)\n")
         self.assert_problems()
 
     def test_one_that_leads_nowhere(self):
@@ -105,7 +105,7 @@ class Readme(UnpackedTarball):
             self.assertNotIn(word, self.text("README.md"))
 
     def test_leads_to_the_pages_of_its_readers(self):
-        for page in ("installation", "presets", "renderer-feature", "debug-views", "troubleshooting", "samples", "index"):
+        for page in ("installation", "presets", "renderer-feature", "other-shadows", "troubleshooting", "index"):
             self.assertIn(f"](Documentation~/{page}.md", self.text("README.md"), page)
 
     def test_a_link_that_leads_nowhere_is_told_at_its_source(self):

@@ -21,7 +21,7 @@ class Pages(unittest.TestCase):
         there = {file.stem for file in (ROOT / "Documentation~" / "images").iterdir()}
         self.assertEqual(set(drawn), there)
         for name, page in drawn.items():
-            self.assertRegex((ROOT / page).read_text(), rf"\]\(images/{name}\.(png|jpg)\)")
+            self.assertRegex((ROOT / page).read_text(), rf"\]\((\.\./Documentation~/)?images/{name}\.(png|jpg)\)")
 
     def test_a_picture_of_the_readme_is_the_one_that_its_command_draws(self):
         readme = (ROOT / "README.md").read_text()

@@ -1,4 +1,4 @@
-// Runs random programs on the device against the rules of the language. Documentation~/preparation.md says
+// Runs random programs on the device against the rules of the language. docs/validating.md says
 // how many were run.
 #include <gmock/gmock.h>
 

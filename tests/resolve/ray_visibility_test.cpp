@@ -4,7 +4,7 @@
 //   PENUMBRA_VOLUMETRIC_RESULTS=Documentation~/results/volumetric.json
 //       build/release/penumbra_resolve_tests --gtest_filter='RayVisibility.*'
 //
-// writes the figures of Documentation~/volumetric.md.
+// writes the figures of Documentation~/other-shadows.md.
 #include <gmock/gmock.h>
 
 #include <algorithm>

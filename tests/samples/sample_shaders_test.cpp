@@ -116,9 +116,9 @@ std::string first_block(const std::string& page_file, int skipped = 0) {
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
-// The README's shader inside the text that its reader pastes it into.
-std::string readme_shader() {
-  return "Shader \"Readme\" { SubShader { Pass {\nHLSLPROGRAM\n" + first_block("README.md") +
+// The page's shader for URP inside the text that its reader pastes it into.
+std::string urp_shader() {
+  return "Shader \"Page\" { SubShader { Pass {\nHLSLPROGRAM\n" + first_block("Documentation~/pipelines.md") +
          "ENDHLSL\n} } }\n";
 }
 
@@ -129,8 +129,8 @@ HLSLPROGRAM
 #pragma vertex Vertex
 #pragma fragment Fragment
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-)" + first_block("Documentation~/bakes.md") +
-         first_block("Documentation~/bakes.md", 1) +
+)" + first_block("Documentation~/far-shadows.md") +
+         first_block("Documentation~/far-shadows.md", 1) +
          R"(
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Far/CloudShadow.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Far/HeightFieldTrace.hlsl"
@@ -175,7 +175,7 @@ std::string volumetric_shader() {
 HLSLPROGRAM
 #pragma vertex Vertex
 #pragma fragment Fragment
-)" + first_block("Documentation~/volumetric.md") +
+)" + first_block("Documentation~/other-shadows.md", 1) +
          R"(
 struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
 Varyings Vertex(float4 p : POSITION)
@@ -200,7 +200,7 @@ std::string planar_shader() {
 HLSLPROGRAM
 #pragma vertex Vertex
 #pragma fragment Fragment
-)" + first_block("Documentation~/planar-and-blob.md") +
+)" + first_block("Documentation~/other-shadows.md") +
          R"(
 struct Varyings { float4 position : SV_POSITION; float valid : TEXCOORD0; };
 Varyings Vertex(float4 p : POSITION)
@@ -222,9 +222,9 @@ ENDHLSL
 }
 
 // Each keyword that it lists changes the shader: one that does not is a finding.
-TEST_F(SampleShaders, ReadmesCompilesWithAndWithoutAShadowMap) {
-  write("Readme.shader", readme_shader());
-  const nlohmann::json report = validate(path("Readme.shader").string());
+TEST_F(SampleShaders, ThePagesCompilesWithAndWithoutAShadowMap) {
+  write("Page.shader", urp_shader());
+  const nlohmann::json report = validate(path("Page.shader").string());
   EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
@@ -257,7 +257,7 @@ TEST_F(SampleShaders, FogOfThePageCompilesForEveryTarget) {
 TEST_F(SampleShaders, UnitysCompilerWarnsOfNothingInThePagesExamples) {
   PENUMBRA_NEEDS_FXC();
   fxc_ = true;
-  write("Readme.shader", readme_shader());
+  write("Page.shader", urp_shader());
   write("Bakes.shader", bakes_shader());
   write("Planar.shader", planar_shader());
   write("Volumetric.shader", volumetric_shader());

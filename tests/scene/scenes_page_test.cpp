@@ -1,4 +1,4 @@
-// Documentation~/scenes.md has every scene, with the numbers that the scene itself has.
+// docs/measuring.md has every scene, with the numbers that the scene itself has.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string page() {
-  std::ifstream file(PENUMBRA_SOURCE_DIR "/Documentation~/scenes.md");
+  std::ifstream file(PENUMBRA_SOURCE_DIR "/docs/measuring.md");
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

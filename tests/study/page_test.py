@@ -39,13 +39,13 @@ class Pages(unittest.TestCase):
             self.assertEqual(text, page.written(text, parts), "run tests/study/page")
 
     def test_every_field_of_a_record_has_its_meaning(self):
-        figures = (page.DOCUMENTATION / "measure.md").read_text().split("\n## Figures\n")[1].split("\n## ")[0]
+        figures = page.MEASURING.read_text().split("\n## Figures\n")[1].split("\n## ")[0]
         cells = re.findall(r"^\| (.*?) \|", figures, re.MULTILINE)
         named = {name for cell in cells for name in re.findall("`([^`]*)`", cell)}
         for file in page.RESULTS.glob("**/results.json"):
             for record in json.loads(file.read_text())["records"]:
                 parts = [record, *(record[part] for part in PARTS if part in record)]
-                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in measure.md")
+                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in docs/measuring.md")
 
 
 class Volumetric(unittest.TestCase):
@@ -237,8 +237,8 @@ class PresetSteps(unittest.TestCase):
         self.assertIn("| Low to High | - (1 of 1) |", text)
 
 
-class MaskCosts(unittest.TestCase):
-    def test_rows_are_scenes_and_the_last_their_mean(self):
+class Masks(unittest.TestCase):
+    def test_cells_are_means_over_scenes(self):
         def masked(name, scene, fetches, screen, cascade, skipped, missed, light=2.0):
             return record(name, scene, light, fetches_mean=fetches, preprocess_fetches_per_pixel=screen + cascade,
                           passes=[{"pass": "mask", "runs": "frame", "fetches_per_pixel": screen},
@@ -251,17 +251,16 @@ class MaskCosts(unittest.TestCase):
             masked("pcss-masked", "a", 19.0, 2.0, 0.0, 0.25, 0.001), masked("pcss-masked", "b", 4.0, 2.5, 0.0, 0.75, 0.0),
             masked("pcss-conservative", "a", 12.0, 5.0, 9.0, 0.5, 0.0),
             masked("pcss-conservative", "b", 3.0, 5.5, 9.0, 0.7, 0.0))
-        text = page.mask_costs(measured)
+        text = page.masks(measured)
         self.assertIn("Not counted: 0.25 million fetches for each cascade", text)
-        self.assertTrue(text.endswith("| a | 20.0 → 21.0 → 17.0 |\n| b | 10.0 → 6.5 → 8.5 |\n"
-                                      "| mean | 15.0 → 13.8 → 12.8 |"), text)
-        self.assertTrue(page.mask_savings(measured).endswith(
-            "| a | 25 → 50 | 0.10 → 0.00 |\n| b | 75 → 70 | 0.00 → 0.00 |\n| mean | 50 → 60 | 0.05 → 0.00 |"),
-            page.mask_savings(measured))
+        self.assertIn("| mean of 2 scenes | 2° light |", text)
+        self.assertIn(" conservative mask | 15.0 → 13.8 → 12.8 |\n", text)
+        self.assertIn(" conservative mask | 50 → 60 |\n", text)
+        self.assertTrue(text.endswith(" misses, % | 0.05 → 0.00 |"), text)
 
     def test_two_other_techniques_are_refused(self):
         with self.assertRaises(page.Problem):
-            page.mask_costs(results(record("tent-5"), record("pcss-masked")))
+            page.masks(results(record("tent-5"), record("pcss-masked")))
 
 
 def cost_row(entry, technique, instructions, keywords=("UNITY_REVERSED_Z",), family="navi21"):
@@ -378,31 +377,6 @@ class DepthFetches(unittest.TestCase):
         with self.assertRaisesRegex(page.Problem, "different masks"):
             page.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
                                        record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
-
-
-class PresetMasks(unittest.TestCase):
-    def test_lights_are_columns_and_scenes_rows(self):
-        text = page.preset_masks(results(
-            record("fallback-low"), record("fallback-high", light=0.5, mask=(0.256, 0.0004)),
-            record("fallback-high", mask=(0.1, None)), record("fallback-high", "b", 0.5, mask=(1.0, 0.5)),
-            record("fallback-high", "b", mask=(0.0, 0.0)), record("other", mask=(0.9, 0.9))))
-        self.assertTrue(text.endswith(
-            "High:\n\n"
-            "| scene | skipped, 2° light, % | skipped, 0.5° light, % | missed, 2° light, % | missed, 0.5° light, % |\n"
-            "|:--|--:|--:|--:|--:|\n"
-            "| a | 10 | 26 | - | 0.04 |\n"
-            "| b | 0 | 100 | 0.00 | 50.00 |"), text)
-
-    def test_presets_of_one_mask_share_a_table(self):
-        text = page.preset_masks(results(record("fallback-medium", mask=(0.1, 0.0)),
-                                         record("fallback-high", mask=(0.2, 0.0)),
-                                         record("fallback-ultra", mask=(0.1, 0.0))))
-        self.assertIn("Medium, Ultra:\n\n", text)
-        self.assertIn("\n\nHigh:\n\n", text)
-
-    def test_no_mask_at_all(self):
-        with self.assertRaisesRegex(page.Problem, "no fallback of results/presets/results.json has a mask"):
-            page.preset_masks(results(record("fallback-low")))
 
 
 class ScreenFigures(unittest.TestCase):

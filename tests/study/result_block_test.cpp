@@ -27,7 +27,7 @@ std::string file_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
+TEST(ResultBlock, ATablePerLightThenChartAndOrigin) {
   const std::string block = result_block(synthetic::results(), {kChart, {}});
   const std::vector<std::string> order{
       "0.53° light, 2 scenes, 18000 penumbra pixels, at least 9000 per scene:",
@@ -35,9 +35,6 @@ TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
       "pixel |",
       "2° light, 2 scenes",
       "](Documentation~/results/pareto-fetches.svg)",
-      "<summary>Penumbra RMSE of every scene</summary>",
-      "<summary>Light leaks of every scene, %</summary>",
-      "<summary>False shadow of every scene, %</summary>",
       "penumbra measure --seed 1",
       "com.example.shadows 17.0.3, com.example.core,",
       "made-up driver 1.2",
@@ -76,7 +73,7 @@ TEST(ResultBlock, OperationsAreShownWhereOptimisedBytecodeRan) {
 }
 
 // The pass has 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
-TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
+TEST(ResultBlock, PassesOverTheMapAreGivenApart) {
   Results results = synthetic::results();
   EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("Passes over the shadow map")));
   for (MeasuredFrame& frame : results.frames) {
@@ -94,8 +91,7 @@ TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
   }
   const std::string block = result_block(results, {kChart, {}});
   EXPECT_THAT(block, HasSubstr("divided by the pixels of the pictures, which are of 480 x 270 pixels."));
-  // 1,048,576 fetches are 0.51 per pixel of 1920 x 1080.
-  EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 | 10.5 |"));
+  EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 |\n"));
 }
 
 TEST(ResultBlock, ARowForEachTechniqueInTheFullForm) {
@@ -139,7 +135,7 @@ TEST(ResultBlock, WhatResultsHoldCannotEndTheBlock) {
   }
 }
 
-TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
+TEST(ResultBlock, TablesHoldMeans) {
   Results results = synthetic::results();
   results.records[0].metrics.rmse_penumbra = 0.2;    // boxes, bilinear, 0.53°
   results.records[8].metrics.rmse_penumbra = 0.125;  // fence, bilinear, 0.53°
@@ -148,7 +144,6 @@ TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
   results.records[8].metrics.intervals.rmse_penumbra = Interval{0.12, 0.13, 0.0025};
   const std::string block = result_block(results, {kChart, {}});
   EXPECT_THAT(block, HasSubstr("Title of bilinear, `bilinear` | 0.2 [0, 0.6] | 0.0"));
-  EXPECT_THAT(block, HasSubstr("| Title of bilinear | 0.200 ± 0.020 | 0.125 ± 0.005 |"));
   EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
 }
 
@@ -239,15 +234,15 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
 struct PublishedPage {
   std::string name;
   std::string file;
-  std::string folder;               // folder below Documentation~/results
+  std::string folder;  // folder below Documentation~/results
+  BlockForm form = BlockForm::brief;
+  std::string block{};              // argument of --block; empty: the folder's name
   std::vector<std::string> rows{};  // argument of --rows
-  BlockForm form = BlockForm::full;
-  std::string block{kResultBlock};  // argument of --block
   bool with_urp = true;             // false: --rows names all techniques but URP's filters
 };
 
 void PrintTo(const PublishedPage& page, std::ostream* stream) {
-  *stream << page.file << ", " << page.block;
+  *stream << page.file << ", " << page.name;
 }
 
 // The results' techniques of one bias. URP's own filters, which are in them too, are four-tap, tent-5 and
@@ -260,34 +255,31 @@ std::vector<std::string> without_urp(const Results& results) {
 }
 
 std::vector<PublishedPage> published_pages() {
-  return {
-      {"Readme",
-       "README.md",
-       "presets",
-       {"urp-low", "urp-medium", "urp-high", "urp-low-normal-bias-0", "urp-medium-normal-bias-0",
-        "urp-high-normal-bias-0", "hdrp-pcss", "preset-low", "preset-medium", "preset-high", "preset-ultra"},
-       BlockForm::brief},
-      {"ReadmeLine",
-       "README.md",
-       "presets",
-       {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"},
-       BlockForm::line,
-       "line"},
-      {"Presets", "Documentation~/presets.md", "presets"},
-      {"Techniques", "Documentation~/techniques.md", "techniques"},
-      {.name = "EqualBias", .file = "Documentation~/bias.md", .folder = "equal-bias", .with_urp = false},
-      {.name = "EqualBiasOfUrp",
-       .file = "Documentation~/bias.md",
-       .folder = "equal-bias-urp",
-       .block = "results-urp-bias",
-       .with_urp = false},
-      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"},
-      {"Wires", "Documentation~/wires-and-particles.md", "wires"},
-      {"EqualFetches", "Documentation~/equal-fetches.md", "equal-fetches"},
-      {.name = "EqualFetchesOfASmallMap",
-       .file = "Documentation~/equal-fetches.md",
-       .folder = "equal-fetches-small-map",
-       .block = "small-map"}};
+  const std::string filters = "Documentation~/filters.md";
+  const std::string flagship = "Documentation~/flagship.md";
+  const std::string others = "Documentation~/other-shadows.md";
+  return {{.name = "ReadmeLine",
+           .file = "README.md",
+           .folder = "presets",
+           .form = BlockForm::line,
+           .block = "line",
+           .rows = {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"}},
+          {"Presets", "Documentation~/presets.md", "presets", BlockForm::full},
+          {"Techniques", filters, "techniques", BlockForm::full},
+          {.name = "EqualBias", .file = filters, .folder = "equal-bias", .with_urp = false},
+          {.name = "EqualBiasOfUrp", .file = filters, .folder = "equal-bias-urp", .with_urp = false},
+          {"EqualFetches", filters, "equal-fetches"},
+          {"EqualFetchesOfASmallMap", filters, "equal-fetches-small-map"},
+          {"FarOrigin", "Documentation~/pipelines.md", "far-origin"},
+          {"PlanarAndBlob", others, "planar-and-blob"},
+          {"DistanceFields", others, "distance-field-scenes"},
+          {"Wires", others, "wires"},
+          {"Flagship", flagship, "flagship", BlockForm::full},
+          {"FlagshipLowSun", flagship, "flagship-low-sun"},
+          {"FlagshipFullHd", flagship, "flagship-full-hd"},
+          {"FlagshipFullHdLowSun", flagship, "flagship-full-hd-low-sun"},
+          {"FlagshipKept", flagship, "flagship-kept"},
+          {"FlagshipHalf", flagship, "flagship-half"}};
 }
 
 // Every manifest of the library and the costs of its programs are read once.
@@ -319,7 +311,9 @@ TEST_P(Published, ShowsTheCommittedResults) {
   const std::string text = file_text(root / page.file);
   const std::vector<std::string> rows = page.with_urp ? page.rows : without_urp(results);
   const std::string block = result_block(results, {relative_chart(page), rows, page.form, committed_facts()});
-  EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
+  EXPECT_EQ(text,
+            replace_result_block(text, block, page.file, page.block.empty() ? page.folder : page.block));
+  if (page.form != BlockForm::full) return;
   const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {
     EXPECT_THAT(chart, HasSubstr(">" + choice.shown + "<")) << "the chart is of other results";

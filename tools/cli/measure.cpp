@@ -382,7 +382,7 @@ void add_measure(CLI::App& app, Context& context) {
       ->needs(readme);
   CLI::Option* brief = command->add_flag(
       "--brief", options->brief,
-      "In --readme, show the table of the middle light size, fold the others, and leave out tables by scene");
+      "In --readme, show the table of the middle light size, fold the others, and leave out all else");
   brief->needs(readme);
   command
       ->add_flag("--line", options->line,

@@ -104,8 +104,7 @@ void add_checks(CLI::App& command, ValidateOptions& options) {
       ->default_str("none");
   command.add_flag("--minimize", options.minimise,
                    "Find the smallest set of keywords that causes each error");
-  command.add_flag("--no-lint", options.no_lint,
-                   "Only compile, without the lint rules of Documentation~/lint.md");
+  command.add_flag("--no-lint", options.no_lint, "Only compile, without the lint rules of docs/lint.md");
   takes(command,
         as_list(command.add_option("--disable-rule", options.disabled_rules, "Lint rules to disable"))
             ->default_str("none"),

@@ -26,7 +26,7 @@ public sealed class ResultsTests
             .Where(name => committed.GetValueOrDefault(name) != present.GetValueOrDefault(name)).Order(StringComparer.Ordinal);
         Assert.That(changed, Is.Empty, "declarations changed since they were compared with Unity's sources: run scripts/check-unity-api " +
             $"--source DIR --generation {generation} --output Documentation~/results/api-check-{generation}.json, then the command at the end " +
-            "of Documentation~/api-check.md");
+            "of docs/unity-api.md");
     }
 
     [TestCase("2022.3")]
@@ -53,7 +53,7 @@ public sealed class ResultsTests
     [Test]
     public void StandInThePage()
     {
-        var page = File.ReadAllText(Repository.At("Documentation~/api-check.md"));
+        var page = File.ReadAllText(Repository.At("docs/unity-api.md"));
         Assert.That(page, Is.EqualTo(Page.Written(page, [.. Generation.All.Select(Committed)])));
     }
 

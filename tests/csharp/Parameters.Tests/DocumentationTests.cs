@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// The example of Documentation~/parameters.md is this file's, so it compiles and does what it says.
+    /// The example of Documentation~/pipelines.md is this file's, so it compiles and does what it says.
     /// </summary>
     [TestFixture]
     public class DocumentationTests
@@ -41,7 +41,7 @@ namespace Penumbra.Tests
         [Test]
         public void ThePagesExampleIsTheCompiledOne()
         {
-            var page = File.ReadAllLines(Path.Combine(TestContext.CurrentContext.TestDirectory, "parameters.md"));
+            var page = File.ReadAllLines(Path.Combine(TestContext.CurrentContext.TestDirectory, "pipelines.md"));
             var example = page.SkipWhile(line => line != "```csharp").Skip(1).TakeWhile(line => line != "```");
             Assert.That(ExampleLines(), Is.Not.Empty);
             Assert.That(example, Is.EqualTo(ExampleLines()));

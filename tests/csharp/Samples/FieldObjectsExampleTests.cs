@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Penumbra.Samples
 {
     /// <summary>
-    /// The example of Documentation~/bakes.md is FieldObjectsExample.cs, so it compiles and does what it says.
+    /// The example of Documentation~/far-shadows.md is FieldObjectsExample.cs, so it compiles and does what it says.
     /// </summary>
     internal sealed class FieldObjectsExampleTests
     {
@@ -30,7 +30,7 @@ namespace Penumbra.Samples
         {
             string[] compiled = Between(Lines("FieldObjectsExample.cs"), "// example:begin", "// example:end");
             Assert.That(compiled, Is.Not.Empty);
-            Assert.That(Between(Lines("bakes.md"), "```csharp", "```"), Is.EqualTo(compiled));
+            Assert.That(Between(Lines("far-shadows.md"), "```csharp", "```"), Is.EqualTo(compiled));
         }
 
         [Test]

@@ -6,7 +6,7 @@
 // Inputs:     those of ResolvePass.hlsl; _PenumbraNoiseMaskTexture: slices of 64 x 64 texels below each other, bytes.
 // Cost:       that of ResolvePass.hlsl; the mask takes one fetch more.
 // Guarantees: [0, 1], 1 on the sky.
-// Use it:     to measure noise (Documentation~/noise.md). Not: in a game.
+// Use it:     to measure noise (Documentation~/screen-passes.md). Not: in a game.
 #ifndef PENUMBRA_NOISE_STUDY_PASS_HLSL
 #define PENUMBRA_NOISE_STUDY_PASS_HLSL
 

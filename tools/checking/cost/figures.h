@@ -2,7 +2,7 @@
 //
 // Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties) or of FXC's
 // (fxc/bytecode.h), without change, or is counted in the bytecode. A figure that is not available stays
-// empty. Documentation~/cost.md says what each means.
+// empty. docs/cost.md says what each means.
 #pragma once
 
 #include <cstdint>

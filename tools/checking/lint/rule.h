@@ -1,6 +1,6 @@
 // The lint rules: name, severity, description and source of each, and the findings.
 //
-// Documentation~/lint.md has one section for each; a test compares the two lists.
+// docs/lint.md has one section for each; a test compares the two lists.
 #pragma once
 
 #include <string>

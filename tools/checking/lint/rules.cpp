@@ -63,11 +63,9 @@ const std::vector<RuleInfo>& rules() {
        "https://docs.unity3d.com/Manual/SRPBatcher-Materials.html"},
       {"unused-keyword", Severity::warning, "A keyword is declared and changes no variant.",
        "https://docs.unity3d.com/Manual/shader-keywords.html"},
-      {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.",
-       "Documentation~/lint.md"},
+      {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.", "docs/lint.md"},
       {"not-checked", Severity::note,
-       "A function or shader is too large for the rules that analyse control flow.",
-       "Documentation~/lint.md"}};
+       "A function or shader is too large for the rules that analyse control flow.", "docs/lint.md"}};
   return all;
 }
 

@@ -51,7 +51,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 // It runs in a fragment shader over the picture, so derivatives are those between pixels. It includes the
 // texture macros it uses, "Platform/Platform.hlsl" or its pipeline's, and may read, by name, URP's main light
-// shadow globals and the harness's own (Documentation~/measure.md). Its casters are drawn at
+// shadow globals and the harness's own (docs/measuring.md). Its casters are drawn at
 // `bias`.
 struct Adapter {
   std::string name;

@@ -100,23 +100,6 @@ std::string mean_table(const Results& results, double light, BlockForm form) {
   return table.text();
 }
 
-// Returns a row for each choice and a column for each scene, with `figure` of the record.
-template <typename Figure>
-std::string scene_table(const Results& results, double light, Figure figure) {
-  std::vector<std::string> heads{"Technique"};
-  for (const std::string& scene : scene_names(results)) heads.push_back(markdown_cell(scene));
-  MarkdownTable table(heads);
-  for (const Choice& choice : choices(results)) {
-    std::vector<std::string> cells{title_of(choice)};
-    for (const std::string& scene : scene_names(results)) {
-      const Record* record = find_record(results, choice.label, scene, light);
-      cells.push_back(record != nullptr ? figure(*record) : figure_text(std::nullopt));
-    }
-    table.add(cells);
-  }
-  return table.text();
-}
-
 // Returns those records alone, technique by technique.
 Results with_rows(const Results& results, const std::vector<std::string>& rows) {
   if (rows.empty()) return results;
@@ -213,9 +196,8 @@ std::string how_to_read(const Results& results, BlockForm form) {
 // at the middle light. The table is empty without such a pass.
 std::string map_pass_table(const Results& results) {
   if (!has_map_passes(results)) return {};
-  constexpr double kFullHd = 1920.0 * 1080.0;
-  MarkdownTable table({"Technique", "fetches of the passes over the map, millions", "other fetches per pixel",
-                       "fetches per pixel if 1920 x 1080 pixels shared those over the map"});
+  MarkdownTable table(
+      {"Technique", "fetches of the passes over the map, millions", "other fetches per pixel"});
   for (const Choice& choice : choices(results)) {
     double of_map = 0.0, others = 0.0;
     int scenes = 0;
@@ -232,8 +214,7 @@ std::string map_pass_table(const Results& results) {
     }
     if (scenes == 0) continue;
     table.add({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
-               fmt::format("{:.1f}", others / scenes),
-               fmt::format("{:.1f}", (others + of_map / kFullHd) / scenes)});
+               fmt::format("{:.1f}", others / scenes)});
   }
   return folded("Passes over the shadow map, " + light_name(middle_light(results)) +
                     " light: their fetches in a frame that draws every cascade",
@@ -302,24 +283,10 @@ std::string technique_table(const Results& results, const FactsOfTechniques& fac
 
 std::string full_block(const Results& results, const BlockStyle& style) {
   std::string block = how_to_read(results, BlockForm::full);
-  std::string errors, leaks, false_shadow;
-  const auto add = [&results](std::string& tables, double light, const auto& figure) {
-    tables +=
-        (tables.empty() ? "" : "\n") + light_name(light) + " light\n\n" + scene_table(results, light, figure);
-  };
-  for (const double light : light_sizes(results)) {
+  for (const double light : light_sizes(results))
     block += light_table(results, light, BlockForm::full) + "\n";
-    add(errors, light, [](const Record& record) { return figure_text(rmse_penumbra_of(record)); });
-    add(leaks, light, [](const Record& record) { return figure_text(leak_rate_of(record), 100.0); });
-    add(false_shadow, light,
-        [](const Record& record) { return figure_text(false_shadow_rate_of(record), 100.0); });
-  }
   block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
-  block += technique_table(results, style.facts);
-  block += map_pass_table(results);
-  return block + folded("Penumbra RMSE of every scene", errors) + "\n" +
-         folded("Light leaks of every scene, %", leaks) + "\n" +
-         folded("False shadow of every scene, %", false_shadow) + "\n" + command(results);
+  return block + technique_table(results, style.facts) + map_pass_table(results) + command(results);
 }
 
 }  // namespace

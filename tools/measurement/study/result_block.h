@@ -14,7 +14,7 @@ namespace penumbra::study {
 inline constexpr std::string_view kResultBlock = "results";
 
 enum class BlockForm {
-  full,   // a table per light, the chart, a row for each technique, and the penumbra RMSE of every scene
+  full,   // a table per light, the chart, a row for each technique, and the passes over the shadow map
   brief,  // the table of the middle light; those of the other lights folded
   line,   // one sentence: penumbra RMSE and fetches under the middle light
 };

@@ -65,11 +65,6 @@ std::optional<double> of_all_passes(const std::optional<double>& fetches, const 
   return fetches ? std::optional(*fetches + metrics.preprocess_fetches_per_pixel) : std::nullopt;
 }
 
-std::optional<Estimate> estimate(const std::optional<double>& figure,
-                                 const std::optional<Interval>& interval) {
-  return figure ? std::optional(Estimate{*figure, interval}) : std::nullopt;
-}
-
 SummaryLine line_of(const Results& results, const Choice& choice, double light_degrees) {
   SceneFigures rmse;
   SceneFigures rmse_all;
@@ -198,18 +193,6 @@ LightSample sample_of(const Results& results, double light_degrees) {
     ++sample.scenes;
   }
   return sample;
-}
-
-std::optional<Estimate> rmse_penumbra_of(const Record& record) {
-  return estimate(record.metrics.rmse_penumbra, record.metrics.intervals.rmse_penumbra);
-}
-
-std::optional<Estimate> leak_rate_of(const Record& record) {
-  return estimate(record.metrics.leak_rate, record.metrics.intervals.leak_rate);
-}
-
-std::optional<Estimate> false_shadow_rate_of(const Record& record) {
-  return estimate(record.metrics.false_shadow_rate, record.metrics.intervals.false_shadow_rate);
 }
 
 std::vector<SummaryLine> summarise(const Results& results) {

@@ -57,11 +57,6 @@ std::vector<double> light_sizes(const Results& results);           // degrees, r
 std::vector<Choice> choices(const Results& results);               // in record order
 Choice choice_of(const Results& results, const Record& record);
 
-// Returns a record's own figures with their intervals, for tables of one scene.
-std::optional<Estimate> rmse_penumbra_of(const Record& record);
-std::optional<Estimate> leak_rate_of(const Record& record);
-std::optional<Estimate> false_shadow_rate_of(const Record& record);
-
 // Returns the one record of that choice, scene and light; null when there is none.
 const Record* find_record(const Results& results, const std::string& label, const std::string& scene,
                           double light_degrees);

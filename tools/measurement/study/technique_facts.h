@@ -14,7 +14,7 @@
 
 namespace penumbra::study {
 
-// Cycles of a GPU that is fully occupied, per 64 threads; static estimates (Documentation~/cost.md).
+// Cycles of a GPU that is fully occupied, per 64 threads; static estimates (docs/cost.md).
 struct ProgramCycles {
   double visibility = 0.0;  // the program that gives the visibility
   double others = 0.0;      // the sum over its other passes

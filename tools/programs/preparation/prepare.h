@@ -3,7 +3,7 @@
 //
 // Each incompatibility is one pass over the tokens, in a file that says what it recognises, what it replaces
 // it by and why the meaning is preserved; none depends on a project's names. Every token keeps its original
-// line. Documentation~/preparation.md lists them.
+// line. docs/validating.md lists them.
 #pragma once
 
 #include <optional>

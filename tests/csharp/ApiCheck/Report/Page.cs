@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Penumbra.ApiCheck.Report;
 
-/// <summary>The block of Documentation~/api-check.md that is written from the committed reports.</summary>
+/// <summary>The block of docs/unity-api.md that is written from the committed reports.</summary>
 public static class Page
 {
     private const string Begin = "<!-- api-check -->";
