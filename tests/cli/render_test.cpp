@@ -144,6 +144,18 @@ TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
   EXPECT_EQ(sheet({"--light", "2", "--technique", "tent-5,tent-5"}), once);
 }
 
+TEST_F(Render, AWideSheetIsScaledDown) {
+  const auto size = [&](const std::string& limit) {
+    const std::string file = path("sheet.png").string();
+    const auto result = run(small({"--technique", "tent-5", "--max-width", limit, "--sheet", file}));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return png_size(read("sheet.png"));
+  };
+  const auto [width, height] = size("16384");
+  ASSERT_GT(width, 100);
+  EXPECT_EQ(size("100"), std::pair(100, (height * 100 + width / 2) / width));
+}
+
 TEST_F(Render, AnAdapterAloneHasNothingToSet) {
   const auto file = write("mine.hlsl", "");
   const auto result = run(small({"--adapter", "mine=" + file.string(), "--set", "blockerSamples=4"}));
@@ -167,6 +179,7 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
   expect_refused({"--zoom", "17"}, {"--zoom", "1 .. 16"});
   expect_refused({"--show", "mask"}, {"--show mask", "fallback-high"});
   expect_refused({"--show", "colour"}, {"--show", "fetches"});
+  expect_refused({"--max-width", "63"}, {"--max-width", "64 .. 16384"});
 }
 
 TEST_F(Render, ASheetNeedsAPlaceBeforeAnythingIsDrawn) {

@@ -12,6 +12,18 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPT = Path("scripts") / "pictures"
 PACKAGES = "PENUMBRA_URP_PACKAGES"
 LARGEST = 1_000_000  # bytes
+WIDEST = 1600  # pixels
+
+
+def width(file):
+    """From the header of a PNG, or the frame of a JPEG, which follows segments that each begin with their length."""
+    data = file.read_bytes()
+    if data.startswith(b"\x89PNG"):
+        return int.from_bytes(data[16:20], "big")
+    at = 2
+    while data[at + 1] not in (0xC0, 0xC1, 0xC2):
+        at += 2 + int.from_bytes(data[at + 2:at + 4], "big")
+    return int.from_bytes(data[at + 7:at + 9], "big")
 
 
 class Pages(unittest.TestCase):
@@ -32,6 +44,7 @@ class Pages(unittest.TestCase):
     def test_no_picture_is_large(self):
         for file in (ROOT / "Documentation~" / "images").iterdir():
             self.assertLess(file.stat().st_size, LARGEST, file.name)
+            self.assertLessEqual(width(file), WIDEST, file.name)
 
 
 class Script(unittest.TestCase):
@@ -61,19 +74,19 @@ class Script(unittest.TestCase):
         self.page("penumbra render --adapter 'a=b;C' \\\n  --sheet Documentation~/images/one.png",
                   "penumbra render --sheet elsewhere.png", "penumbra measure --output report", "other --sheet x.png")
         result = self.run_script()
-        self.assertEqual(result.stdout, "<render><--adapter><a=b;C><--sheet><Documentation~/images/one.png>\n")
+        self.assertEqual(result.stdout, "<render><--adapter><a=b;C><--sheet><Documentation~/images/one.png><--max-width><1600>\n")
         self.assertEqual(result.returncode, 0)
 
     def test_names_choose(self):
         self.page(*(f"penumbra render --sheet Documentation~/images/{name}.png" for name in ("one", "two")))
-        self.assertEqual(self.run_script("two").stdout, "<render><--sheet><Documentation~/images/two.png>\n")
+        self.assertEqual(self.run_script("two").stdout, "<render><--sheet><Documentation~/images/two.png><--max-width><1600>\n")
         unknown = self.run_script("three")
         self.assertEqual(unknown.returncode, 2)
         self.assertIn("no page draws a picture Documentation~/images/three; there are: one two", unknown.stderr)
 
     def test_a_picture_is_a_png_or_a_jpeg(self):
         self.page("penumbra render --sheet Documentation~/images/one.jpg")
-        self.assertEqual(self.run_script().stdout, "<render><--sheet><Documentation~/images/one.jpg>\n")
+        self.assertEqual(self.run_script().stdout, "<render><--sheet><Documentation~/images/one.jpg><--max-width><1600>\n")
 
     def test_packages_stand_for_dir(self):
         self.page("penumbra render --package-root com.unity.a-b=DIR --sheet Documentation~/images/one.png")

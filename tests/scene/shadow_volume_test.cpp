@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "input/input_error.h"
+#include "input/json_lines.h"
 #include "scene/mesh_properties.h"
 
 namespace penumbra::scene {
@@ -350,7 +351,7 @@ std::string golden_text() {
                        {"volumePositions", numbers_of(volume.positions)},
                        {"volumeTriangles", volume.indices}});
     }
-  return nlohmann::ordered_json{{"cases", cases}}.dump() + "\n";
+  return json_lines({{"cases", cases}});
 }
 
 TEST(ShadowVolume, OfTheGoldenFileAreTheSame) {

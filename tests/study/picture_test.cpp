@@ -101,6 +101,16 @@ TEST(Shrink, EverySquareBecomesItsMean) {
   EXPECT_THROW(shrunk(picture, 4), std::invalid_argument);
 }
 
+TEST(Narrow, EveryPixelIsTheMeanOfItsArea) {
+  const Picture picture = noise(6, 4, 3);
+  EXPECT_EQ(narrowed(picture, 6), picture);
+  EXPECT_EQ(narrowed(picture, 7), picture);
+  EXPECT_EQ(narrowed(picture, 3), shrunk(picture, 2));
+  EXPECT_EQ(narrowed(enlarged(picture, 3), 6), picture);
+  EXPECT_EQ(narrowed(enlarged(picture, 2), 9), shrunk(enlarged(picture, 6), 4));
+  EXPECT_EQ(narrowed(noise(200, 1, 3), 7).height, 1);
+}
+
 TEST(Jpeg, IsOneAndNearThePicture) {
   Picture smooth = filled_picture(64, 48, {});
   for (int y = 0; y < 48; ++y) {

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/input_error.h"
+#include "input/json_lines.h"
 #include "shaders/compile.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/selection_emit.h"
@@ -169,7 +170,7 @@ std::string golden() {
   }
   nlohmann::ordered_json fields = nlohmann::ordered_json::object();
   for (const auto& [name, value] : frame) fields[name] = value.front();
-  return nlohmann::ordered_json{{"frame", fields}, {"cases", cases}}.dump(1) + "\n";
+  return json_lines({{"frame", fields}, {"cases", cases}});
 }
 
 TEST(CascadeRules, ArePackedAsTheCheckedInCasesSay) {

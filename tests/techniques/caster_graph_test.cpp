@@ -101,7 +101,7 @@ TEST_F(CasterGraph, WaitsForTheDepthThatItReads) {
 TEST_F(CasterGraph, IsWrittenAsJsonAndAsCSharp) {
   const TechniqueList layers = list(kLayers);
   EXPECT_THAT(techniques_json(layers),
-              AllOf(HasSubstr("\"kind\": \"casters\""), HasSubstr("\"depth\": \"behind\"")));
+              AllOf(HasSubstr("\"kind\":\"casters\""), HasSubstr("\"depth\":\"behind\"")));
   EXPECT_THAT(emit_graphs_csharp(layers).at(0).text,
               AllOf(HasSubstr("kind = PassKind.Casters,"), HasSubstr("depth = 2,"), HasSubstr("depth = 0,"),
                     HasSubstr("testsShadowMap = true,"),
@@ -173,7 +173,7 @@ TEST_F(CasterGraph, DrawsOpaqueCastersOrBlendedOnes) {
   const std::string csharp = emit_graphs_csharp(layers).at(0).text;
   EXPECT_THAT(csharp, HasSubstr("testsShadowMap = true,\n                    blended = true,\n"));
   EXPECT_EQ(csharp.find("blended"), csharp.rfind("blended"));
-  EXPECT_THAT(techniques_json(layers), HasSubstr("\"casters\": \"blended\""));
+  EXPECT_THAT(techniques_json(layers), HasSubstr("\"casters\":\"blended\""));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "casters": "blend")"),
               AllOf(HasSubstr("unknown kind of casters 'blend'"), HasSubstr("did you mean 'blended'?")));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster", "casters": "blended")"),
@@ -190,7 +190,7 @@ TEST_F(CasterGraph, AStencilIsTestedAfterWhatChangesItAndThatAfterItsDepth) {
   EXPECT_EQ(graph.passes[1].stencil, "depth");
   EXPECT_TRUE(graph.draws(DrawnCasters::volumes) && graph.draws_casters() && graph.needs_camera());
   EXPECT_THAT(techniques_json(volumes),
-              AllOf(HasSubstr("\"casters\": \"volumes\""), HasSubstr("\"stencil\": \"depth\"")));
+              AllOf(HasSubstr("\"casters\":\"volumes\""), HasSubstr("\"stencil\":\"depth\"")));
   EXPECT_THAT(emit_graphs_csharp(volumes), testing::IsEmpty()) << "the feature draws no such passes";
 }
 

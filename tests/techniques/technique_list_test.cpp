@@ -446,7 +446,7 @@ TEST_F(TechniqueListTest, ATechniqueMayDifferFromACascadeOn) {
                 "_PenumbraBoxParameters0From1));\n"
                 "    return " +
                 box + "_PenumbraBoxParameters0));\n}\n");
-  EXPECT_THAT(techniques_json(list), HasSubstr("\"from\": 3,\n     \"technique\": \"plain\""));
+  EXPECT_THAT(techniques_json(list), HasSubstr("\"from\":3,\"technique\":\"plain\""));
 }
 
 TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {

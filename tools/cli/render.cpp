@@ -96,7 +96,9 @@ void render(const CLI::App& command, const RenderOptions& options, Context& cont
   if (options.sheet.file.empty()) {
     write_rows(options.output.empty() ? "." : options.output, outcome);
   } else {
-    write_picture(options.sheet.file, study::contact_sheet(outcome.records, outcome.pictures, sheet));
+    study::Picture picture = study::contact_sheet(outcome.records, outcome.pictures, sheet);
+    if (options.sheet.max_width > 0) picture = study::narrowed(picture, options.sheet.max_width);
+    write_picture(options.sheet.file, picture);
     write_output("", options.sheet.file + "\n");
   }
   outcome.kept->drop();

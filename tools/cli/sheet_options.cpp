@@ -160,6 +160,12 @@ CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
       ->default_str("up to four")
       ->needs(sheet)
       ->group("Sheet");
+  command.add_option("--max-width", arguments.max_width, "Scale a wider sheet down to this width, in pixels")
+      ->type_name("N")
+      ->check(within(64, 16384))
+      ->default_str("any")
+      ->needs(sheet)
+      ->group("Sheet");
   command
       .add_option("--show", arguments.show,
                   "What to show of each technique; cascades, shadow-texels, penumbra-width, penumbra-mask "

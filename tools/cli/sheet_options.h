@@ -17,6 +17,7 @@ struct SheetArguments {
   std::string reference = "first";    // "first" or "last"
   int zoom = 1;
   int columns = 0;
+  int max_width = 0;  // 0: any
   std::vector<std::string> show{"result"};
 };
 

@@ -65,6 +65,25 @@ std::optional<Palette> palette_of(const Picture& picture) {
   return palette;
 }
 
+struct CoveredPixel {
+  int index = 0;
+  std::int64_t length = 0;  // of a line of sources * targets units
+};
+
+// For each target pixel of a line the source pixels that it covers.
+std::vector<std::vector<CoveredPixel>> covered_pixels(int sources, int targets) {
+  std::vector<std::vector<CoveredPixel>> covered(static_cast<std::size_t>(targets));
+  for (int source = 0; source < sources; ++source) {
+    const std::int64_t begin = std::int64_t{source} * targets;
+    const std::int64_t end = begin + targets;
+    for (std::int64_t target = begin / sources; target * sources < end; ++target) {
+      const std::int64_t length = std::min(end, (target + 1) * sources) - std::max(begin, target * sources);
+      covered[static_cast<std::size_t>(target)].push_back({source, length});
+    }
+  }
+  return covered;
+}
+
 }  // namespace
 
 Picture filled_picture(int width, int height, Rgb colour) {
@@ -129,6 +148,32 @@ Picture shrunk(const Picture& rgb, int factor) {
         r += one.r;
         g += one.g;
         b += one.b;
+      }
+      set_pixel(small, x, y, {mean(r), mean(g), mean(b)});
+    }
+  }
+  return small;
+}
+
+Picture narrowed(const Picture& rgb, int width) {
+  if (rgb.width <= width) return rgb;
+  const std::int64_t area = std::int64_t{rgb.width} * rgb.height;
+  const std::int64_t height = (std::int64_t{rgb.height} * width + rgb.width / 2) / rgb.width;
+  Picture small = filled_picture(width, std::max(1, static_cast<int>(height)), {});
+  const auto columns = covered_pixels(rgb.width, small.width);
+  const auto rows = covered_pixels(rgb.height, small.height);
+  const auto mean = [&](std::int64_t sum) { return static_cast<std::uint8_t>((sum + area / 2) / area); };
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      std::int64_t r = 0, g = 0, b = 0;
+      for (const CoveredPixel& row : rows[static_cast<std::size_t>(y)]) {
+        for (const CoveredPixel& column : columns[static_cast<std::size_t>(x)]) {
+          const std::int64_t part = row.length * column.length;
+          const Rgb one = pixel(rgb, column.index, row.index);
+          r += part * one.r;
+          g += part * one.g;
+          b += part * one.b;
+        }
       }
       set_pixel(small, x, y, {mean(r), mean(g), mean(b)});
     }

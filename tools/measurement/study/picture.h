@@ -54,6 +54,10 @@ Picture enlarged(const Picture& rgb, int factor);
 // fill it.
 Picture shrunk(const Picture& rgb, int factor);
 
+// The whole picture scaled down to this width, each pixel the mean of the area below it; itself where it is
+// no wider.
+Picture narrowed(const Picture& rgb, int width);
+
 // The same picture gives the same bytes. RGB with at most 256 colours is written with a palette. Throws
 // std::invalid_argument when the sample count does not fit.
 std::vector<std::byte> encode_png(const Picture& picture);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "input/json_lines.h"
 #include "techniques/parameter_packing.h"
 
 namespace penumbra::techniques {
@@ -87,7 +88,7 @@ Json cases(const ParameterStruct& parameters) {
 std::string packing_cases_json(const TechniqueList& list) {
   Json json = Json::object();
   for (const ParameterStruct& parameters : list.structs) json[parameters.name] = cases(parameters);
-  return json.dump(1) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace penumbra::techniques

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "input/json_lines.h"
+
 namespace penumbra::techniques {
 namespace {
 
@@ -101,7 +103,7 @@ std::string techniques_json(const TechniqueList& list) {
                              {"doc", look.doc},
                              {"angularDiameterDegrees", look.angular_diameter_degrees},
                              {"maxPenumbraMetres", look.max_penumbra_metres}});
-  return json.dump(1) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace penumbra::techniques
