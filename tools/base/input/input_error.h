@@ -1,4 +1,4 @@
-// Thrown by every room for invalid input that the user can correct: exit code 2 at the command line.
+// Thrown by every folder for invalid input that the user can correct: exit code 2 at the command line.
 #pragma once
 
 #include <stdexcept>

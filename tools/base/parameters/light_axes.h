@@ -1,4 +1,4 @@
-// The axes of a light's own space. Internal to this room.
+// The axes of a light's own space. Internal to this folder.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The part of the world that each cascade's tile shows, before it is placed in the map. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,4 +1,4 @@
-// Which files a process may open, by Landlock (Linux 5.13 and later). Internal to this room.
+// Which files a process may open, by Landlock (Linux 5.13 and later). Internal to this folder.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The system calls that are allowed in a process that reads untrusted files. Internal to this room.
+// The system calls that are allowed in a process that reads untrusted files. Internal to this folder.
 #pragma once
 
 namespace penumbra::platform {

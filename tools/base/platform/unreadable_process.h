@@ -1,5 +1,5 @@
 // Keeps worker processes from reading the memory and the environment of the process that started them. Linux;
-// elsewhere nothing. Internal to this room.
+// elsewhere nothing. Internal to this folder.
 #pragma once
 
 namespace penumbra::platform {

@@ -1,5 +1,5 @@
 // What a worker process sees of its parent's environment, which can hold keys and passwords. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The protocol between a pool and its workers: frames of a kind, a length and a content. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// One worker process from the pool's side: start, send, receive, monitor, end. POSIX; internal to this room.
+// One worker process from the pool's side: start, send, receive, monitor, end. POSIX; internal to this
+// folder.
 #pragma once
 
 #ifndef _WIN32

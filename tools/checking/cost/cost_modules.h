@@ -1,4 +1,4 @@
-// The distinct modules of a request, before any driver sees them. Internal to this room.
+// The distinct modules of a request, before any driver sees them. Internal to this folder.
 #pragma once
 
 #include <vector>

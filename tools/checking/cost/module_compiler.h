@@ -1,5 +1,5 @@
-// Compiles sources in worker processes, and counts the instructions there. Internal to this room, except for
-// the worker's side.
+// Compiles sources in worker processes, and counts the instructions there. Internal to this folder, except
+// for the worker's side.
 #pragma once
 
 #include <cstdint>

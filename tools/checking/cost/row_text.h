@@ -1,4 +1,4 @@
-// Parts of a row as text, for every form a report has. Internal to this room.
+// Parts of a row as text, for every form a report has. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Rules negative-pow and nan-check. Internal to this room.
+// Rules negative-pow and nan-check. Internal to this folder.
 //
 // Direct3D's compiler warns that pow(f, e) gives NaN for negative f wherever it cannot prove f >= 0 (X3571),
 // and that isnan() may be removed because it assumes that no value is NaN (X3577); GLSL's pow is undefined

@@ -1,5 +1,5 @@
 // Which components of a function's local variables and out parameters are definitely assigned at a point.
-// Internal to this room.
+// Internal to this folder.
 //
 // Definite assignment, as Java's language specification (chapter 16) defines it for locals, here for single
 // components: a component is assigned if every path from the function's entry to the point stores it. Copies

@@ -1,5 +1,5 @@
 // Rule divergent-barrier: a barrier that waits for the threads of a group must be reached by all of them
-// (Direct3D X3663). Internal to this room.
+// (Direct3D X3663). Internal to this folder.
 #pragma once
 
 #include <vector>

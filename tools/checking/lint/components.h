@@ -1,5 +1,5 @@
 // Values and variables as flat lists of scalar components, for data-flow analysis of assignments. Internal to
-// this room.
+// this folder.
 //
 // float4 has 4 components, a struct those of its members in order, an array those of its elements. A type of
 // more than `most_components` counts as one.

@@ -1,4 +1,4 @@
-// The constant buffers a module declares: names, members, offsets. Internal to this room; program_rules.h
+// The constant buffers a module declares: names, members, offsets. Internal to this folder; program_rules.h
 // offers them to callers.
 #pragma once
 

@@ -1,4 +1,5 @@
-// The control-flow graph of a SPIR-V function, its dominators and control dependence. Internal to this room.
+// The control-flow graph of a SPIR-V function, its dominators and control dependence. Internal to this
+// folder.
 //
 // Nodes are the indices of Function::blocks. Branches on a constant have one successor. Dominators after
 // Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001); control dependence after Ferrante,

@@ -1,5 +1,5 @@
 // Divergence analysis: which values of a shader differ between the pixels of a quad, or the threads of a
-// group, and which blocks are in divergent control flow. Internal to this room.
+// group, and which blocks are in divergent control flow. Internal to this folder.
 //
 // After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): values are
 // divergent at their sources (interpolated inputs, atomics, calls that could not be inlined), if they depend

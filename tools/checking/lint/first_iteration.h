@@ -1,5 +1,5 @@
 // A function's control-flow graph in which the first iteration of loops that certainly run is peeled.
-// Internal to this room.
+// Internal to this folder.
 //
 // `for (i = 0; i < 4; ++i)` looks to a path analysis as if its body might be skipped. If constant folding
 // decides the condition for the first iteration, the test before that iteration becomes a separate node whose

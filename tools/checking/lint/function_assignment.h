@@ -1,4 +1,4 @@
-// Definite assignment within one function, given the effects of its callees. Internal to this room; see
+// Definite assignment within one function, given the effects of its callees. Internal to this folder; see
 // assignment_flow.h.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this room.
+// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this folder.
 //
 // Implicit derivatives (Sample, SampleCmp, SampleBias, ddx, ddy, fwidth, CalculateLevelOfDetail) are only
 // defined in uniform control flow within a quad (SPIR-V specification, "Derivatives"). Direct3D's compiler

@@ -1,5 +1,5 @@
 // Rule indexed-write: a vector's component, or a matrix's row, is written by index in a loop that FXC cannot
-// unroll (X3500, X3511, X3531). Internal to this room.
+// unroll (X3500, X3511, X3531). Internal to this folder.
 //
 // FXC's vectors have no index that is computed at run time, so it unrolls the loop, which fails with [loop],
 // and where a `continue` before the write depends on what FXC does not know. Arrays can be indexed, and the

@@ -1,4 +1,4 @@
-// Whether a compiler that inlines functions and unrolls loops knows a value. Internal to this room.
+// Whether a compiler that inlines functions and unrolls loops knows a value. Internal to this folder.
 //
 // It knows what is computed from constants alone, loop counters among them. Where a value is known decides
 // what FXC makes of conditions: it removes those that it knows. Only data flow is followed, so "known" may be

@@ -1,5 +1,5 @@
 // The module as a driver sees it: one function, SSA values instead of variables, without dead code and dead
-// resources, with debug lines. Internal to this room.
+// resources, with debug lines. Internal to this folder.
 //
 // SPIRV-Tools' passes for HLSL legalisation without loop unrolling and without the wrapping of OpKill, so
 // that loops and discards are preserved.

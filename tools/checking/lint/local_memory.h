@@ -1,5 +1,5 @@
 // The function-local variables and pointer parameters of one function, and pointer analysis for them.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <cstddef>

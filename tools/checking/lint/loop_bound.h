@@ -1,4 +1,4 @@
-// Whether a loop has a constant bound on its iterations. Internal to this room.
+// Whether a loop has a constant bound on its iterations. Internal to this folder.
 #pragma once
 
 #include <cstddef>

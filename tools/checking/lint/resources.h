@@ -1,4 +1,4 @@
-// Rules sampler-name, sampler-limit and register-limit. Internal to this room.
+// Rules sampler-name, sampler-limit and register-limit. Internal to this folder.
 //
 // Resources count if the shader uses them after dead code elimination, as in the compilers that enforce the
 // limits: https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits and the

@@ -1,4 +1,4 @@
-// Maps a location in SPIR-V, or a name, to a source line and column. Internal to this room.
+// Maps a location in SPIR-V, or a name, to a source line and column. Internal to this folder.
 #pragma once
 
 #include <string>

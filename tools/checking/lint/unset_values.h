@@ -1,4 +1,4 @@
-// Rules output-not-set and read-before-set. Internal to this room.
+// Rules output-not-set and read-before-set. Internal to this folder.
 //
 // Direct3D's compiler rejects a function with a path that returns nothing (X3507) and an out parameter that
 // is not completely assigned (X3508); it warns about a shader output that is not (X3578) and about variables

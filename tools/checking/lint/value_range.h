@@ -1,5 +1,5 @@
 // Interval analysis: the range of a floating-point value, from the instructions that compute it. Internal to
-// this room.
+// this folder.
 //
 // Interval arithmetic without NaN, as compilers with fast math assume, which Direct3D's and Unity's are. A
 // vector has one range for all its components. Loop-carried values are unknown.

@@ -1,5 +1,5 @@
 // Which variants only one of the two compilers refuses: FXC, which decides in Unity, and glslang, from whose
-// SPIR-V all targets but d3d11 are made. Internal to this room.
+// SPIR-V all targets but d3d11 are made. Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The programs of a technique's passes, as its .shader and .compute files have them. Internal to this room.
+// The programs of a technique's passes, as its .shader and .compute files have them. Internal to this folder.
 #pragma once
 
 #include <string>

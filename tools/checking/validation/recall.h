@@ -1,4 +1,4 @@
-// Looks up cached results of earlier runs whose files are unchanged. Internal to this room.
+// Looks up cached results of earlier runs whose files are unchanged. Internal to this folder.
 #pragma once
 
 #include <cstddef>

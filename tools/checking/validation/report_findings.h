@@ -1,5 +1,5 @@
 // Groups the records of a report: one cause, however many variants and targets it fails, is one finding.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// File names and columns in the conventions of other programs. Internal to this room.
+// File names and columns in the conventions of other programs. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A file that reproduces a compiler's crash, for bug reports. Internal to this room.
+// A file that reproduces a compiler's crash, for bug reports. Internal to this folder.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Expands a request into sources with their keywords. Internal to this room.
+// Expands a request into sources with their keywords. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Checks a module for one target: emitted by SPIRV-Cross and, if requested, compiled and linked by this
-// machine's driver. Internal to this room.
+// machine's driver. Internal to this folder.
 #pragma once
 
 #include <string>

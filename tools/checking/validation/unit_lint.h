@@ -1,5 +1,5 @@
 // Lint of one compiled unit, and the data that it collects for the later lint of whole shaders
-// (program_lint.h). Internal to this room.
+// (program_lint.h). Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The state of a run: which units wait, which are known, who has the answer that others share. Internal to
-// this room.
+// this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The JSON file of a height field, which names its picture. Internal to this room.
+// The JSON file of a height field, which names its picture. Internal to this folder.
 #pragma once
 
 #include <cstddef>

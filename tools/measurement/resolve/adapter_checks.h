@@ -1,5 +1,5 @@
 // What a user's function may not do though it compiles: drivers crash on it, or its results mean nothing.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The textures and buffers of a graph, made for one frame. Internal to this room.
+// The textures and buffers of a graph, made for one frame. Internal to this folder.
 #pragma once
 
 #include <array>

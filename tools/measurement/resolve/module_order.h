@@ -1,5 +1,5 @@
-// The modules of one shadow shader, compiled and checked in a process of its own. Internal to this room, but
-// for that process.
+// The modules of one shadow shader, compiled and checked in a process of its own. Internal to this folder,
+// but for that process.
 #pragma once
 
 #include <cstdint>

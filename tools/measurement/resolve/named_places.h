@@ -1,4 +1,4 @@
-// Where a shader's text names what its module binds. Internal to this room.
+// Where a shader's text names what its module binds. Internal to this folder.
 #pragma once
 
 #include <cstdint>

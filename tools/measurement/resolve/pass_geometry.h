@@ -1,5 +1,5 @@
 // Where each step of a pass draws, for a cascade and a mip level, and what its program is told of it.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <array>

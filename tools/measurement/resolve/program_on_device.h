@@ -1,5 +1,5 @@
 // One program of a graph on a device, as it ships or with its texels counted: what it binds and its uniforms,
-// by the names that its shader gives them. Internal to this room.
+// by the names that its shader gives them. Internal to this folder.
 #pragma once
 
 #include <array>

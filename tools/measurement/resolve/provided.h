@@ -1,4 +1,4 @@
-// The resource a shader asks for by name. Internal to this room.
+// The resource a shader asks for by name. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A pass's render state commands as the harness draws them. Internal to this room.
+// A pass's render state commands as the harness draws them. Internal to this folder.
 #pragma once
 
 #include <optional>

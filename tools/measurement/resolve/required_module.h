@@ -1,4 +1,4 @@
-// Modules that the harness cannot do without. Internal to this room.
+// Modules that the harness cannot do without. Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What every pass over the screen is told of the camera and of its textures. Internal to this room.
+// What every pass over the screen is told of the camera and of its textures. Internal to this folder.
 #pragma once
 
 #include "gpu/resources.h"

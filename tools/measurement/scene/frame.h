@@ -1,5 +1,5 @@
 // The GPU's output for a scene, a light and map settings: the cascade atlas and the receivers that the camera
-// sees. All later rooms start from a Frame.
+// sees. All later steps start from a Frame.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // What a glTF file reads of its buffers. The importer library adds the offsets of a file without looking
 // whether the sum is inside: a large one wraps around, and bytes before or behind the buffer become vertices.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <filesystem>

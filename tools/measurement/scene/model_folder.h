@@ -1,4 +1,4 @@
-// The files that a model may have read: those in its own folder. Internal to this room.
+// The files that a model may have read: those in its own folder. Internal to this folder.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>

@@ -1,5 +1,5 @@
 // Serialised scenes, between the process that reads a model and the one that uses it. The data is not
-// trusted: a malicious model may have compromised that process. Internal to this room, except for tests.
+// trusted: a malicious model may have compromised that process. Internal to this folder, except for tests.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// One case of a study, a scene under a light, before its subjects run. Internal to this room.
+// One case of a study, a scene under a light, before its subjects run. Internal to this folder.
 #pragma once
 
 #include <algorithm>

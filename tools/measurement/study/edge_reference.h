@@ -2,7 +2,7 @@
 //
 // A pixel counts if its samples see several surfaces: two of them face different ways, or lie apart. Pixels
 // one of whose samples sees no receiver do not count: the sky beside them has no shadow to compare. Internal
-// to this room.
+// to this folder.
 #pragma once
 
 #include <glm/vec2.hpp>

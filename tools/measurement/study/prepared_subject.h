@@ -1,4 +1,4 @@
-// A compiled subject, and its results for a case. Internal to this room.
+// A compiled subject, and its results for a case. Internal to this folder.
 #pragma once
 
 #include <cstdint>

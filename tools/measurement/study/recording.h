@@ -1,4 +1,4 @@
-// Records the results of a subject: figures and pictures. Internal to this room.
+// Records the results of a subject: figures and pictures. Internal to this folder.
 #pragma once
 
 #include <optional>

@@ -44,7 +44,7 @@ class Bindings {
     uniform_bytes(name, std::as_bytes(std::span<const T>(&block, 1)));
   }
 
-  explicit Bindings(std::shared_ptr<PassInterface> interface);  // for this room: passes make them
+  explicit Bindings(std::shared_ptr<PassInterface> interface);  // for this folder: passes make them
   const std::shared_ptr<BindingsState>& state() const { return state_; }
 
  private:

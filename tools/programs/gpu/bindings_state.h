@@ -1,4 +1,4 @@
-// The Vulkan side of Bindings: descriptors. Internal to this room.
+// The Vulkan side of Bindings: descriptors. Internal to this folder.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The Vulkan side of a ComputePass. Internal to this room.
+// The Vulkan side of a ComputePass. Internal to this folder.
 #pragma once
 
 #include "gpu/compute_pass.h"

@@ -2,7 +2,7 @@
 //
 // Guarantees: every submission is waited for with a timeout, so a shader that never ends is an
 // EnvironmentError and not a hang; objects made from a device may outlive it. One thread at a time may use a
-// device and what was made from it. No Vulkan type appears in this room's headers.
+// device and what was made from it. No Vulkan type appears in this folder's headers.
 #pragma once
 
 #include <memory>
@@ -55,7 +55,7 @@ class ValidationLog {
   virtual std::vector<std::string> messages() const = 0;
 };
 
-struct DeviceState;  // of the room's own
+struct DeviceState;  // defined in device_state.h
 
 class Device {
  public:

@@ -1,4 +1,4 @@
-// The Vulkan side of a Device, for this room's sources only: handles, memory, and one way to submit.
+// The Vulkan side of a Device, for this folder's sources only: handles, memory, and one way to submit.
 //
 // Every submission starts and ends with a full barrier and is waited for, so passes need no synchronisation
 // of their own; what is measured is one dispatch or one pass at a time anyway.

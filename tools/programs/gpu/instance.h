@@ -1,4 +1,4 @@
-// From the Vulkan loader to a physical device, for this room's sources only.
+// From the Vulkan loader to a physical device, for this folder's sources only.
 #pragma once
 
 #include <string>

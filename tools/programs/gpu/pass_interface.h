@@ -1,4 +1,5 @@
-// What a pass's modules read and write, by name, and the layouts that follow from it. Internal to this room.
+// What a pass's modules read and write, by name, and the layouts that follow from it. Internal to this
+// folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The Vulkan side of a RasterPass. Internal to this room.
+// The Vulkan side of a RasterPass. Internal to this folder.
 #pragma once
 
 #include "gpu/pass_interface.h"

@@ -1,4 +1,4 @@
-// The Vulkan side of buffers, images and samplers. Internal to this room.
+// The Vulkan side of buffers, images and samplers. Internal to this folder.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,5 @@
-// What the steps of a submission read and write, and the barriers that follow from it. Internal to this room.
+// What the steps of a submission read and write, and the barriers that follow from it. Internal to this
+// folder.
 #pragma once
 
 #include <map>

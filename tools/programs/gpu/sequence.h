@@ -23,7 +23,7 @@ struct SequenceState;
 class Sequence {
  public:
   explicit Sequence(const Device& device) : Sequence(device.state()) {}
-  explicit Sequence(const std::shared_ptr<DeviceState>& device);  // for this room
+  explicit Sequence(const std::shared_ptr<DeviceState>& device);  // for this folder
 
   // What is bound is that at the time of the call; run() throws std::logic_error when it has been replaced
   // since. Uniforms may change from run to run. Throw std::invalid_argument for work that no device does, and

@@ -1,4 +1,4 @@
-// What passes put into a submission. Internal to this room.
+// What passes put into a submission. Internal to this folder.
 #pragma once
 
 #include <functional>

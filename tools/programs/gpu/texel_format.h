@@ -1,4 +1,4 @@
-// This room's formats in Vulkan's words, as far as a device has them. Internal to this room.
+// The formats of this folder as Vulkan's, as far as a device has them. Internal to this folder.
 #pragma once
 
 #include <optional>

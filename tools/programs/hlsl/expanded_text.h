@@ -1,5 +1,5 @@
 // Reads preprocessed text line by line with its origin, to report where a bracket, a condition or a statement
-// was left open: the parser only notices later, often in another file. Internal to this room.
+// was left open: the parser only notices later, often in another file. Internal to this folder.
 #pragma once
 
 #include <optional>

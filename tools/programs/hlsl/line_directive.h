@@ -1,4 +1,4 @@
-// `#line N "file"`, as a preprocessor emits it. Internal to this room.
+// `#line N "file"`, as a preprocessor emits it. Internal to this folder.
 #pragma once
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// The lexer: tokens of preprocessed HLSL, each with its source location. Internal to this room.
+// The lexer: tokens of preprocessed HLSL, each with its source location. Internal to this folder.
 //
 // The text is preprocessor output: no comments, no macros; #line directives give the origin of lines, and
 // every other line that starts with '#' is skipped.

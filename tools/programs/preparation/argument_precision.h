@@ -1,5 +1,5 @@
 // Whether HLSL treats a call's argument as half or as float, for overloads that differ only in precision.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <cstddef>

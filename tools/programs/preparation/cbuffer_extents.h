@@ -1,5 +1,5 @@
 // The size of a value in a constant buffer, by HLSL's packing rules
-// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules). Internal to this room.
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules). Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Character classes of identifiers, numbers and white space. Internal to this room.
+// Character classes of identifiers, numbers and white space. Internal to this folder.
 #pragma once
 
 namespace penumbra::preparation {

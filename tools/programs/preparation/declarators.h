@@ -1,5 +1,5 @@
 // The variables of one declaration: `static float4 a, b[2][3] = { ... }, c : register(c1);`. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <cstddef>

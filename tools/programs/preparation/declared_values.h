@@ -1,5 +1,5 @@
 // Declarations of variables: at file scope, in structs, as parameters and in functions. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <cstddef>

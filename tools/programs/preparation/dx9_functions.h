@@ -1,4 +1,4 @@
-// Direct3D 9's texture functions, expressed with Texture2D and similar types. Internal to this room.
+// Direct3D 9's texture functions, expressed with Texture2D and similar types. Internal to this folder.
 #pragma once
 
 #include <optional>

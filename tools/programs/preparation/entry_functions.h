@@ -1,4 +1,4 @@
-// The functions with the entry point's name. Internal to this room.
+// The functions with the entry point's name. Internal to this folder.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Parses the expressions of a text and determines the shape of every subexpression by HLSL's rules: from what
 // value_types.h knows of names and chains, through operators, swizzles, casts, constructors and intrinsic
-// functions. An uncertain shape is unknown instead of guessed. Internal to this room.
+// functions. An uncertain shape is unknown instead of guessed. Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The elements of a bracketed list: the arguments of a call, the values of an initialiser. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <cstddef>

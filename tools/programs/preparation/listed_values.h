@@ -1,4 +1,4 @@
-// The values of an initialiser list. Internal to this room.
+// The values of an initialiser list. Internal to this folder.
 #pragma once
 
 #include <cstddef>

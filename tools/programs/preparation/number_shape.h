@@ -1,5 +1,5 @@
 // The shape of a numeric type - scalar, vector or matrix, and its base type - and the result shapes of HLSL's
-// operators. Internal to this room.
+// operators. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The extent of the expression around a token. Internal to this room.
+// The extent of the expression around a token. Internal to this folder.
 #pragma once
 
 #include <cstddef>

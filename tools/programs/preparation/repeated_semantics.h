@@ -1,4 +1,4 @@
-// Semantics that two inputs or two outputs of a program share. Internal to this room.
+// Semantics that two inputs or two outputs of a program share. Internal to this folder.
 //
 // FXC rejects shared outputs and system values (X4504, X4574) and inputs of different types (X3536); for
 // other inputs it warns (X4711). DXC rejects all.

@@ -1,4 +1,4 @@
-// HLSL's types for resources, by name. Internal to this room.
+// HLSL's types for resources, by name. Internal to this folder.
 #pragma once
 
 #include <set>

@@ -1,4 +1,4 @@
-// Which semantics a stage has. Internal to this room.
+// Which semantics a stage has. Internal to this folder.
 //
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-semantics; vertex attributes in
 // Unity: https://docs.unity3d.com/Manual/SL-VertexProgramInputs.html.

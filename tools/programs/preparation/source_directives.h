@@ -2,7 +2,7 @@
 // character.
 //
 // - `#include_with_pragmas "x"` (Unity's, docs.unity3d.com/Manual/shader-include-directives.html) becomes an
-//   `#include`: its pragmas are read by the variants room.
+//   `#include`: its pragmas are read by the code in variants/.
 // - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
 // - `#pragma pack_matrix(...)` becomes an identifier that matrix_packing.h reads after the preprocessor.
 // - `#pragma warning(disable : 3206)` becomes an identifier, too, which is for FXC alone (with_pragmas), if

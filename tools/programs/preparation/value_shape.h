@@ -1,4 +1,4 @@
-// The composition of a type: the number of its scalars and their grouping. Internal to this room.
+// The composition of a type: the number of its scalars and their grouping. Internal to this folder.
 #pragma once
 
 #include <cstddef>

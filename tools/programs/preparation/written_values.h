@@ -1,5 +1,5 @@
 // Where a variable is written to: by an assignment, by ++ or --, or as the argument of an out or inout
-// parameter of a function of the text. Internal to this room.
+// parameter of a function of the text. Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The value of #if and #elif as glslang evaluates it: in int, without short-circuit evaluation. Internal to
-// this room.
+// this folder.
 #pragma once
 
 #include "preprocessing/expansion.h"

@@ -1,4 +1,4 @@
-// Parses what follows #define. Internal to this room.
+// Parses what follows #define. Internal to this folder.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // Macro expansion as glslang does it for HLSL (its Pp.cpp and PpTokens.cpp): a stack of inputs with a text's
 // tokens at the bottom. It differs from C in two ways: arguments beside ## are expanded, and text in braces
-// counts as one argument. Internal to this room.
+// counts as one argument. Internal to this folder.
 #pragma once
 
 #include <memory>

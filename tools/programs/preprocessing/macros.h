@@ -1,4 +1,4 @@
-// The macros that are defined at a point of the source. Internal to this room.
+// The macros that are defined at a point of the source. Internal to this folder.
 #pragma once
 
 #include <vector>

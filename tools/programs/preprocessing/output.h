@@ -1,5 +1,5 @@
 // The text that glslang's preprocessor produces from tokens and their lines (DoPreprocessing and
-// SourceLineSynchronizer in its ShaderLang.cpp). Internal to this room.
+// SourceLineSynchronizer in its ShaderLang.cpp). Internal to this folder.
 #pragma once
 
 #include <string>

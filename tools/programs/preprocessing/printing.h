@@ -1,5 +1,5 @@
 // Where glslang's preprocessor prints a space between two tokens (DoPreprocessing in its ShaderLang.cpp).
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include "preprocessing/token.h"

@@ -1,4 +1,4 @@
-// Interned token spellings: equal spellings have equal numbers. Internal to this room.
+// Interned token spellings: equal spellings have equal numbers. Internal to this folder.
 #pragma once
 
 #include <cstdint>

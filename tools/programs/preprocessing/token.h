@@ -1,4 +1,4 @@
-// A preprocessing token and its location. Internal to this room.
+// A preprocessing token and its location. Internal to this folder.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Place {
   bool joined = false;
 };
 
-// Thrown inside this room: glslang's preprocessor has to read the source.
+// Thrown inside this folder: glslang's preprocessor has to read the source.
 class Unusual : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

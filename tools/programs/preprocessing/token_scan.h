@@ -1,4 +1,4 @@
-// Splits a text into tokens as glslang's preprocessor does (its PpScanner.cpp). Internal to this room.
+// Splits a text into tokens as glslang's preprocessor does (its PpScanner.cpp). Internal to this folder.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // Case-insensitive comparison of names as on the file systems of Windows or macOS, ASCII letters only.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <algorithm>

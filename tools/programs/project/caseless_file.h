@@ -1,5 +1,5 @@
 // Case-insensitive file lookup, as on the file systems of Windows and macOS (ASCII letters only). Internal to
-// this room.
+// this folder.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Folder listings, sorted by name so that results do not depend on the file system. Internal to this room.
+// Folder listings, sorted by name so that results do not depend on the file system. Internal to this folder.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // A package that the project's files name and that is outside of the project and its repository: an untrusted
-// project could name any folder of this machine. Internal to this room.
+// project could name any folder of this machine. Internal to this folder.
 #pragma once
 
 #include <filesystem>

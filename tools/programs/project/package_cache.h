@@ -1,5 +1,5 @@
 // Library/PackageCache of a project: folders NAME@VERSION, NAME@HASH for a git package, and since Unity 6
-// NAME@HASH for all, so that only the package.json inside tells name and version. Internal to this room.
+// NAME@HASH for all, so that only the package.json inside tells name and version. Internal to this folder.
 #pragma once
 
 #include <filesystem>

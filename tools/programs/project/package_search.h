@@ -1,5 +1,5 @@
 // Determines one root for each package, from a project's requirements and the contents of its folders.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <map>

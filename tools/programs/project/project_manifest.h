@@ -1,6 +1,6 @@
 // Packages/manifest.json and Packages/packages-lock.json of a project: which packages it requires, and which
 // versions the Package Manager selected (Unity manual, "Project manifest file", "Lock files"). Internal to
-// this room.
+// this folder.
 #pragma once
 
 #include <filesystem>

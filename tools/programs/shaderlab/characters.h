@@ -1,4 +1,4 @@
-// Character classes of ShaderLab; its keywords are case-insensitive. Internal to this room.
+// Character classes of ShaderLab; its keywords are case-insensitive. Internal to this folder.
 #pragma once
 
 #include <algorithm>

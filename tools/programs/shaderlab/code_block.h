@@ -1,4 +1,4 @@
-// Finds the end of a block of shader code. Internal to this room.
+// Finds the end of a block of shader code. Internal to this folder.
 //
 // A block ends at ENDHLSL, ENDCG or ENDGLSL as a whole identifier outside of the code's comments and strings:
 // published shaders have such words in comments of programs that continue after them, and of programs that

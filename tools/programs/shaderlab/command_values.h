@@ -1,4 +1,4 @@
-// The values of render state commands. Internal to this room.
+// The values of render state commands. Internal to this folder.
 //
 // From Unity's reference of each command (https://docs.unity3d.com/Manual/shader-shaderlab-commands.html,
 // https://docs.unity3d.com/Manual/SL-LegacyReference.html). Unity's importer reports a syntax error for any

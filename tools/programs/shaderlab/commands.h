@@ -1,4 +1,4 @@
-// Render state and legacy fixed-function commands, in their general shape. Internal to this room.
+// Render state and legacy fixed-function commands, in their general shape. Internal to this folder.
 //
 // Which values a command takes follows Unity's reference
 // (https://docs.unity3d.com/Manual/shader-shaderlab-commands.html,

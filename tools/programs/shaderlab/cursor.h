@@ -1,4 +1,4 @@
-// Reads the tokens of a .shader file and reports errors. Internal to this room.
+// Reads the tokens of a .shader file and reports errors. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Identifiers, numbers, strings and blocks of code of a .shader file. Internal to this room.
+// Identifiers, numbers, strings and blocks of code of a .shader file. Internal to this folder.
 //
 // - // and /* */ are comments. A /* inside a comment needs its own */ (whole passes are commented out that
 //   way), unless the comment would then never end: in that case, from there on, the first */ ends it.

@@ -1,4 +1,4 @@
-// A Diagnostic at a location in a text. Internal to this room.
+// A Diagnostic at a location in a text. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The #pragma lines of a shader text before preprocessing. Internal to this room.
+// The #pragma lines of a shader text before preprocessing. Internal to this folder.
 //
 // Comments are white space, a backslash at the end of a line joins the next; #if is not evaluated.
 #pragma once

@@ -1,4 +1,4 @@
-// The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this room.
+// The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this folder.
 #pragma once
 
 #include <vector>

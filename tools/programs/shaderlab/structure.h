@@ -1,4 +1,4 @@
-// Shader, Category, SubShader and Pass. Internal to this room.
+// Shader, Category, SubShader and Pass. Internal to this folder.
 #pragma once
 
 #include "shaderlab/cursor.h"

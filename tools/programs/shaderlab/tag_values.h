@@ -1,4 +1,4 @@
-// The values of tags that Unity itself interprets. Internal to this room.
+// The values of tags that Unity itself interprets. Internal to this folder.
 //
 // https://docs.unity3d.com/Manual/SL-SubShaderTags.html and SL-PassTags.html. Unity accepts an unknown value:
 // the tag then has no effect, or the SubShader is never selected.

@@ -1,5 +1,5 @@
 // A character with which no HLSL token begins. The preprocessor prints "<bad token>" for it and continues, so
-// it is searched for in the preprocessor's output, and then in the original line. Internal to this room.
+// it is searched for in the preprocessor's output, and then in the original line. Internal to this folder.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The part of a block that a pointer refers to, in words of 32 bits. Internal to this room.
+// The part of a block that a pointer refers to, in words of 32 bits. Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The types of a module's uniform and storage blocks, with the offsets of their members. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <cstdint>

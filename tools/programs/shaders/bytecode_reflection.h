@@ -1,5 +1,5 @@
 // What FXC's bytecode says of its resources and its inputs and outputs, in the terms of reflect.h and
-// stage_signature.h. Internal to this room.
+// stage_signature.h. Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The call of vkd3d-shader, or what stands for it where it is not at hand. Internal to this room.
+// The call of vkd3d-shader, or what stands for it where it is not at hand. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // GatherCmp for HLSL: Direct3D 11 has it (shader model 5), SPIRV-Cross rejects it ("GatherCmp does not exist
 // in HLSL"). It is emitted as SampleCmpLevelZero, which takes the same arguments, with an offset that no
-// shader can have; then its name and offset are corrected in the text. Internal to this room.
+// shader can have; then its name and offset are corrected in the text. Internal to this folder.
 #pragma once
 
 #include <optional>

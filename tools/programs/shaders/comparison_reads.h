@@ -1,5 +1,5 @@
 // Reads without comparison through a comparison sampler. HLSL has no such overload; glslang accepts them and
-// treats the next argument as the comparison reference, or crashes if there is none. Internal to this room.
+// treats the next argument as the comparison reference, or crashes if there is none. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

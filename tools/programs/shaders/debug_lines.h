@@ -1,4 +1,4 @@
-// The source line of each instruction, in a module with debug lines. Internal to this room.
+// The source line of each instruction, in a module with debug lines. Internal to this folder.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // Operations that need derivatives (Sample, SampleBias, SampleCmp, CalculateLevelOfDetail, ddx, ddy, fwidth)
-// in stages that have none. Internal to this room.
+// in stages that have none. Internal to this folder.
 //
 // Direct3D accepts them only in fragment programs (X4532 "cannot map expression to vs_5_0 instruction set";
 // in compute from shader model 6.6). glslang silently reads the largest mip level instead. Compilers report

@@ -1,4 +1,4 @@
-// Finds several errors in one text. Internal to this room.
+// Finds several errors in one text. Internal to this folder.
 //
 // glslang's HLSL parser does not recover from an error. So the code that contains the error is removed (the
 // initialiser, the statement, else the body of the function), and the rest is parsed again, a bounded number

@@ -1,5 +1,5 @@
 // Removes the code around an error from a text, so that the rest can be parsed again (error_recovery.h).
-// Internal to this room.
+// Internal to this folder.
 //
 // White space and line breaks are kept: every other token keeps its location, except those after the '}' of
 // an emptied body, which may move along their line.

@@ -1,4 +1,4 @@
-// Generates a module from glslang's syntax tree, with corrections of its back end. Internal to this room.
+// Generates a module from glslang's syntax tree, with corrections of its back end. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

@@ -1,4 +1,4 @@
-// GLSL's names of types and functions that HLSL names otherwise, for messages. Internal to this room.
+// GLSL's names of types and functions that HLSL names otherwise, for messages. Internal to this folder.
 #pragma once
 
 #include <string>

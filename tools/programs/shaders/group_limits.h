@@ -1,5 +1,5 @@
 // Direct3D 11's limits of a compute program's group: threads and shared memory (FXC X3655, X4586). Internal
-// to this room.
+// to this folder.
 //
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/sm5-attributes-numthreads
 #pragma once

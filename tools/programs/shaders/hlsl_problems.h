@@ -1,4 +1,4 @@
-// All checks for constructs in a module that HLSL does not allow. Internal to this room.
+// All checks for constructs in a module that HLSL does not allow. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

@@ -1,6 +1,6 @@
 // Resolves #include in Unity's order (project/include_search.h), for either preprocessor. Tracks the chain of
 // open files, so that an include cycle without guards ends in one message that lists it. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>

@@ -1,5 +1,5 @@
 // Integer matrices in memory, such as a cbuffer's int4x4: SPIR-V, GLSL and Metal have only float matrices
-// (SPIR-V specification, OpTypeMatrix). Internal to this room.
+// (SPIR-V specification, OpTypeMatrix). Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Expands includes and macros. Internal to this room.
+// Expands includes and macros. Internal to this folder.
 //
 // If the request asks for preparation, macros that refer to themselves are expanded as in C
 // (preparation/macro_own_names.h), and two constructs that glslang's preprocessor rejects and Unity's accepts

@@ -6,7 +6,7 @@
 //   lerp(m, n, t)  ->  (a = m, b = n, float2x2(lerp(a[0], b[0], t), lerp(a[1], b[1], t)))
 //
 // Operations whose meaning the front end has already changed cannot be corrected there and are errors.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

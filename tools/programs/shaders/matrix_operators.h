@@ -1,4 +1,4 @@
-// Classifies the operators of glslang's syntax tree on matrices. Internal to this room.
+// Classifies the operators of glslang's syntax tree on matrices. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

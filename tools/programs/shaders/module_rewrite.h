@@ -1,5 +1,5 @@
 // Rewrites a module instruction by instruction, adding types, constants, decorations and code. Each is placed
-// in the section that SPIR-V requires (specification, 2.4). Internal to this room.
+// in the section that SPIR-V requires (specification, 2.4). Internal to this folder.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // A traversal of a module's instructions that reports problems, each once and at its line. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Calls of intrinsic functions for which glslang's SPIR-V back end emits instructions with another meaning
 // than in HLSL. They are corrected in the syntax tree, where the types of the arguments are known. Internal
-// to this room.
+// to this folder.
 //
 // - abs(u) of an unsigned integer is u; the back end treats it as signed.
 // - mad(a, b, c) is a * b + c, also for integers, for which there is no Fma. HLSL does not specify whether it

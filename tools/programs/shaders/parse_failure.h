@@ -1,4 +1,4 @@
-// Turns glslang's log into diagnostics. Internal to this room.
+// Turns glslang's log into diagnostics. Internal to this folder.
 //
 // Of one parse, the first error is reported and the rest is dropped (error_recovery.h finds the others).
 // glslang's HLSL parser does not recover: after an error it abandons one production after the other, each

@@ -1,4 +1,4 @@
-// glslang's log, line by line. Internal to this room.
+// glslang's log, line by line. Internal to this folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Rewrites glslang's messages in HLSL's terms. Internal to this room.
+// Rewrites glslang's messages in HLSL's terms. Internal to this folder.
 //
 // glslang reports the token first and then the problem, in terms of its own syntax tree ("assign", "temp
 // 2-component vector of float"). Unknown messages are not changed.

@@ -1,5 +1,5 @@
 // Instructions that the stage does not have: discard outside of fragment programs, barriers outside of
-// compute programs. SPIRV-Tools rejects both, with messages in SPIR-V's terms. Internal to this room.
+// compute programs. SPIRV-Tools rejects both, with messages in SPIR-V's terms. Internal to this folder.
 #pragma once
 
 #include <vector>

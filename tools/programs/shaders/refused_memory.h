@@ -1,6 +1,6 @@
 // Invalid uses of memory: groupshared variables outside of compute programs, and local variables or read-only
 // buffers that an Interlocked function changes. SPIRV-Tools accepts the last, and rejects the others with
-// messages in SPIR-V's terms. Internal to this room.
+// messages in SPIR-V's terms. Internal to this folder.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // Operands that HLSL rejects and glslang accepts, emitting invalid SPIR-V or code with another meaning.
-// Internal to this room.
+// Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

@@ -1,4 +1,4 @@
-// Two resources at one explicit register: FXC X4500, X4578. Internal to this room.
+// Two resources at one explicit register: FXC X4500, X4578. Internal to this folder.
 //
 // HLSL's compilers report it if the program uses both.
 #pragma once

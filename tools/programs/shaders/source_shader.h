@@ -1,4 +1,4 @@
-// A text prepared for glslang's front end. Internal to this room.
+// A text prepared for glslang's front end. Internal to this folder.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>

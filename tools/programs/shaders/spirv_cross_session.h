@@ -1,4 +1,4 @@
-// SPIR-V modules in SPIRV-Cross's C API. Internal to this room.
+// SPIR-V modules in SPIRV-Cross's C API. Internal to this folder.
 #pragma once
 
 #include <spirv_cross/spirv_cross_c.h>

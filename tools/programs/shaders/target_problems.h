@@ -1,5 +1,5 @@
 // Constructs of HLSL that some targets cannot express, with their lines: SPIRV-Cross and OpenGL drivers name
-// no line of the source. Internal to this room.
+// no line of the source. Internal to this folder.
 #pragma once
 
 #include <string>

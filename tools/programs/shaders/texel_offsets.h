@@ -1,5 +1,5 @@
 // Offsets of texture reads that HLSL's compilers reject and SPIR-V accepts: outside of -8..7 texels, or not
-// constant. Internal to this room.
+// constant. Internal to this folder.
 //
 // FXC: "offset texture instructions must take offset which can resolve to integer literal in the range -8 to
 // 7" (https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-to-sample), applied after

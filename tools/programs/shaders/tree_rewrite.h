@@ -1,4 +1,4 @@
-// A traversal of glslang's syntax tree that replaces nodes. Internal to this room.
+// A traversal of glslang's syntax tree that replaces nodes. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

@@ -1,4 +1,4 @@
-// The signature of a compiled entry point, from its syntax tree and its module. Internal to this room.
+// The signature of a compiled entry point, from its syntax tree and its module. Internal to this folder.
 #pragma once
 
 #include <glslang/MachineIndependent/localintermediate.h>

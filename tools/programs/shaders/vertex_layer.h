@@ -1,6 +1,6 @@
 // A stage before the rasteriser, other than the geometry stage, that selects the layer it draws to
 // (SV_RenderTargetArrayIndex), as a vertex shader does if both eyes are drawn at once by instancing. Internal
-// to this room.
+// to this folder.
 //
 // Vulkan and Metal support it. OpenGL supports it with GL_ARB_shader_viewport_layer_array, ESSL with no
 // widely available extension, and Direct3D 11 if VPAndRTArrayIndexFromAnyShaderFeedingRasterizer is set

@@ -1,4 +1,4 @@
-// Integers divided by a constant zero. Internal to this room.
+// Integers divided by a constant zero. Internal to this folder.
 //
 // FXC rejects them (X4010 "Unsigned integer divide by zero"), and so does DXC's validation (DXIL.rst,
 // InstrNoIDivByZero); SPIRV-Tools folds the result to 0. Compilers report only reachable divisions: before

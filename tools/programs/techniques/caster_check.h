@@ -1,5 +1,5 @@
 // What is wrong with a pass that draws the casters, or uses what they left in a stencil. Internal to this
-// room.
+// folder.
 #pragma once
 
 #include <optional>

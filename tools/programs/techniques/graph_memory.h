@@ -1,4 +1,4 @@
-// How much memory a graph takes. Internal to this room.
+// How much memory a graph takes. Internal to this folder.
 #pragma once
 
 #include "techniques/caster_check.h"

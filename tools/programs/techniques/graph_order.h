@@ -1,4 +1,4 @@
-// What the passes of a graph read, and which waits for which. Internal to this room.
+// What the passes of a graph read, and which waits for which. Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Reads and checks one graph of a manifest. Internal to this room.
+// Reads and checks one graph of a manifest. Internal to this folder.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Reads one manifest. Internal to this room.
+// Reads one manifest. Internal to this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The keyword sets of Unity's shortcuts: `#pragma multi_compile_fog` and similar. Internal to this room.
+// The keyword sets of Unity's shortcuts: `#pragma multi_compile_fog` and similar. Internal to this folder.
 //
 // Source: Unity Manual, "Add built-in keyword sets" (SL-MultipleProgramVariants-shortcuts), which lists each
 // shortcut's keywords and whether a variant with all of them off exists. How Unity's importer combines them

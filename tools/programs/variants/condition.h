@@ -1,4 +1,4 @@
-// Evaluates the condition of an #if, with the macros known so far. Internal to this room.
+// Evaluates the condition of an #if, with the macros known so far. Internal to this folder.
 //
 // C's rules (ISO C 6.10.1): integers, defined, ! ~ - + * / % << >> comparisons == != & ^ | && || ?: and
 // parentheses; an identifier that is not a macro is 0. The use of a macro whose replacement list has # or ##,

@@ -1,5 +1,5 @@
 // The preprocessor directives of a text, one by one, as a C preprocessor sees them: comments are white space,
-// backslashes join lines, and every token keeps its location. Internal to this room.
+// backslashes join lines, and every token keeps its location. Internal to this folder.
 //
 // The text has LF line ends (hlsl/source_text.h); a stray CR counts as white space. Linear in the text's
 // length.

@@ -1,4 +1,4 @@
-// The known names in #pragma lines, for spell checking. Internal to this room.
+// The known names in #pragma lines, for spell checking. Internal to this folder.
 //
 // Sources: Unity Manual, "pragma directives in HLSL" (SL-PragmaDirectives), "Targeting shader models and GPU
 // features" (SL-ShaderCompileTargets), "Targeting graphics APIs and platforms" (SL-ShaderCompilationAPIs),

@@ -1,4 +1,4 @@
-// Reads one #pragma line after another into Pragmas. Internal to this room.
+// Reads one #pragma line after another into Pragmas. Internal to this folder.
 #pragma once
 
 #include <functional>
