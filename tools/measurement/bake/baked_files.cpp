@@ -35,7 +35,7 @@ Json box_json(const parameters::Bounds& box) {
           {"size_metres", {size.x, size.y, size.z}}};
 }
 
-// How the slices of one z stand in a picture.
+// The arrangement of the slices of one z in a picture, in columns and rows.
 struct Slices {
   int columns = 0;
   int rows = 0;
@@ -55,7 +55,7 @@ Slices slices_of(const std::array<int, 3>& voxels) {
   return {columns, rows};
 }
 
-// From the top, as Unity's importer of 3D textures takes them.
+// The picture's rows run from the top, as Unity's importer of 3D textures takes them.
 std::vector<std::byte> picture_of(const std::array<int, 3>& voxels, const Slices& slices,
                                   const std::vector<std::uint16_t>& texels) {
   const auto [width, height, depth] = voxels;

@@ -20,24 +20,24 @@ namespace penumbra::bake {
 // A JSON file, and the pictures that it names, which lie in its folder.
 struct BakedFiles {
   std::string json;
-  std::map<std::string, std::vector<std::byte>> pictures;  // by file name
+  std::map<std::string, std::vector<std::byte>> pictures;  // keyed by file name
 };
 
 // Throws InputError for a stem that JSON cannot hold, because it is not UTF-8: baked_files() needs another.
 void check_stem(const std::string& stem);
 
-// stem: of the pictures' names. The smallest z is at a picture's bottom, as Unity's textures have it. Heights
-// become steps of (high - low) / 65535 of the field's own range; angles steps of a quarter turn / 65535, four
-// directions in each of two pictures; distances steps of twice the largest / 65535, the slices of one z side
-// by side in rows from the top, as Unity's importer of 3D textures takes them. Throw InputError for a picture
-// of more than 16384 texels per side.
+// The stem begins the pictures' names. The smallest z is at a picture's bottom, as Unity's textures have it.
+// Heights become steps of (high - low) / 65535 of the field's own range. Angles become steps of a quarter
+// turn / 65535, four directions in each of two pictures. Distances become steps of twice the largest / 65535;
+// the slices of one z lie side by side in rows from the top, as Unity's importer of 3D textures takes them.
+// These functions throw InputError for a picture of more than 16384 texels per side.
 BakedFiles baked_files(const HeightField& field, const std::string& stem);
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem);
 BakedFiles baked_files(const DistanceField& field, const std::string& stem);
 BakedFiles baked_files(const ObjectFields& fields, const std::string& stem);
 
-// All of them or none: throws as write_files_atomically(). The JSON file, which holds a hash of each picture,
-// comes last: what is left where the machine stops in between is refused when it is read.
+// Writes all of the files or none, and throws as write_files_atomically(). The JSON file, which holds a hash
+// of each picture, is written last: if the machine stops in between, reading refuses what is left.
 void write_baked_files(const BakedFiles& files, const std::filesystem::path& json);
 
 // A height field that baked_files() wrote. Throws InputError at the JSON's line, and naming the picture where

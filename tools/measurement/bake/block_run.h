@@ -1,5 +1,5 @@
-// Runs a bake: blocks of numbers on all threads, each stored when it is done, so that a bake that was
-// interrupted goes on where it stopped.
+// A bake's run: it computes blocks of numbers on all threads and stores each one when it is done, so that an
+// interrupted bake continues where it stopped.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace penumbra::bake {
 
 struct BakeOptions {
   int jobs = 0;  // threads; 0 takes all. The result does not depend on it.
-  // Called from any thread, one call at a time, after each block.
+  // It is called from any thread, one call at a time, after each block.
   std::function<void(std::size_t done, std::size_t total)> progress;
-  // Polled from any thread before each block.
+  // It is polled from any thread before each block.
   std::function<bool()> cancelled = platform::interrupted;
   const platform::CacheStore* store = nullptr;  // keeps finished blocks; may be null
 };
@@ -27,10 +27,10 @@ struct BakeJob {
   std::function<std::vector<float>(std::size_t block)> block;  // reentrant
 };
 
-inline constexpr const char* baked_block_kind = "bakedblock";  // of the store's entries
+inline constexpr const char* baked_block_kind = "bakedblock";  // the kind of the store's entries
 
-// All blocks, one after the other. Throws platform::Interrupted when cancelled: finished blocks are stored;
-// and what the job's function throws.
+// Returns all blocks, one after the other. Throws platform::Interrupted when cancelled, with the finished
+// blocks stored, and whatever the job's function throws.
 std::vector<float> run_bake(const BakeJob& job, const BakeOptions& options);
 
 // Removes the job's blocks from the store, once its result is written.

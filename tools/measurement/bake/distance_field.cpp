@@ -15,7 +15,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr int kDistancesVersion = 1;  // a change of any result takes the next number
+constexpr int kDistancesVersion = 1;  // increased whenever a change affects any result
 
 void check(const scene::Scene& scene, const DistanceFieldOptions& options) {
   if (scene.mesh.triangle_count() == 0)
@@ -34,7 +34,8 @@ void check(const scene::Scene& scene, const DistanceFieldOptions& options) {
                                      options.margin));
 }
 
-// Cubes, of which the mesh's longest side with both margins has as many as asked for.
+// The voxels are cubes; along its longest side, the mesh with both margins has as many as the options ask
+// for.
 void place_voxels(const scene::Scene& scene, const DistanceFieldOptions& options, DistanceField& field) {
   const parameters::Bounds bounds = scene.bounds();
   const glm::dvec3 size = bounds.maximum - bounds.minimum;
@@ -80,14 +81,14 @@ DistanceField placed_field(const scene::Scene& scene, const DistanceFieldOptions
 DistanceField bake_distance_field(const scene::Scene& scene, const DistanceFieldOptions& options,
                                   const BakeOptions& run) {
   DistanceField field = placed_field(scene, options);
-  scene::Scene solid = scene;  // holes in materials are none of the mesh
+  scene::Scene solid = scene;  // holes in materials are not holes of the mesh
   solid.materials = {scene::Material{}};
   solid.textures.clear();
   solid.mesh.triangle_materials.clear();
   const reference::EmbreeScene rays(solid);
   const reference::ClosestSurface surface(rays, solid);
   field.open_edges = surface.open_edges();
-  // A block is a slice of one z.
+  // Each block is a slice of one z.
   const BakeJob job{
       key_of(scene, field), static_cast<std::size_t>(field.voxels[2]), [&](std::size_t z) {
         std::vector<float> metres;

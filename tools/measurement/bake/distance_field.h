@@ -19,7 +19,7 @@ struct DistanceField {
   std::array<int, 3> voxels{};  // along x, y and z
   parameters::Bounds box{};     // voxels' centres are those of equal parts of it
   std::vector<float> metres;    // x runs fastest, then y
-  std::size_t open_edges = 0;  // of the mesh: more than 0, and signs are those of the nearest triangle's side
+  std::size_t open_edges = 0;   // the mesh's; above 0 signs are those of the nearest triangle's side
 
   glm::dvec3 centre(int x, int y, int z) const;
   float at(int x, int y, int z) const {
@@ -29,10 +29,10 @@ struct DistanceField {
 
 struct DistanceFieldOptions {
   int voxels = 64;      // along the mesh's longest side; the others have as many as make the voxels cubes
-  double margin = 0.1;  // of the longest side, on every side of the mesh
+  double margin = 0.1;  // share of the longest side, added on every side of the mesh
 };
 
-// Along the mesh's longest side. One voxel is one distance, which has no shape.
+// The number counts voxels along the mesh's longest side. A single voxel is one distance, which has no shape.
 inline constexpr int least_voxels_per_side = 2;
 inline constexpr int most_voxels_per_side = 512;
 

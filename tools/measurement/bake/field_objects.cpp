@@ -25,7 +25,7 @@ std::array<glm::dvec3, 3> corners_of(const scene::Mesh& mesh, std::size_t triang
   return corners;
 }
 
-// Whether a ray from a place meets the mesh within so many metres.
+// Returns whether a ray from a place meets the mesh within so many metres.
 bool meets(const reference::EmbreeScene& rays, const glm::dvec3& from, const glm::dvec3& direction,
            double metres) {
   RTCIntersectContext context;
@@ -43,8 +43,8 @@ bool meets(const reference::EmbreeScene& rays, const glm::dvec3& from, const glm
   return ray.tfar < 0.0F;
 }
 
-// The share of the surface behind which the mesh ends in less than so many metres. The surface of an open
-// mesh has nothing behind it.
+// Returns the share of the surface behind which the mesh ends in less than so many metres. The surface of an
+// open mesh has nothing behind it.
 double thin_share(const scene::Scene& scene, double metres) {
   const reference::EmbreeScene rays(scene);
   const reference::ClosestSurface surface(rays, scene);
@@ -74,7 +74,8 @@ double largest_of(const DistanceField& field) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-// Rows along x of at most this width, the deepest boxes first; nothing where they are too large.
+// Arranges the boxes in rows along x of at most this width, the deepest boxes first. Returns nothing where
+// they are too large.
 std::optional<PackedBoxes> in_rows(const std::vector<std::array<int, 3>>& sizes,
                                    const std::vector<std::size_t>& order, int width, int largest) {
   PackedBoxes packed;

@@ -11,7 +11,7 @@
 namespace penumbra::bake {
 namespace {
 
-// Not a number is neither.
+// A value that is not a number is neither a place nor a height.
 bool is_place(double metres) {
   return std::abs(metres) <= most_ground_metres;
 }

@@ -1,8 +1,8 @@
-// Ground as heights on a grid, between which it is bilinear: what far shadows are baked from.
+// The ground as heights on a grid, bilinear in between. Far shadows are baked from it.
 //
-// Heights are in metres, the grid's axes those of the world, relative to the scene's origin. Unity's terrains
-// have the same layout: samples at the corners of cells, the first at the terrain's own corner, the last at
-// the opposite one, rows along +X, the first row at the smallest z.
+// Heights are in metres. The grid's axes are those of the world, relative to the scene's origin. Unity's
+// terrains have the same layout: samples lie at the corners of cells, the first at the terrain's own corner
+// and the last at the opposite one; rows run along +X, and the first row has the smallest z.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,11 @@
 
 namespace penumbra::bake {
 
-// At least two samples each way, and at most so many.
+// A field has at least two samples each way, and at most so many.
 inline constexpr int most_samples_per_side = 8193;  // a power of two and one, as Unity's terrains have
 
-// Metres: how far from the origin an area or a height may lie, and how long an area's sides may be.
+// The largest distance in metres of an area or a height from the origin, and the largest length of an area's
+// sides.
 inline constexpr double most_ground_metres = 1e6;
 inline constexpr double least_area_metres = 1e-6;
 
@@ -34,17 +35,16 @@ struct HeightField {
   std::size_t holes = 0;      // samples where the source has no surface
 
   float at(int x, int z) const { return metres[static_cast<std::size_t>(z) * width + x]; }
-  // Metres between neighbours along x and z.
+  // Returns the metres between neighbours along x and z.
   glm::dvec2 spacing() const { return area.size / glm::dvec2(width - 1, depth - 1); }
-  // Samples from the first one, not clamped, of a point of the world.
+  // Returns the place of a point of the world in samples from the first one, not clamped.
   glm::dvec2 in_samples(glm::dvec2 xz) const { return (xz - area.corner) / spacing(); }
-  // Bilinear; outside of the area that of the nearest point inside.
+  // Returns the bilinear height; outside of the area, that of the nearest point inside.
   double height(glm::dvec2 xz) const;
 };
 
 // Throws InputError unless there are two samples each way or more, no more than most_samples_per_side, and an
-// area within most_ground_metres of the origin whose sides are from least_area_metres to
-// most_ground_metres.
+// area within most_ground_metres of the origin whose sides are from least_area_metres to most_ground_metres.
 void check_grid(int width, int depth, const Area& area);
 
 // Throws InputError unless the field has two samples each way or more, no more than most_samples_per_side,

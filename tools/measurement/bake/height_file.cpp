@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLargestPicture = std::size_t{512} << 20U;  // bytes
 
-// Throws InputError where the picture beside the JSON file is another one than that it was written with.
+// Throws InputError where the picture beside the JSON file is not the one that the file was written with.
 void check_picture(JsonObject& object, const std::filesystem::path& json, const std::string& picture) {
   JsonObject hashes = object.object(hashes_key);
   const std::string expected = hashes.text(picture, "");

@@ -11,11 +11,12 @@
 namespace penumbra::bake {
 
 inline constexpr const char* height_field_kind = "height-field";
-inline constexpr int baked_version = 1;                      // of the format of all bakes
-inline constexpr const char* hashes_key = "picture_hashes";  // of the pictures, by their names
+inline constexpr int baked_version = 1;  // version of the format of all bakes
+inline constexpr const char* hashes_key =
+    "picture_hashes";  // key of the pictures' hashes, by the pictures' names
 
 struct HeightFile {
-  std::filesystem::path picture;  // in the folder of the JSON file
+  std::filesystem::path picture;  // name within the folder of the JSON file
   HeightRange range;              // metres of the picture's 0 and 65535
   Area area;
   int holes = 0;         // samples without a surface, as the file says; the picture says of how many

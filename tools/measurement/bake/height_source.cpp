@@ -17,7 +17,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr int kHeightsVersion = 2;  // a change of any result takes the next number
+constexpr int kHeightsVersion = 2;  // increased whenever a change affects any result
 constexpr float kNothing = std::numeric_limits<float>::lowest();
 
 std::string height_key(const scene::Scene& scene, const Area& area, const SampleCounts& counts) {
@@ -64,7 +64,7 @@ HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const 
   HeightField field{counts.width, counts.depth, area, {}};
   const reference::EmbreeScene rays(scene);
   const reference::HighestSurface surface(rays, scene);
-  // A block is a row.
+  // Each block is a row.
   const BakeJob job{height_key(scene, area, counts), static_cast<std::size_t>(counts.depth),
                     [&](std::size_t row) {
                       std::vector<float> metres;

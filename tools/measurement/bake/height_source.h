@@ -1,4 +1,4 @@
-// Where height fields come from: a scene's geometry, and images of heights.
+// The sources of height fields: a scene's geometry, and images of heights.
 #pragma once
 
 #include "bake/block_run.h"
@@ -13,22 +13,24 @@ struct SampleCounts {
   int depth = 513;  // along z
 };
 
-// The scene with its ground alone (Scene::ground_triangles).
+// Returns the scene with its ground alone (Scene::ground_triangles).
 scene::Scene ground_of(const scene::Scene& scene);
 
-// The rectangle of the map that the scene's mesh covers.
+// Returns the rectangle of the map that the scene's mesh covers.
 Area area_of(const scene::Scene& scene);
 
-// Samples at the same distance along both sides of the area, `longest` along the longer one; at least two.
+// Returns counts that put samples at the same distance along both sides of the area, `longest` of them along
+// the longer side and at least two along the other.
 SampleCounts even_counts(const Area& area, int longest);
 
-// The highest surface at each sample, which overhangs and roofs make solid down to the ground; where there is
-// none, the height of the scene's lowest vertex, counted in HeightField::holes. Throws InputError for counts
-// or an area that check_height_field() refuses, and where the area has no surface at all; as run_bake.
+// Returns the highest surface at each sample; overhangs and roofs so become solid down to the ground. A
+// sample without a surface gets the height of the scene's lowest vertex and is counted in HeightField::holes.
+// Throws InputError for counts or an area that check_height_field() refuses, and where the area has no
+// surface at all; also throws as run_bake().
 HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const SampleCounts& counts,
                              const BakeOptions& run = {});
 
-// What an image's numbers mean: metres of 0 and of 65535.
+// The meaning of an image's numbers: the metres that 0 and 65535 stand for.
 struct HeightRange {
   double low = 0.0;
   double high = 0.0;

@@ -15,7 +15,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr int kHorizonVersion = 1;  // a change of any result takes the next number
+constexpr int kHorizonVersion = 1;  // increased whenever a change affects any result
 
 void check(const HorizonOptions& options) {
   for (const int side : {options.width, options.depth}) {
@@ -55,7 +55,7 @@ HorizonAngles bake_horizon_angles(const HeightField& field, const HorizonOptions
   check(options);
   HorizonAngles angles{options.width, options.depth, field.area, {}};
   const HorizonSearch search(field);
-  // A block is a row: for each texel its eight angles.
+  // Each block is a row: for each texel its eight angles.
   const BakeJob job{key_of(field, options), static_cast<std::size_t>(options.depth), [&](std::size_t row) {
                       std::vector<float> radians;
                       for (int x = 0; x < options.width; ++x) {

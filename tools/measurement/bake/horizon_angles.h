@@ -32,8 +32,8 @@ struct HorizonAngles {
 struct HorizonOptions {
   int width = 512;
   int depth = 512;
-  // Ground nearer than this does not count: what cascades or contact shadows draw, and what a texel's own
-  // size cannot resolve.
+  // Ground nearer than this does not count: cascades or contact shadows draw its shadows, or a texel's own
+  // size cannot resolve it.
   double nearest_metres = 0.0;
 };
 

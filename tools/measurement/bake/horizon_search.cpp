@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStepInside = 1e-7;   // cells: past a cell's edge, so that the next cell is found
-constexpr double kLeastAside = 1e-10;  // of a direction's larger component
+constexpr double kLeastAside = 1e-10;  // relative to a direction's larger component
 constexpr double kShortest = 1e-6;     // metres: slopes are those to points at least so far away
 
-// Distances along the ray, metres.
+// A part of the ray, by its distances in metres.
 struct Stretch {
   double begin = 0.0;
   double end = 0.0;
@@ -50,7 +50,8 @@ struct GridRay {
   }
 };
 
-// A lower bound of the distance for ground that lies higher, an upper one for ground that lies lower.
+// Returns an upper bound of the slope: ground that lies higher is divided by the least distance, ground that
+// lies lower by the largest.
 double slope_bound(double rise, Stretch stretch) {
   if (rise <= 0.0) return rise / stretch.end;
   return stretch.begin > 0.0 ? rise / stretch.begin : kInfinity;

@@ -49,7 +49,8 @@ std::vector<std::byte> encode_png_16(int width, int height, int channels,
   png_write_info(writer.png, writer.info);
   const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
   std::vector<png_byte> big_endian(2 * row);
-  for (std::size_t y = static_cast<std::size_t>(height); y-- > 0;) {  // the file begins at the top
+  for (std::size_t y = static_cast<std::size_t>(height);
+       y-- > 0;) {  // the file begins with the picture's top row
     for (std::size_t i = 0; i < row; ++i) {
       const unsigned sample = samples[y * row + i];
       big_endian[2 * i] = static_cast<png_byte>(sample >> 8U);

@@ -15,8 +15,8 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr double kLevel = 1e-3;        // of a part's width: how high it is at most if it is ground
-constexpr double kGroundWidth = 0.25;  // of the scene's: how wide it is at least
+constexpr double kLevel = 1e-3;        // the largest height of ground, as a share of its width
+constexpr double kGroundWidth = 0.25;  // the least width of ground, as a share of the scene's
 
 void check(const scene::Scene& scene, int most) {
   if (most < 1 || most > most_field_objects) {
@@ -57,7 +57,7 @@ parameters::Bounds nothing() {
           glm::dvec3(-std::numeric_limits<double>::infinity())};
 }
 
-// Sets that are joined one after the other; each is named by one of its members.
+// Disjoint sets that are joined one after the other; each is named by one of its members.
 class Joined {
  public:
   explicit Joined(std::size_t count) : next_(count) { std::iota(next_.begin(), next_.end(), 0U); }
@@ -85,12 +85,12 @@ struct Part {
   parameters::Bounds box = nothing();
 };
 
-// Positions that are nearer to one another than rounding leaves them are one: that which comes first.
+// Positions that differ by no more than rounding count as one, the first of them.
 class Welded {
  public:
   explicit Welded(double apart) : apart_(apart) {}
 
-  // The number of the position, counted as they come.
+  // Returns the number of the position; positions are numbered in the order in which they come.
   std::uint32_t number(const glm::vec3& position) {
     const glm::dvec3 place(position);
     const glm::ivec3 cell = cell_of(place);
@@ -112,7 +112,7 @@ class Welded {
   std::size_t count() const { return positions_.size(); }
 
  private:
-  // Cells of twice the distance; a scene has a few million of them along each side.
+  // Cells are twice the distance wide; a scene has a few million of them along each side.
   glm::ivec3 cell_of(const glm::dvec3& place) const { return glm::ivec3(glm::floor(place / (2.0 * apart_))); }
   static std::uint64_t key(const glm::ivec3& cell) {
     constexpr std::uint64_t kBits = (std::uint64_t{1} << 21U) - 1;
@@ -126,7 +126,8 @@ class Welded {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> in_cell_;
 };
 
-// Of the largest coordinate: by how much two computations of one vertex in single precision differ.
+// Returns the rounding error of positions: two computations of one vertex in single precision differ by up to
+// 2^-20 of the largest coordinate.
 double rounding(const scene::Mesh& mesh) {
   float largest = 0.0F;
   for (const std::uint32_t index : mesh.indices) {
@@ -136,10 +137,10 @@ double rounding(const scene::Mesh& mesh) {
   return std::max(static_cast<double>(largest), 1e-30) * 0x1p-20;
 }
 
-// Parts in the order of their first triangles.
+// Returns the parts in the order of their first triangles.
 std::vector<Part> parts_of(const scene::Mesh& mesh, std::size_t& flat) {
   Welded welded(rounding(mesh));
-  std::vector<std::uint32_t> places;  // of each index
+  std::vector<std::uint32_t> places;  // the welded position of each index
   places.reserve(mesh.indices.size());
   for (const std::uint32_t index : mesh.indices) places.push_back(welded.number(mesh.positions[index]));
   Joined joined_places(welded.count());
@@ -172,7 +173,7 @@ bool is_ground(const Part& part, const parameters::Bounds& all) {
          size.z >= kGroundWidth * whole.z;
 }
 
-// What a box costs in voxels, but for a factor. One without height is a little more than nothing.
+// A measure of the voxels that a box costs. A box without height still costs a little more than nothing.
 double volume(const parameters::Bounds& box) {
   const glm::dvec3 size = box.maximum - box.minimum;
   const double least = 0.01 * std::max({size.x, size.y, size.z});
@@ -186,11 +187,11 @@ parameters::Bounds box_of(const std::vector<Part>& parts, const std::vector<std:
 }
 
 struct Cut {
-  double volume = std::numeric_limits<double>::infinity();  // of both boxes
+  double volume = std::numeric_limits<double>::infinity();  // the sum of both boxes
   std::vector<std::size_t> low, high;
 };
 
-// In two, in the order of the parts' middles along one axis.
+// Cuts the parts in two, in the order of their middles along one axis, where both boxes are the smallest.
 Cut cut(const std::vector<Part>& parts, const std::vector<std::size_t>& some) {
   Cut best;
   for (int axis = 0; axis < 3; ++axis) {

@@ -15,16 +15,17 @@
 namespace penumbra::bake {
 
 struct SceneObject {
-  std::vector<std::uint32_t> triangles;  // of the scene's mesh, in its order
-  std::size_t parts = 0;     // that do not touch one another: more than 1 where parts share an object
+  std::vector<std::uint32_t> triangles;  // the object's triangles, in the order of the scene's mesh
+  std::size_t parts =
+      0;  // number of parts that do not touch one another: more than 1 where parts share an object
   parameters::Bounds box{};  // relative to the scene's origin
 };
 
 struct SceneObjects {
   std::vector<SceneObject> objects;  // those with the largest box first
-  std::size_t parts = 0;             // of all objects
-  std::size_t ground_triangles = 0;  // level sheets that are no object
-  std::size_t flat_triangles = 0;    // without area, which are left out
+  std::size_t parts = 0;             // number of parts of all objects
+  std::size_t ground_triangles = 0;  // triangles of level sheets, which are no objects
+  std::size_t flat_triangles = 0;    // triangles without area, which are left out
 };
 
 inline constexpr int most_field_objects = 16;

@@ -15,16 +15,16 @@ namespace penumbra::bake {
 
 inline constexpr int horizon_channels = 4;  // directions in one texture
 
-// A share of [0, 1] as its nearest step of 65535; values beyond are at its ends.
+// Returns the step of 65535 that is nearest to a share of [0, 1]; values outside go to the ends.
 std::uint16_t as_16_bits(double share);
 
-// The field's lowest and highest ground; of level ground a metre more.
+// Returns the field's lowest and highest ground; for level ground the range is a metre high.
 HeightRange range_of(const HeightField& field);
 
-// One number for each height: 0 at range.low, 65535 at range.high.
+// Returns one number for each height: 0 at range.low, 65535 at range.high.
 std::vector<std::uint16_t> height_texels(const HeightField& field, const HeightRange& range);
 
-// Four numbers for each texel, of the directions from `first` on: 65535 is a quarter turn.
+// Returns four numbers for each texel, the angles of the directions from `first` on: 65535 is a quarter turn.
 std::vector<std::uint16_t> angle_texels(const HorizonAngles& angles, int first);
 
 }  // namespace penumbra::bake

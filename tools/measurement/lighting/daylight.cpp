@@ -10,9 +10,10 @@
 namespace penumbra::lighting {
 namespace {
 
-constexpr double kSunKilolux = 133.0;                    // above the air
-constexpr glm::dvec3 kSunColour{1.075, 0.985, 0.945};    // of 5778 K, Y = 1
-constexpr glm::dvec3 kMicrometres{0.612, 0.549, 0.465};  // where the three channels are asked
+constexpr double kSunKilolux = 133.0;                  // above the air
+constexpr glm::dvec3 kSunColour{1.075, 0.985, 0.945};  // a body of 5778 K, with Y = 1
+constexpr glm::dvec3 kMicrometres{0.612, 0.549,
+                                  0.465};  // wavelengths at which the three channels are evaluated
 constexpr double kGroundReflectance = 0.2;
 constexpr double kHorizonFade = 0.12;  // sine of the depression by which 1 - 1/e of the ground shows
 
@@ -58,7 +59,7 @@ double zenith_angle(const glm::dvec3& direction) {
 glm::dvec3 sun_through_air(double zenith, double turbidity) {
   const double degrees = zenith * 180.0 / std::numbers::pi;
   const double mass =
-      1.0 / (std::cos(zenith) + 0.15 * std::pow(93.885 - degrees, -1.253));  // of air, relative
+      1.0 / (std::cos(zenith) + 0.15 * std::pow(93.885 - degrees, -1.253));  // relative mass of air
   const double haze = 0.04608 * turbidity - 0.04586;
   glm::dvec3 light = kSunKilolux * kSunColour;
   for (int channel = 0; channel < 3; ++channel) {
@@ -100,7 +101,7 @@ glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
   return glm::max(rec709_of_xyY(xyY), glm::dvec3(0.0));
 }
 
-// By the midpoint rule over rings of equal cosine-weighted area.
+// The integral uses the midpoint rule over rings of equal cosine-weighted area.
 glm::dvec3 Daylight::level_irradiance() const {
   constexpr int kRings = 8;
   constexpr int kSectors = 16;

@@ -14,11 +14,12 @@ namespace penumbra::lighting {
 
 class Daylight {
  public:
-  // to_sun: unit. turbidity is haze: 2 very clear .. 6 hazy.
+  // to_sun is a unit vector. turbidity is haze: 2 is very clear, 6 is hazy.
   explicit Daylight(const glm::dvec3& to_sun, double turbidity = 3.0);
 
-  // Of the sky alone, without the sun's disc. Below the horizon: a ground of reflectance 0.2 under this
-  // light, which haze hides towards the horizon: most of it within five degrees.
+  // Returns the radiance of the sky alone, without the sun's disc. Below the horizon it is that of a ground
+  // of reflectance 0.2 under this light. Haze hides that ground towards the horizon, most of it within five
+  // degrees.
   glm::dvec3 sky(const glm::dvec3& direction) const;
 
   const glm::dvec3& to_sun() const { return to_sun_; }
@@ -36,8 +37,8 @@ class Daylight {
 
   glm::dvec3 to_sun_;
   glm::dvec3 sun_;
-  Perez perez_[3];    // of x, y and luminance
-  glm::dvec3 scale_;  // what takes each to its value at the zenith
+  Perez perez_[3];    // for x, y and luminance
+  glm::dvec3 scale_;  // factors that take each to its value at the zenith
   glm::dvec3 ground_{0.0};
 };
 

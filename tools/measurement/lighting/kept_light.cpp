@@ -15,7 +15,7 @@ namespace penumbra::lighting {
 namespace {
 
 constexpr std::string_view kKind = "light";
-constexpr int kVersion = 1;  // a change of any result takes the next number
+constexpr int kVersion = 1;  // increased whenever a change affects any result
 
 std::string key_of(const scene::Scene& scene, const SeenMaterials& seen, const Surroundings& surroundings,
                    int rays) {

@@ -7,8 +7,8 @@
 
 namespace penumbra::lighting {
 
-// folder: empty means the folder of reference::ReferenceCache. Throws as sky_light does, and InputError when
-// the folder cannot be written.
+// An empty `folder` means the folder of reference::ReferenceCache. Throws as sky_light() does, and InputError
+// when the folder cannot be written.
 std::vector<glm::vec3> kept_sky_light(const scene::Scene& scene, const SeenMaterials& seen,
                                       const Surroundings& surroundings, int rays,
                                       const std::filesystem::path& folder, const reference::RunOptions& run);

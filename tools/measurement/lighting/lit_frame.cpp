@@ -42,7 +42,8 @@ reference::RunOptions run_options(const LitSettings& settings, const LitProgress
   return run;
 }
 
-// The visibility of the sun from the far side of translucent surfaces that the camera sees against the sun.
+// Returns the visibility of the sun from the far side of translucent surfaces that the camera sees against
+// the sun.
 std::vector<float> visibility_behind(const scene::Scene& scene, const SeenMaterials& seen,
                                      const glm::vec3& to_sun, const LitSettings& settings,
                                      const reference::RunOptions& run) {

@@ -43,7 +43,7 @@ glm::vec3 unit_range(const glm::vec3& colour) {
   return glm::clamp(colour, glm::vec3(0.0F), glm::vec3(1.0F));
 }
 
-// The textures that materials read, each with its meaning, made once.
+// The textures that materials read, each with its meaning. Each pyramid is built once.
 class Pyramids {
  public:
   explicit Pyramids(const scene::Scene& scene) {
@@ -110,7 +110,7 @@ Corners corners_of(const scene::Mesh& mesh, std::size_t triangle) {
   return corners;
 }
 
-// Shares of the corners at a point of their plane; a pixel at an edge may lie a little outside.
+// Returns the shares of the corners at a point of their plane; a pixel at an edge may lie a little outside.
 glm::dvec3 barycentric(const Corners& corners, const glm::dvec3& across, const glm::dvec3& point) {
   const double area2 = glm::dot(across, across);
   const auto share = [&](int from, int to) {
@@ -150,7 +150,7 @@ class MaterialReader {
     glm::dvec3 normal(0.0);
     for (int k = 0; k < 3; ++k) normal += shares[k] * glm::dvec3(mesh.normals[corners.index[k]]);
     normal = glm::dot(normal, flat) > 0.0 ? glm::normalize(normal) : -glm::normalize(normal);
-    if (!(std::abs(glm::length(normal) - 1.0) < 1e-3)) normal = flat;  // corners' normals that cancel out
+    if (!(std::abs(glm::length(normal) - 1.0) < 1e-3)) normal = flat;  // the corners' normals may cancel out
     point.normal = glm::vec3(normal);
     const double cosine = std::max(std::abs(away) / glm::length(across), 1e-3);
     if (!mesh.uvs.empty())
@@ -174,7 +174,7 @@ class MaterialReader {
     }
     const TexturePyramid* normals = pyramids_.find(material.normal_texture, TexelMeaning::vector);
     if (normals == nullptr || uv_area == 0.0) return;
-    // The directions in which u increases and v decreases on the triangle.
+    // These are the directions in which u increases and v decreases on the triangle.
     const glm::dvec3 ab = corners.position[1] - corners.position[0];
     const glm::dvec3 ac = corners.position[2] - corners.position[0];
     const glm::dvec3 along_u = (ab * (c - a).y - ac * (b - a).y) / uv_area;
@@ -182,7 +182,7 @@ class MaterialReader {
     point.normal = bent(point, along_u, against_v, glm::dvec3(normals->read(uv, footprint)));
   }
 
-  // Keeps it on the flat normal's side if the normal map would bend it below the surface.
+  // If the normal map bends the normal below the surface, it is kept on the flat normal's side.
   static glm::vec3 bent(const SurfacePoint& point, const glm::dvec3& along_u, const glm::dvec3& against_v,
                         const glm::dvec3& map) {
     const glm::dvec3 normal(point.normal);

@@ -16,7 +16,7 @@ namespace penumbra::lighting {
 
 struct SurfacePoint {
   glm::vec3 position{0.0F};
-  glm::vec3 flat_normal{0.0F};  // of the triangle, turned to the camera
+  glm::vec3 flat_normal{0.0F};  // the triangle's normal, turned to the camera
   glm::vec3 normal{0.0F};       // interpolated, and bent by the normal map, on the same side
   glm::vec3 base_colour{0.0F};  // linear, each in [0, 1]
   float roughness = 1.0F;
@@ -27,7 +27,7 @@ struct SeenMaterials {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> seen;         // 0: the sky
-  std::vector<SurfacePoint> points;       // where seen
+  std::vector<SurfacePoint> points;       // meaningful where `seen` is not 0
   std::vector<glm::vec3> view_direction;  // unit, from the camera through the pixel's centre
 };
 
@@ -35,7 +35,8 @@ struct SeenMaterials {
 // than its vertices or triangles, or an index out of range, and for a frame without triangles per pixel.
 SeenMaterials seen_materials(const scene::Scene& scene, const scene::Frame& frame);
 
-// Colour of each material where only a mean is needed: its own times its texture's.
+// Returns one colour for each material, for uses that need only a mean: the material's own colour times the
+// mean of its texture.
 std::vector<glm::vec3> mean_colours(const scene::Scene& scene);
 
 }  // namespace penumbra::lighting

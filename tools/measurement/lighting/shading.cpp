@@ -8,14 +8,14 @@
 namespace penumbra::lighting {
 namespace {
 
-constexpr float kMirrored = 0.04F;  // at normal incidence, of an index of refraction of 1.5
+constexpr float kMirrored = 0.04F;  // reflectance at normal incidence for an index of refraction of 1.5
 constexpr float kPi = std::numbers::pi_v<float>;
 
 float schlick(float cosine) {
   return kMirrored + (1.0F - kMirrored) * std::pow(1.0F - std::clamp(cosine, 0.0F, 1.0F), 5.0F);
 }
 
-// alpha is roughness squared; kept from 0, where the sun would be a point without an area.
+// alpha is roughness squared. It is kept from 0, where the highlight would be a point without an area.
 float ggx(const SurfacePoint& point, const glm::vec3& to_camera, const glm::vec3& to_sun, float n_l) {
   const float n_v = std::max(glm::dot(point.normal, to_camera), 1e-3F);
   const glm::vec3 half = glm::normalize(to_camera + to_sun);
@@ -29,7 +29,7 @@ float ggx(const SurfacePoint& point, const glm::vec3& to_camera, const glm::vec3
   return distribution * schlick(glm::dot(half, to_sun)) * 0.5F / smith;
 }
 
-// 1 where triangle and interpolated normal agree, 0 where the sun sets behind the triangle.
+// Returns 1 where triangle and interpolated normal agree, and 0 where the sun sets behind the triangle.
 float terminator(const SurfacePoint& point, const glm::vec3& to_sun, float n_l) {
   const float flat_l = glm::dot(point.flat_normal, to_sun);
   const float both = n_l * std::max(glm::dot(point.flat_normal, point.normal), 1e-3F);

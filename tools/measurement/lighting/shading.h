@@ -17,16 +17,17 @@ namespace penumbra::lighting {
 
 struct Sunlight {
   glm::vec3 to_sun;
-  glm::vec3 irradiance;  // of a surface that faces it
+  glm::vec3 irradiance;  // irradiance of a surface that faces the sun
 };
 
-// Radiance per unit of the sun's visibility: the part that shadows take away. 0 on faces turned from the sun.
+// Returns the radiance per unit of the sun's visibility: the part that shadows take away. It is 0 on faces
+// turned from the sun.
 glm::vec3 lit_by_sun(const SurfacePoint& point, const glm::vec3& to_camera, const Sunlight& sun);
 
-// The same of light that comes through from behind; 0 on faces that the sun shines upon.
+// Returns the same for light that comes through from behind. It is 0 on faces that the sun shines upon.
 glm::vec3 lit_through(const SurfacePoint& point, const Sunlight& sun);
 
-// sky_light: as sky_light.h has it.
+// sky_light has the meaning that sky_light.h gives it.
 glm::vec3 lit_by_sky(const SurfacePoint& point, const glm::vec3& to_camera, const glm::vec3& sky_light);
 
 }  // namespace penumbra::lighting

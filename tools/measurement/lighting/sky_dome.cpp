@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSide = 256;
 
-// The octahedron |x| + |y| + |z| = 1 unfolded onto [-1, 1]^2, upper half in the middle.
+// The octahedron |x| + |y| + |z| = 1 is unfolded onto [-1, 1]^2, with the upper half in the middle.
 glm::dvec3 direction_of(double u, double v) {
   glm::dvec3 direction(u, 1.0 - std::abs(u) - std::abs(v), v);
   if (direction.y < 0.0) {
@@ -22,7 +22,7 @@ glm::dvec3 direction_of(double u, double v) {
   return glm::normalize(direction);
 }
 
-// In texels, corners of the table at -0.5 and kSide - 0.5.
+// The place is in texels; the table's corners are at -0.5 and kSide - 0.5.
 glm::vec2 place_of(const glm::vec3& direction) {
   const float sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
   glm::vec2 place(direction.x / sum, direction.z / sum);
@@ -33,7 +33,7 @@ glm::vec2 place_of(const glm::vec3& direction) {
   return (place * 0.5F + 0.5F) * float(kSide) - 0.5F;
 }
 
-// Real spherical harmonics of order 0 to 2.
+// Returns the real spherical harmonics of order 0 to 2.
 std::array<double, 9> harmonics_at(const glm::dvec3& n) {
   return {0.282095,
           0.488603 * n.y,
@@ -46,7 +46,7 @@ std::array<double, 9> harmonics_at(const glm::dvec3& n) {
           0.546274 * (n.x * n.x - n.y * n.y)};
 }
 
-// What a cosine lobe leaves of each order.
+// The factors by which a cosine lobe scales each order.
 constexpr std::array<double, 9> kCosineLobe{std::numbers::pi,
                                             2.0 * std::numbers::pi / 3.0,
                                             2.0 * std::numbers::pi / 3.0,
@@ -67,7 +67,7 @@ SkyDome::SkyDome(const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
           radiance(direction_of((column + 0.5) / kSide * 2.0 - 1.0, (row + 0.5) / kSide * 2.0 - 1.0)));
     }
   }
-  // Points of a Fibonacci sphere: each stands for the same solid angle.
+  // The points of a Fibonacci sphere each stand for the same solid angle.
   constexpr int kPoints = 8192;
   for (int i = 0; i < kPoints; ++i) {
     const double y = 1.0 - (2.0 * i + 1.0) / kPoints;

@@ -17,14 +17,14 @@ namespace penumbra::lighting {
 
 class SkyDome {
  public:
-  // radiance: of unit directions.
+  // `radiance` is a function of unit directions.
   explicit SkyDome(const std::function<glm::dvec3(const glm::dvec3&)>& radiance);
 
   glm::vec3 radiance(const glm::vec3& direction) const;
-  // Of a surface under the unhidden dome; never negative.
+  // Returns the irradiance of a surface under the unhidden dome; it is never negative.
   glm::vec3 irradiance(const glm::vec3& normal) const;
 
-  std::span<const glm::vec3> table() const { return table_; }  // for a name of the content
+  std::span<const glm::vec3> table() const { return table_; }  // content to hash for a name
 
  private:
   std::vector<glm::vec3> table_;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kPacket = 16;
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
-constexpr float kSkySeenByOthers = 0.5F;  // of the sky over a surface that a ray meets
+constexpr float kSkySeenByOthers = 0.5F;  // share of the sky that reaches a surface which a ray meets
 
 // Two axes beside a unit one (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017).
 struct Axes {
@@ -33,7 +33,7 @@ struct Axes {
   glm::vec3 n, t, s;
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel (PCG, Jarzynski and Olano, JCGT 2020).
+// Returns two numbers in [0, 1) that differ from pixel to pixel (PCG, Jarzynski and Olano, JCGT 2020).
 glm::vec2 turn_of(std::size_t pixel) {
   const auto pcg = [](std::uint32_t value) {
     const std::uint32_t state = value * 747796405U + 2891336453U;
@@ -45,7 +45,8 @@ glm::vec2 turn_of(std::size_t pixel) {
   return {float(first >> 8U) * kScale, float(pcg(first) >> 8U) * kScale};
 }
 
-// Ray i of count, cosine-weighted about +n: a golden spiral over the disc, lifted onto the hemisphere.
+// Returns the direction of ray i of count, cosine-weighted about +n: a golden spiral over the disc, lifted
+// onto the hemisphere.
 glm::vec3 cosine_direction(const Axes& axes, int i, int count, const glm::vec2& turn) {
   const float radius2 = (float(i) + turn.x) / float(count);
   const float angle =
@@ -77,7 +78,7 @@ class Gatherer {
       alignas(64) RTCRayHit16 rays;
       glm::vec3 directions[kPacket];
       for (int lane = 0; lane < kPacket; ++lane) {
-        // Interleaved, so that each side's rays cover the whole spiral.
+        // The rays of both sides are interleaved, so that each side's rays cover the whole spiral.
         const int i = packet * kPacket + lane;
         const bool other_side = behind > 0 && (i * behind) % count < behind;
         directions[lane] = direction(point, i, count, turn, other_side);
@@ -131,7 +132,7 @@ class Gatherer {
     rtcIntersect16(all, embree_.handle(), &context, &rays);
 
     glm::vec3 sum(0.0F);
-    alignas(64) int asks[kPacket];  // for the sun
+    alignas(64) int asks[kPacket];  // lanes that need a shadow ray to the sun
     alignas(64) RTCRay16 shadow;
     glm::vec3 of_sun[kPacket];
     for (int lane = 0; lane < kPacket; ++lane) {

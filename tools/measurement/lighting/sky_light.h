@@ -1,13 +1,13 @@
 // The light that a surface has from everything but the sun's own rays: sky, and what the scene reflects of
 // sky and sun.
 //
-// How: rays of cosine-weighted directions around the shading normal (Embree 3), a golden spiral turned anew
-// at each pixel. A ray that meets nothing brings the sky's radiance; one that meets a surface brings the
-// light which that surface reflects or lets through: of the sun, by one shadow ray towards the middle of its
-// disc, and of the sky, as if half of it were hidden there. Directions below the flat surface are mirrored
-// above it; of a translucent surface its share of the rays goes out behind. Units: radiance of a white matt
-// surface under that light, so that times the colour it is what the camera sees; under an unhidden sky of
-// radiance L it is L. Deterministic; finite and never negative.
+// Rays of cosine-weighted directions around the shading normal (Embree 3) sample it, along a golden spiral
+// turned anew at each pixel. A ray that meets nothing brings the sky's radiance. A ray that meets a surface
+// brings the light which that surface reflects or lets through: the sun's, by one shadow ray towards the
+// middle of its disc, and the sky's, as if half of it were hidden there. Directions below the flat surface
+// are mirrored above it; a translucent surface sends its share of the rays out behind. Units: radiance of a
+// white matt surface under that light, so that times the colour it is what the camera sees; under an unhidden
+// sky of radiance L it is L. Results are deterministic, finite and never negative.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Surroundings {
   glm::vec3 sun;     // irradiance of a surface that faces it
 };
 
-// rays: per pixel, rounded up to a multiple of 16.
+// `rays` is the number per pixel, rounded up to a multiple of 16.
 std::vector<glm::vec3> sky_light(const scene::Scene& scene, const SeenMaterials& seen,
                                  const Surroundings& surroundings, int rays,
                                  const reference::RunOptions& run = {});

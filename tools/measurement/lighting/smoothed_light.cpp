@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<float, 5> kSpline{1.0F / 16, 1.0F / 4, 3.0F / 8, 1.0F / 4, 1.0F / 16};
 
-// 1 for a neighbour on the same plane that faces the same way, towards 0 over some 15 degrees or a slope of
-// one tenth.
+// Returns 1 for a neighbour on the same plane that faces the same way. The weight falls towards 0 over some
+// 15 degrees or a slope of one tenth.
 float likeness(const SurfacePoint& point, const SurfacePoint& other) {
   const float cosine = glm::dot(point.normal, other.normal);
   if (cosine <= 0.9F) return 0.0F;

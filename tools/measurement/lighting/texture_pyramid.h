@@ -19,7 +19,7 @@ class TexturePyramid {
   // Throws InputError for a texture whose texels are not width x height.
   TexturePyramid(const scene::Texture& texture, TexelMeaning meaning);
 
-  // footprint_uv: what the pixel covers, as a length in units of the texture.
+  // footprint_uv is the length that the pixel covers, in units of the texture.
   glm::vec3 read(const glm::vec2& uv, float footprint_uv) const;
   glm::vec3 mean() const { return levels_.back().texels.front(); }
 

@@ -71,7 +71,7 @@ ClosestSurface::ClosestSurface(const EmbreeScene& rays, const scene::Scene& scen
   }
   corner_normals_.resize(at_position.size());
   edge_normals_.resize(mesh_.indices.size());
-  double volume = 0.0;  // six times that of what the triangles enclose
+  double volume = 0.0;  // six times the volume that the triangles enclose
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
   std::map<Edge, std::vector<std::size_t>>
       passed;  // the corners from which triangles pass an edge, in its direction
@@ -135,7 +135,7 @@ double ClosestSurface::distance(const glm::dvec3& place) const {
     found.squared = squared;
     found.triangle = triangle;
     found.nearest = nearest;
-    // A little more, so that rounding to float leaves out nothing that is nearer.
+    // The radius is a little larger, so that rounding to float leaves out nothing that is nearer.
     asked->query->radius = static_cast<float>(std::sqrt(squared) * (1.0 + 1e-6));
     return true;
   };

@@ -11,33 +11,34 @@
 
 namespace penumbra::reference {
 
-// Where on a triangle: inside of it, on edge 0 to 2 (from that corner to the next), or at corner 0 to 2.
+// A point of a triangle: inside of it, on edge 0 to 2 (from that corner to the next), or at corner 0 to 2.
 struct TrianglePoint {
   enum class Feature { face, edge, corner };
 
   glm::dvec3 point{0.0};
   Feature feature = Feature::face;
-  int number = 0;  // of the edge or the corner
+  int number = 0;  // number of the edge or the corner
 };
 
-// The nearest point of a triangle; one without area is the segment or the point that it is. Ericson,
-// "Real-Time Collision Detection" (2005), 5.1.5.
+// Returns the nearest point of a triangle; a triangle without area is the segment or the point that remains
+// of it. Source: Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
 TrianglePoint nearest_on_triangle(const glm::dvec3& place, const std::array<glm::dvec3, 3>& corners);
 
 class ClosestSurface {
  public:
-  // Keeps references to both; `rays` is of that scene, which has triangles. Vertices at one position are one
-  // vertex.
+  // The constructor keeps references to both; `rays` must be made of that scene, which has triangles.
+  // Vertices at one position count as one vertex.
   ClosestSurface(const EmbreeScene& rays, const scene::Scene& scene);
 
-  // Edges that do not have two triangles which pass them in opposite directions: of a closed mesh, whose
-  // triangles all turn the same way, none.
+  // Counts the edges that do not have two triangles which pass them in opposite directions. A closed mesh
+  // whose triangles all turn the same way has none.
   std::size_t open_edges() const { return open_edges_; }
 
-  // Metres to the nearest point, negative inside: where the nearest point's angle-weighted normal points away
-  // from the place. Exact for closed meshes (Baerentzen and Aanaes, "Signed distance computation using the
-  // angle weighted pseudonormal", 2005); of others, and of meshes that pass through themselves, it is the
-  // side of the nearest triangles. Of a closed mesh that is turned inside out it is the same. Reentrant.
+  // Returns the metres to the nearest point, negative inside: where the nearest point's angle-weighted normal
+  // points away from the place. The sign is exact for closed meshes (Baerentzen and Aanaes, "Signed distance
+  // computation using the angle weighted pseudonormal", 2005). For other meshes, and for those that pass
+  // through themselves, it is the side of the nearest triangles. A closed mesh that is turned inside out
+  // gives the same result. Reentrant.
   double distance(const glm::dvec3& place) const;
 
  private:
@@ -46,10 +47,10 @@ class ClosestSurface {
 
   const EmbreeScene& rays_;
   const scene::Mesh& mesh_;
-  std::vector<std::uint32_t> vertices_;  // of each index: the vertex at its position
+  std::vector<std::uint32_t> vertices_;  // vertices_[i] is the vertex at the position of index i
   std::vector<glm::dvec3> face_normals_;
-  std::vector<glm::dvec3> edge_normals_;    // three of each triangle
-  std::vector<glm::dvec3> corner_normals_;  // by vertex
+  std::vector<glm::dvec3> edge_normals_;    // three for each triangle
+  std::vector<glm::dvec3> corner_normals_;  // one for each vertex
   std::size_t open_edges_ = 0;
   double outwards_ = 1.0;  // -1 where normals point inwards
 };

@@ -19,13 +19,13 @@ class DepthHierarchy {
   // the atlas. The hierarchy copies what it needs.
   DepthHierarchy(const scene::ShadowAtlas& atlas, const parameters::Cascade& cascade, bool reversed_z);
 
-  int first_column() const { return first_column_; }  // of the tile, in the atlas
+  int first_column() const { return first_column_; }  // the tile's first column in the atlas
   int first_row() const { return first_row_; }
   int width() const { return levels_.front().width; }
   int height() const { return levels_.front().height; }
   int level_count() const { return static_cast<int>(levels_.size()); }
 
-  // The largest height of the block of 2^level x 2^level texels at column, row of that level.
+  // Returns the largest height of the block of 2^level x 2^level texels at column, row of that level.
   float nearest(int level, int column, int row) const {
     const Level& at = levels_[static_cast<std::size_t>(level)];
     return at.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(at.width) +

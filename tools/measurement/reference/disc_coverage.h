@@ -1,12 +1,12 @@
-// Which part of the light's disc is covered: a union of axis-parallel rectangles, as one bit per disc point.
+// The covered part of the light's disc: a union of axis-parallel rectangles, as one bit per disc point.
 //
-// 1024 points, uniform by area, low-discrepancy in two halves of 512 (scrambled Sobol, concentric map). For
-// each axis a table holds, for every rank, the set of points left of it; a rectangle is two differences of
-// prefix sets and one intersection, sixteen words each, so that a union costs the same however much of it
-// overlaps (after the bitmask of Schwarz & Stamminger, "Bitmask Soft Shadows", 2007).
+// There are 1024 points, uniform by area, low-discrepancy in two halves of 512 (scrambled Sobol, concentric
+// map). For each axis a table holds, for every rank, the set of points left of it. A rectangle is two
+// differences of prefix sets and one intersection, sixteen words each, so a union costs the same however much
+// of it overlaps (after the bitmask of Schwarz & Stamminger, "Bitmask Soft Shadows", 2007).
 //
-// Resolution: the covered share of a half-plane or rectangle is off by at most 0.008 and 0.002 RMS; the
-// test of this file measures both.
+// Resolution: the covered share of a half-plane or rectangle is off by at most 0.008 and 0.002 RMS; the test
+// of this file measures both.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace penumbra::reference {
 
-// In the unit disc's coordinates.
+// A rectangle in the unit disc's coordinates.
 struct DiscRectangle {
   double left = 0.0;
   double right = 0.0;
@@ -44,8 +44,8 @@ class DiscPoints {
   // The points in order of one coordinate.
   struct Axis {
     std::vector<double> sorted;
-    std::vector<std::uint16_t> first_rank;  // by cell of [-1, 1]: points left of the cell
-    std::vector<Set> before;                // by rank: the points with a smaller rank
+    std::vector<std::uint16_t> first_rank;  // the number of points left of each cell of [-1, 1]
+    std::vector<Set> before;                // the set of points with a smaller rank, for each rank
 
     explicit Axis(const std::vector<double>& coordinates);
     std::size_t points_below(double coordinate) const;

@@ -13,7 +13,7 @@ std::uint32_t reversed_bits(std::uint32_t bits) {
   return reversed;
 }
 
-// Second Sobol dimension: generator matrix of Pascal's triangle modulo two.
+// The second Sobol dimension has Pascal's triangle modulo two as its generator matrix.
 std::uint32_t sobol_second(std::uint32_t index) {
   std::uint32_t value = 0;
   for (std::uint32_t column = 1U << 31; index != 0; index >>= 1, column ^= column >> 1) {

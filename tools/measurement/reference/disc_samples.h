@@ -18,16 +18,17 @@
 
 namespace penumbra::reference {
 
-// A well-mixed 64-bit value of any number (SplitMix64's finaliser; Steele, Lea & Flood 2014).
+// Returns a well-mixed 64-bit value of any number (SplitMix64's finaliser; Steele, Lea & Flood 2014).
 std::uint64_t mixed_bits(std::uint64_t number);
 
-// The point with this index of the Owen-scrambled Sobol sequence, in [0, 1)^2.
+// Returns the point with this index of the Owen-scrambled Sobol sequence, in [0, 1)^2.
 glm::dvec2 scrambled_sobol(std::uint32_t index, std::uint64_t seed);
 
-// Unit square to unit disc, areas kept in proportion.
+// Maps the unit square to the unit disc and keeps areas in proportion.
 glm::dvec2 concentric_disc(const glm::dvec2& square);
 
-// What makes one pixel's points its own: which pair, and the angle (radians) by which it is turned.
+// The choice of one pixel's points: the number of its pair, and the angle (radians) by which the pair is
+// turned.
 struct PixelDraw {
   std::size_t pair = 0;
   double angle = 0.0;
@@ -38,7 +39,7 @@ class DiscSamples {
   static constexpr std::size_t pair_count = 64;
   static constexpr std::size_t half_packet = 8;
 
-  // points_per_pair: a power of two, at least 32.
+  // points_per_pair is a power of two, at least 32.
   DiscSamples(std::size_t points_per_pair, std::uint64_t seed);
 
   std::size_t points_per_pair() const { return points_per_pair_; }

@@ -29,7 +29,7 @@ struct TurnedDisc {
   float distance;
 };
 
-// Sixteen rays from one origin; what Embree does not change is written once.
+// Sixteen rays from one origin. The fields that Embree does not change are written once.
 class Packet {
  public:
   explicit Packet(const glm::vec3& origin) {
@@ -48,7 +48,7 @@ class Packet {
     context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   }
 
-  // Adds the rays towards these points that meet nothing.
+  // Traces rays towards these points and adds those that meet nothing.
   void shoot(RTCScene scene, const TurnedDisc& disc, const float* x, const float* y) {
     for (int lane = 0; lane < DiscTracer::packet_size; ++lane) {
       rays_.dir_x[lane] = disc.centre.x + x[lane] * disc.right.x + y[lane] * disc.up.x;
@@ -109,7 +109,7 @@ HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver, const Dis
   ray.dir_z = direction.z;
   ray.mask = ~0U;
   const int rays = rays_per_pixel();
-  int lit[2] = {};  // of each half
+  int lit[2] = {};  // visible points of each half
   for (int i = 0; i < rays; ++i) {
     ray.tfar = static_cast<float>(light.distance);
     ray.id = static_cast<unsigned>(i);

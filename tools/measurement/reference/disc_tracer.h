@@ -18,11 +18,11 @@ class DiscTracer {
  public:
   static constexpr int packet_size = 16;
 
-  // samples: as TraceOptions. The scene must outlive the tracer.
+  // `samples` has the meaning of TraceOptions::samples. The scene must outlive the tracer.
   DiscTracer(const EmbreeScene& scene, const LightSource& light, int samples, std::uint64_t seed);
 
-  // The halves are the two sets of the pair that pixel draws. One ray to a point light decides both,
-  // unless blended triangles let some of its rays pass. A receiver without light sees none of it.
+  // The halves are the two sets of the pair that the pixel's draw names. One ray to a point light decides
+  // both, unless blended triangles let some of its rays pass. A receiver without light sees none of it.
   HalfCounts lit_points(const LitReceiver& receiver, std::size_t pixel) const;
 
   int rays_per_pixel() const { return light_.is_point() && !scene_.any_blended() ? 1 : samples_; }

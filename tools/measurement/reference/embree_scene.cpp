@@ -33,7 +33,7 @@ void check_indices(const scene::Mesh& mesh) {
   }
 }
 
-// In [0, 1), uniform, of the ray and the triangle.
+// Returns a uniform number in [0, 1) that the ray and the triangle determine.
 float chance(const RTCFilterFunctionNArguments& asked, unsigned lane, std::size_t triangle) {
   const unsigned n = asked.N;
   std::uint64_t bits = mixed_bits(triangle) ^ RTCRayN_id(asked.ray, n, lane);
@@ -44,7 +44,7 @@ float chance(const RTCFilterFunctionNArguments& asked, unsigned lane, std::size_
   return std::ldexp(static_cast<float>(bits >> 40), -24);
 }
 
-// Rejects hits where the surface is open, and those of blended ones by chance.
+// Rejects hits where the surface is open, and hits of blended triangles by chance.
 void pass_openings(const RTCFilterFunctionNArguments* asked) {
   const auto& scene = *static_cast<const EmbreeScene*>(asked->geometryUserPtr);
   for (unsigned lane = 0; lane < asked->N; ++lane) {

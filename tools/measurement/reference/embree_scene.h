@@ -35,10 +35,10 @@ class EmbreeScene {
   RTCSceneTy* handle() const { return scene_.get(); }
   const scene::CutOuts& cut_outs() const { return cut_outs_; }
 
-  // Then rays of one origin and direction differ by their ids.
+  // If any triangle is blended, rays of one origin and direction differ by their ids.
   bool any_blended() const { return cut_outs_.any_blended(); }
 
-  // The mesh's triangle of a hit's geomID and primID.
+  // Returns the mesh's triangle of a hit's geomID and primID.
   std::size_t triangle(unsigned geometry, unsigned primitive) const {
     return triangles_.empty() ? primitive : triangles_[geometry][primitive];
   }
@@ -48,7 +48,8 @@ class EmbreeScene {
   void attach_apart(const scene::Mesh& mesh);
 
   scene::CutOuts cut_outs_;
-  std::vector<std::vector<std::uint32_t>> triangles_;  // of each geometry; none at all without cut-outs
+  std::vector<std::vector<std::uint32_t>>
+      triangles_;  // the triangles of each geometry; empty without cut-outs
   std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
   std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
 };

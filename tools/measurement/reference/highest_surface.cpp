@@ -9,7 +9,7 @@ namespace penumbra::reference {
 
 namespace {
 
-// A ray straight down.
+// The ray points straight down.
 std::optional<double> height_below(const EmbreeScene& rays, double above, glm::vec2 xz) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -38,7 +38,7 @@ HighestSurface::HighestSurface(const EmbreeScene& rays, const scene::Scene& scen
 std::optional<double> HighestSurface::at(glm::dvec2 xz) const {
   const glm::vec2 place(xz);
   if (const std::optional<double> height = height_below(rays_, above_, place)) return height;
-  // Embree's ray misses a box whose side of largest x or z it runs in, and with it the scene's own edges.
+  // Embree's ray misses a box if it runs in the side of largest x or z, and so misses the scene's own edges.
   return height_below(rays_, above_,
                       {std::nextafter(place.x, middle_.x), std::nextafter(place.y, middle_.y)});
 }

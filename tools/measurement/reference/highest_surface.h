@@ -1,4 +1,4 @@
-// How high the highest surface of a scene stands over a point of the map: what a height field keeps of it.
+// The height of a scene's highest surface over a point of the map, as a height field keeps it.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,17 +10,17 @@ namespace penumbra::reference {
 
 class HighestSurface {
  public:
-  // Keeps references to both; `rays` is of that scene.
+  // The constructor keeps references to both; `rays` must be made of that scene.
   HighestSurface(const EmbreeScene& rays, const scene::Scene& scene);
 
-  // Metres, relative to the scene's origin; nothing where no surface is. By a ray straight down, which
-  // passes where a material is cut out; the scene's edges belong to it. Reentrant.
+  // Returns metres relative to the scene's origin, or nothing where no surface is. A ray straight down finds
+  // it and passes where a material is cut out. The scene's edges belong to its surface. Reentrant.
   std::optional<double> at(glm::dvec2 xz) const;
 
  private:
   const EmbreeScene& rays_;
-  double above_ = 0.0;      // where rays begin: over everything
-  glm::vec2 middle_{0.0F};  // of the bounds
+  double above_ = 0.0;      // the height at which rays begin, over everything
+  glm::vec2 middle_{0.0F};  // the middle of the bounds
 };
 
 }  // namespace penumbra::reference

@@ -14,7 +14,7 @@ bool finite(const glm::dvec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-// Without a size yet.
+// Returns a disc that has no size yet.
 DiscLight facing(const glm::dvec3& to_light) {
   DiscLight disc;
   disc.to_light = to_light;

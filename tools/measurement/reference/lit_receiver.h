@@ -1,4 +1,4 @@
-// Which pixels are receivers of a light, and where their rays start: one rule for every reference.
+// The pixels that are receivers of a light, and the start of their rays: one rule for every reference.
 //
 // Space: relative to the scene's origin, metres. Single precision positions carry rounding of the rasteriser
 // that made them, so a ray starts a little above the surface, along its geometric normal.
@@ -27,38 +27,40 @@ struct DiscLight {
   glm::dvec3 up{0.0, 0.0, 1.0};
   double sin_half = 0.0;
   double tan_half = 0.0;
-  // Along to_light, metres; what is beyond hides nothing.
+  // The distance to the light in metres along to_light; surfaces beyond it hide nothing.
   double distance = std::numeric_limits<double>::infinity();
 };
 
-// Throws InputError: direction zero or not finite, angular diameter outside 0 .. 30 degrees.
+// Throws InputError if the direction is zero or not finite, or the angular diameter is outside 0 .. 30
+// degrees.
 DiscLight disc_light(const parameters::Light& light);
 
-// What shines, for receivers at any position: the sun, the same from everywhere, or a spot light.
+// The light for receivers at any position: the sun, the same from everywhere, or a spot light.
 //
 // A spot light's source is a disc about its position that faces each receiver, so that from anywhere it is a
 // full disc and, far enough away, the sun's. A sphere of that radius R is seen at a distance d as a cone
 // wider by half of (R / d)^2 of its angle; URP's spot lights are points, so that there is no convention to
-// follow. The cone says who is a receiver; its falloff is no part of visibility.
+// follow. The cone decides which pixels are receivers; its falloff is no part of visibility.
 class LightSource {
  public:
   LightSource(const DiscLight& sun) : disc_(sun) {}
-  // Position relative to the scene's origin. Throws InputError as parameters::check_spot_light does.
+  // The position is relative to the scene's origin. Throws InputError as parameters::check_spot_light() does.
   explicit LightSource(const parameters::SpotLight& spot);
 
   bool is_point() const { return spot_ ? spot_->source_radius_metres == 0.0 : disc_.tan_half == 0.0; }
 
-  // Nothing where there is no light: outside of the cone, beyond the range, within the source.
+  // Returns nothing where there is no light: outside of the cone, beyond the range, within the source.
   std::optional<DiscLight> seen_from(const glm::dvec3& position) const;
 
  private:
-  DiscLight disc_;  // of the sun
+  DiscLight disc_;  // the sun's disc
   std::optional<parameters::SpotLight> spot_;
   double cos_outer_ = 0.0;
 };
 
-// Metres by which rays start above a surface at this position: 2^-15 of its largest coordinate, at least of
-// a metre (0.03 mm within a metre, 1.5 mm at 50 m): 256 to 512 ULP of the position.
+// Returns the metres by which rays start above a surface at this position: 2^-15 of its largest coordinate,
+// which counts as at least a metre (0.03 mm within a metre, 1.5 mm at 50 m). That is 256 to 512 ULP of the
+// position.
 double surface_offset(const glm::vec3& position);
 
 struct LitReceiver {
@@ -66,13 +68,14 @@ struct LitReceiver {
   glm::dvec3 normal;    // unit
 };
 
-// Nothing where no surface was seen, where position or normal are not finite or the normal is no direction,
-// where there is no light, and where part of the disc is below the surface's horizon:
+// Returns nothing where no surface was seen, where position or normal are not finite or the normal is no
+// direction, where there is no light, and where part of the disc is below the surface's horizon:
 // normal . to_light <= sin_half.
 std::optional<LitReceiver> lit_receiver(const scene::Receivers& receivers, std::size_t pixel,
                                         const LightSource& light);
 
-// 1 where lit_receiver has a value. Throws InputError when the buffers' sizes disagree with width x height.
+// Returns 1 where lit_receiver() has a value. Throws InputError when the buffers' sizes disagree with width x
+// height.
 std::vector<std::uint8_t> valid_receivers(const scene::Receivers& receivers, const LightSource& light);
 
 }  // namespace penumbra::reference

@@ -22,10 +22,10 @@ class ReferenceCache {
   // key: platform::ContentHash::hex(). It must cover everything that the image depends on, including the
   // version of its algorithm.
   std::optional<VisibilityImage> find(const std::string& key) const;
-  // False when the file cannot be written (full disk, permissions); nothing partial is left.
+  // Returns false when the file cannot be written (full disk, permissions); nothing partial is left.
   bool store(const std::string& key, const VisibilityImage& image) const;
 
-  // A partial result: the pixels of its first rows.
+  // A partial result holds the pixels of the first rows.
   std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
   bool store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
   void drop_beginning(const std::string& key) const;

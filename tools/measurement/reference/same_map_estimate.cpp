@@ -17,7 +17,7 @@
 namespace penumbra::reference {
 namespace {
 
-constexpr int same_map_version = 1;  // a change of any result takes the next number
+constexpr int same_map_version = 1;  // increased whenever a change affects any result
 
 void check(const MapView& view) {
   const scene::ShadowAtlas& atlas = view.atlas;

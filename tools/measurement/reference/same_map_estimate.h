@@ -36,7 +36,8 @@
 
 namespace penumbra::reference {
 
-// A map, and who looks at it. origin: world position that Receivers::position_relative is relative to.
+// A map and the receivers that read it. `origin` is the world position that Receivers::position_relative is
+// relative to.
 struct MapView {
   const scene::ShadowAtlas& atlas;
   const parameters::CascadeSet& cascades;
@@ -48,7 +49,7 @@ struct MapView {
 VisibilityImage same_map_estimate(const MapView& view, const RunOptions& run = {},
                                   const ReferenceCache* cache = nullptr);
 
-// The cascade a world position reads from, or -1.
+// Returns the cascade that a world position reads from, or -1.
 int select_cascade(const parameters::CascadeSet& cascades, const glm::dvec3& position_ws);
 
 }  // namespace penumbra::reference

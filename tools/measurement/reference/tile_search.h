@@ -1,4 +1,5 @@
-// One cascade tile asked by one receiver: which points of the light's disc do its texels cover?
+// The search of one cascade tile for one receiver: it finds the points of the light's disc that the tile's
+// texels cover.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -16,15 +17,15 @@ class TileSearch {
  public:
   TileSearch(const scene::ShadowAtlas& atlas, const parameters::CascadeSet& cascades, std::size_t cascade);
 
-  // receiver in world space. tan_half > 0: the disc points its texels cover.
+  // Returns the disc points that the tile's texels cover. The receiver is in world space; tan_half > 0.
   DiscPoints::Set covered(const LitReceiver& receiver, double tan_half, const DiscPoints& points) const;
 
-  // The same for a point light: whether the texel over the receiver blocks.
+  // Returns the same for a point light: whether the texel over the receiver blocks.
   bool blocked(const LitReceiver& receiver) const;
 
  private:
-  // The receiver in the tile's own frame: metres across the light, from the tile's corner, and its height in
-  // stored depth; the plane's gap changes by slope per metre across.
+  // The receiver in the tile's own frame: its place in metres across the light, from the tile's corner, and
+  // its height in stored depth. The plane's gap changes by `slope` per metre across.
   struct Seen {
     glm::dvec2 place;
     double height;

@@ -18,7 +18,7 @@
 namespace penumbra::reference {
 namespace {
 
-constexpr int tracing_version = 1;  // a change of any result takes the next number
+constexpr int tracing_version = 1;  // increased whenever a change affects any result
 
 void add_to(platform::ContentHash& hash, const glm::dvec3& vector) {
   hash.update(vector.x).update(vector.y).update(vector.z);
@@ -29,7 +29,7 @@ void add_to(platform::ContentHash& hash, const parameters::Light& light) {
   hash.update(light.angular_diameter_degrees);
 }
 
-// Of a spot light what decides visibility and who is a receiver.
+// Adds those properties of a spot light that decide visibility and the receivers.
 void add_to(platform::ContentHash& hash, const parameters::SpotLight& light) {
   hash.update(std::string_view("spot light"));
   add_to(hash, light.position);

@@ -1,8 +1,10 @@
-// What a reference answers: how much of the light's disc each receiver sees, and how sure it is of that.
+// The answer of a reference: the share of the light's disc that each receiver sees, and the error of that
+// share.
 //
-// visibility is in [0, 1], 1 = the whole disc is seen. Where valid is 0 there is no receiver (nothing was
-// seen, the normal is unusable, or part of the disc lies below the surface's own horizon); visibility is 1
-// there and no metric should count it. Rows as in scene::Receivers: row 0 at the top of the picture.
+// visibility is in [0, 1]; 1 means that the whole disc is seen. Where valid is 0 there is no receiver
+// (nothing was seen, the normal is unusable, or part of the disc lies below the surface's own horizon);
+// visibility is 1 there and no metric should count it. Rows are those of scene::Receivers: row 0 is at the
+// top of the picture.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +24,7 @@ struct VisibilityImage {
   bool operator==(const VisibilityImage&) const = default;
 };
 
-// How many points of the light's disc a pixel sees, in two halves that were drawn independently.
+// The number of points of the light's disc that a pixel sees, in two halves that were drawn independently.
 struct HalfCounts {
   std::uint16_t first = 0;
   std::uint16_t second = 0;
@@ -30,9 +32,9 @@ struct HalfCounts {
   bool operator==(const HalfCounts&) const = default;
 };
 
-// The image of both halves together. With A and B the visibility by either half, (A + B) / 2 has a quarter
-// of the variance of A - B, so the noise floor is the RMS of (A - B) / 2 over the penumbra pixels
-// (0.02 < visibility < 0.98); 0 where there are none.
+// Returns the image of both halves together. With A and B the visibility by either half, (A + B) / 2 has a
+// quarter of the variance of A - B, so the noise floor is the RMS of (A - B) / 2 over the penumbra pixels
+// (0.02 < visibility < 0.98). It is 0 where there are none.
 struct ImageSize {
   int width = 0;
   int height = 0;
