@@ -18,7 +18,8 @@ std::string text_of(const shaders::SourcePlace& place, const std::string& shader
 }
 
 bool compares(const std::string& sampler) {
-  return FrameOnDevice::sampler_compares(sampler).value_or(false);  // those of the user's textures do not
+  // Samplers of the user's textures do not compare.
+  return FrameOnDevice::sampler_compares(sampler).value_or(false);
 }
 
 // The shader may declare a sampler as another kind than the one its name stands for.
@@ -36,7 +37,7 @@ void refuse_misused_samplers(const SpirvModule& module, const std::string& shade
   }
 }
 
-// A pixel that is given up writes no result: what is read there is whatever the memory held.
+// A pixel that is discarded writes no result, so what is read there is whatever the memory held.
 void refuse_discard(const SpirvModule& module, const std::string& shader) {
   const std::optional<shaders::SourcePlace> place = shaders::first_discard(module);
   if (!place) return;
@@ -44,7 +45,7 @@ void refuse_discard(const SpirvModule& module, const std::string& shader) {
                    "return 1.0 (lit) or 0.0 (in shadow) instead of 'discard' and 'clip'");
 }
 
-// HLSL would take the first number without a word.
+// HLSL would take the first of several numbers without a message.
 void refuse_several_numbers(const SpirvModule& unoptimised, const std::string& where) {
   if (!shaders::returns_several_numbers(unoptimised, "ShadowVisibility")) return;
   throw InputError(where, "ShadowVisibility returns more than one number",
@@ -72,7 +73,8 @@ void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& sh
   refuse_several_numbers(unoptimised, place_of(places, "ShadowVisibility", shader));
   SpirvModule module = std::move(unoptimised);
   std::vector<std::string> problems;
-  if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;  // as the module that ships
+  // The checks apply to the module that ships.
+  if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;
   refuse_misused_samplers(module, shader);
   refuse_discard(module, shader);
   refuse_other_textures(module, places, shader);

@@ -1,5 +1,5 @@
-// What a user's function may not do though it compiles: drivers crash on it, or its results mean nothing.
-// Internal to this folder.
+// Checks for what a user's function may not do though it compiles: drivers crash on it, or its results mean
+// nothing. Internal to this folder.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace penumbra::resolve {
 
-// `unoptimised`: its module before optimisation, with debug lines; `places`: CompiledShadowShader::named_at.
-// Throws InputError, naming the line or else the shader, for
+// `unoptimised` is the function's module before optimisation, with debug lines; `places` is
+// CompiledShadowShader::named_at. Throws InputError, naming the line or else the shader, for
 // - a comparison through a sampler that does not compare, and other reads through one that does;
 // - `discard` and `clip`;
 // - textures other than plain 2D ones;

@@ -16,7 +16,7 @@ struct Lens {
   glm::dvec3 down_the_rows;
 };
 
-// Stored depth as a function of view depth z: scale / z + offset.
+// The stored depth is a function of the view depth z: scale / z + offset.
 struct StoredDepth {
   double scale;
   double offset;
@@ -54,8 +54,8 @@ glm::dmat4 screen_to_world(const Lens& lens, const StoredDepth& stored, const gl
   return matrix;
 }
 
-// View depth at which the ray through a pixel's centre meets the receiver's plane. direction: at view
-// depth 1.
+// Returns the view depth at which the ray through a pixel's centre meets the receiver's plane. `direction`
+// ends at view depth 1.
 double depth_on_plane(const glm::dvec3& from_eye, const glm::dvec3& normal, const glm::dvec3& direction) {
   return glm::dot(normal, from_eye) / glm::dot(normal, direction);
 }

@@ -1,8 +1,8 @@
-// What a pass over the screen is given of the camera: its depth texture and the way back to the world.
+// The camera as passes over the screen see it: its depth texture and the matrix back to the world.
 //
-// Made from a frame's receivers: the depth of a pixel is where the ray through its centre meets the plane of
-// the surface seen there, rounded to a float once, as a depth buffer of 32 bits holds it. Pixels without a
-// receiver hold the far plane's depth.
+// It is made from a frame's receivers: the depth of a pixel is where the ray through its centre meets the
+// plane of the surface seen there, rounded to a float once, as a depth buffer of 32 bits holds it. Pixels
+// without a receiver hold the far plane's depth.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -12,7 +12,7 @@
 
 namespace penumbra::resolve {
 
-// Where row 0 of the screen's textures lies: Direct3D, Metal and Vulkan keep the top of the picture there,
+// The place of row 0 in the screen's textures: Direct3D, Metal and Vulkan keep the top of the picture there,
 // OpenGL its bottom.
 enum class RowOrder { top_first, bottom_first };
 
@@ -24,10 +24,10 @@ struct CameraImage {
   glm::dmat4 screen_to_world{1.0};  // (uv, stored depth, 1) to homogeneous world metres
 };
 
-// Depth runs as the frame's shadow map does: Unity has one direction for both.
+// The depth runs in the same direction as the frame's shadow map: Unity has one direction for both.
 CameraImage camera_image(const scene::Frame& frame, RowOrder rows = RowOrder::top_first);
 
-// Rows in the order of the frame's receivers, whichever order they came in.
+// Returns the rows in the order of the frame's receivers, whichever order they came in.
 template <typename T>
 std::vector<T> rows_from_top(const std::vector<T>& image, int width, RowOrder rows) {
   if (rows == RowOrder::top_first) return image;

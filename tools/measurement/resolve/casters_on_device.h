@@ -1,4 +1,5 @@
-// A scene's triangles as passes that draw the casters get them, with what Unity gives a shader of a material.
+// A scene's triangles on a device for passes that draw the casters, with the uniforms and textures that Unity
+// gives a shader of a material.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +24,22 @@ class CastersOnDevice {
     std::uint32_t index_count = 0;
     bool alpha_test = false;
     techniques::DrawnCasters casters = techniques::DrawnCasters::opaque;  // drawn by passes of these alone
-    // _BaseColor (linear, alpha is the cut-out's factor), _Cutoff, _BaseMap_ST, _BaseMap_TexelSize.
+    // These are _BaseColor (linear, alpha is the cut-out's factor), _Cutoff, _BaseMap_ST and
+    // _BaseMap_TexelSize.
     UniformValues uniforms;
-    // Of a cut-out, RGB linear; else white. Of blended casters with mip levels, as textures in Unity have
-    // them: a texel of the map gets the mean alpha over what it covers. Cut-outs are read as rays read them.
+    // The texture of a cut-out, with linear RGB; other materials get white. Blended casters have mip levels,
+    // as textures in Unity have them: a texel of the map gets the mean alpha over what it covers. Cut-outs
+    // are read as rays read them.
     std::optional<gpu::Image> base_map;
     gpu::Sampler sampler;
   };
 
-  // Throws InputError, naming scene and material, for a cut-out of a pattern and a texture: no _BaseMap is
-  // both.
+  // Throws InputError, naming scene and material, for a cut-out that has both a pattern and a texture: a
+  // _BaseMap cannot hold both.
   CastersOnDevice(const gpu::Device& device, const scene::Scene& scene);
 
-  // The shadow volumes (scene/shadow_volume.h) of the scene that this is of, as one more part, which has no
-  // material. Throws as shadow_volume() does.
+  // Adds the shadow volumes (scene/shadow_volume.h) of `scene`, from which these casters were made. They are
+  // one more part, which has no material. Throws as shadow_volume() does.
   void add_volumes(const gpu::Device& device, const scene::Scene& scene);
 
   bool has_volumes() const { return has_volumes_; }
@@ -44,13 +47,14 @@ class CastersOnDevice {
   const std::vector<Part>& parts() const { return parts_; }
   const gpu::Image& base_map(const Part& part) const { return part.base_map ? *part.base_map : white_; }
 
-  // Of that semantic, so many floats for each vertex; null: scenes have none of it. Colours are white, as
-  // Unity gives them for meshes without. Throws InputError for volumes, which have positions alone.
+  // Returns the buffer of that semantic, with as many floats for each vertex as components() says; null if
+  // scenes have none of it. Colours are white, as Unity gives them for meshes without colours. Throws
+  // InputError for volumes, which have positions alone.
   const gpu::Buffer* vertices(const std::string& semantic, techniques::DrawnCasters of) const;
-  static int components(const std::string& semantic);  // 0: none
-  static std::string semantics();                      // all, for messages
+  static int components(const std::string& semantic);  // 0 if there is none
+  static std::string semantics();                      // lists all of them, for messages
 
-  // unity_ObjectToWorld and unity_WorldToObject: positions are relative to the scene's origin.
+  // These are unity_ObjectToWorld and unity_WorldToObject; positions are relative to the scene's origin.
   const UniformValues& uniforms() const { return uniforms_; }
 
  private:
@@ -58,7 +62,7 @@ class CastersOnDevice {
                 const std::vector<std::uint32_t>& indices);
 
   std::map<std::string, gpu::Buffer> vertices_;
-  std::optional<gpu::Buffer> volume_positions_;  // where a triangle casts
+  std::optional<gpu::Buffer> volume_positions_;  // empty where no triangle casts
   bool has_volumes_ = false;
   gpu::Image white_;
   std::vector<Part> parts_;

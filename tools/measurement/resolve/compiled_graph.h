@@ -22,8 +22,8 @@ namespace penumbra::resolve {
 struct ShadowGraph {
   std::string name;
   techniques::PassGraph graph;
-  std::filesystem::path package;      // whose files the passes name
-  std::vector<std::string> keywords;  // on in the passes' programs
+  std::filesystem::path package;      // folder of the files that the passes name
+  std::vector<std::string> keywords;  // keywords that are on in the passes' programs
   bool reversed_z = true;
   std::optional<ShadowShader> filter;  // the text of the graph's filter pass
   UniformValues parameters;
@@ -38,16 +38,17 @@ ShadowGraph filter_graph(const ShadowShader& shader);
 
 // The program of one pass, compiled as it ships and with its texels counted.
 struct CompiledProgram {
-  std::string name;                                         // what messages call it
+  std::string name;                                         // the name in messages
   std::string declared_at{};                                // "file:line:column" of the pass in its manifest
   std::map<std::string, std::string> named_at;              // "file:line" where a resource is first named
   std::vector<std::uint32_t> vertex;                        // empty: a compute shader
   std::map<std::uint32_t, std::string> vertex_inputs{};     // semantics of those that it reads, by location
-  std::vector<shaderlab::RenderCommand> render_commands{};  // of a pass of a .shader
-  std::string file{};                                       // of it
+  std::vector<shaderlab::RenderCommand> render_commands{};  // commands of a pass of a .shader
+  std::string file{};                                       // the file of that .shader
   std::vector<std::uint32_t> plain;
   std::vector<std::uint32_t> counting;  // shaders/counted_module.h
-  // Of bytecode, whose modules do not have them: the uniforms of the vertex stage, and of the other.
+  // The uniforms of the vertex stage and of the other stage, for programs compiled from bytecode: their
+  // modules lack these.
   std::vector<shaders::Resource> vertex_uniforms{};
   std::vector<shaders::Resource> uniforms{};
   std::string vertex_entry{};
@@ -56,23 +57,23 @@ struct CompiledProgram {
 
 struct CompiledGraph {
   ShadowGraph source;
-  std::vector<CompiledProgram> programs;  // of source.graph.passes
-  // Of passes of casters that declare techniques::alpha_test_keyword, with it: for materials with alpha test.
+  std::vector<CompiledProgram> programs;  // one for each of source.graph.passes
+  // For passes of casters that declare techniques::alpha_test_keyword, the program with that keyword. It
+  // draws materials with alpha test.
   std::map<std::size_t, CompiledProgram> alpha_tested;
   std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
 };
 
-// Throws
-// InputError with the compiler's messages, and for a pass or kernel that its file does not have. Of a user's
-// function also when it compares through a sampler that does not, or reads through one that does. A compiler
-// that dies, hangs or takes more than the limits is an InputError that names the user's file.
+// Throws InputError with the compiler's messages, and for a pass or kernel that its file does not have. A
+// user's function is also refused when it compares through a sampler that does not, or reads through one that
+// does. If the compiler crashes, hangs or takes more than the limits, the InputError names the user's file.
 CompiledGraph compile(const ShadowGraph& graph, const Compiler& compiler = {});
 
 inline CompiledGraph compile(const ShadowShader& shader, const Compiler& compiler = {}) {
   return compile(filter_graph(shader), compiler);
 }
 
-// One pass of a .shader.
+// Compiles one pass of a .shader.
 CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::string& pass,
                              const std::vector<std::string>& keywords, bool reversed_z,
                              const Compiler& compiler = {});

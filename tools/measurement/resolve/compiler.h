@@ -1,4 +1,4 @@
-// What compiles the programs of a graph.
+// The compilers of a graph's programs: glslang and vkd3d in another process, and FXC.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace penumbra::resolve {
 
-// FXC's answer for a text without includes and macros.
+// FXC's result for a text without includes and macros.
 struct Bytecode {
-  std::string bytes;     // a DXBC container; empty: refused
-  std::string messages;  // why
+  std::string bytes;     // a DXBC container; empty if FXC refuses the text
+  std::string messages;  // FXC's messages, which say why
 };
 using BytecodeCompiler =
     std::function<Bytecode(const shaders::CompileRequest& request, const std::string& expanded)>;
@@ -22,11 +22,11 @@ struct Compiler {
   Compiler(platform::WorkerPool worker, BytecodeCompiler compiler = {})
       : process(std::move(worker)), fxc(std::move(compiler)) {}
 
-  // Starts this program as serve_modules(): glslang and vkd3d run there, as they may crash. Without arguments
-  // they run in this process.
+  // The pool starts this program as serve_modules(): glslang and vkd3d run there, as they may crash. Without
+  // arguments they run in this process.
   platform::WorkerPool process;
-  // Set: programs are run from FXC's bytecode, by vkd3d (shaders/bytecode_module.h), in place of glslang's
-  // modules. Called in this process.
+  // If it is set, programs are run from FXC's bytecode, by vkd3d (shaders/bytecode_module.h), in place of
+  // glslang's modules. It is called in this process.
   BytecodeCompiler fxc;
 };
 

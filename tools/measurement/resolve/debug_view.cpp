@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaskBlock = 4;  // pixels of the screen per texel of the mask, each way
 
-// The mask's texture again, from what it says of each pixel.
+// Builds the mask's texture again from its values for each pixel.
 gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
                         const std::vector<std::uint8_t>& masked_out) {
   const int width = (camera.width + kMaskBlock - 1) / kMaskBlock;

@@ -1,4 +1,4 @@
-// A debug view of the renderer feature over a frame: what Unity would draw over the camera's picture.
+// A debug view of the renderer feature over a frame, as Unity would draw it over the camera's picture.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ namespace penumbra::resolve {
 
 class DebugView {
  public:
-  // `view`: a pass of the shader, compiled as a graph is. Throws InputError for one that is not there.
+  // `view` is a pass of the shader and is compiled as a graph is. Throws InputError if the shader lacks it.
   DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
             bool reversed_z, const Compiler& compiler = {});
 
   const std::string& key() const { return key_; }  // a hash of its program
 
-  // Colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an empty
-  // mask: the frame had none. `parameters`: of the technique that made the visibility. The picture may begin
-  // with another row than the camera's textures, as a back buffer does.
+  // Returns colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an
+  // empty mask means that the frame had none. `parameters` are those of the technique that made the
+  // visibility. The picture may begin with another row than the camera's textures, as a back buffer does.
   std::vector<glm::vec3> draw(const FrameOnDevice& frame, const CameraImage& camera,
                               const std::vector<float>& visibility,
                               const std::vector<std::uint8_t>& masked_out, const UniformValues& parameters,

@@ -1,5 +1,5 @@
-// What a scene's geometry was made into before the first frame (techniques::Need), by the names under which
-// shaders read it.
+// The data that a scene's geometry was made into before the first frame (techniques::Need), by the names
+// under which shaders read it.
 #pragma once
 
 #include <map>

@@ -59,7 +59,8 @@ glm::vec4 atlas_texel_size(const parameters::CascadeSet& set) {
   return {1.0f / width, 1.0f / height, width, height};
 }
 
-// Unity's unused split spheres lie at the origin with a radius that no distance is below.
+// Returns a sphere that holds no position: Unity's unused split spheres lie at the origin with a radius that
+// no distance is below.
 glm::vec4 unused_sphere() {
   return {0.0f, 0.0f, 0.0f, 0.0f};
 }
@@ -110,7 +111,7 @@ UniformValues cascade_uniforms(const scene::Frame& frame) {
   return values;
 }
 
-// One tile, which is the whole map; not of URP's main light, which has none then.
+// The spot light's map is one tile. URP's main light has no map then, so its uniforms are not among these.
 UniformValues spot_uniforms(const scene::Frame& frame) {
   const parameters::SpotShadow& spot = *frame.spot_shadow;
   std::vector<glm::dmat4> matrices{spot.world_to_shadow};
@@ -126,12 +127,14 @@ UniformValues spot_uniforms(const scene::Frame& frame) {
   return values;
 }
 
-// Strength 1, the soft quality of the settings, and a distance fade that has not begun anywhere.
+// The light has strength 1, the soft quality of the settings, and a distance fade that has not begun
+// anywhere.
 void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   const auto quality = static_cast<float>(frame.settings.shadows.soft_quality);
   values.set("_MainLightShadowParams", glm::vec4(1.0f, quality, 0.0f, 0.0f));
   values.set("_MainLightPosition", glm::vec4(glm::vec3(-frame.cascades.light_direction), 0.0f));
-  // Towards the sun, world space, of unit length; half its angular diameter, radians.
+  // This vector points towards the sun in world space, with unit length; w is half the sun's angular diameter
+  // in radians.
   values.set("_PenumbraTowardSun",
              glm::vec4(glm::vec3(-frame.cascades.light_direction),
                        static_cast<float>(glm::radians(0.5 * frame.cascades.angular_diameter_degrees))));
@@ -139,7 +142,8 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_PenumbraShadowDistance",
              glm::vec4(static_cast<float>(frame.settings.shadows.distance_metres), 0.0f, 0.0f, 0.0f));
   values.set("_MainLightColor", glm::vec4(1.0f));
-  values.set("_GlobalMipBias", glm::vec4(0.0f, 1.0f, 0.0f, 0.0f));  // none: URP's bias and its power of two
+  // URP passes its mip bias and its power of two; there is no bias here.
+  values.set("_GlobalMipBias", glm::vec4(0.0f, 1.0f, 0.0f, 0.0f));
   values.set("_WorldSpaceCameraPos", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
   values.set("_PenumbraCloudCentre", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
   values.set("_PenumbraCloudWind", glm::vec4(0.0f));
@@ -148,7 +152,7 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));
 }
 
-// What techniques without a shadow map read: the plane of the ground, and the balls that stand for objects.
+// Techniques without a shadow map read these: the plane of the ground, and the balls that stand for objects.
 void add_stand_ins(const scene::Frame& frame, UniformValues& values) {
   values.set("_PenumbraPlane", glm::vec4(0.0F, 1.0F, 0.0F, static_cast<float>(frame.ground_metres)));
   std::vector<glm::vec4> balls(scene::kMostBalls, glm::vec4(0.0F));
@@ -167,7 +171,7 @@ MapLayout layout_of(const scene::Frame& frame) {
   return layout;
 }
 
-// From UV and stored depth, homogeneous, to clip space whose y = -1 is the first row.
+// Returns the matrix from UV and stored depth, homogeneous, to clip space whose y = -1 is the first row.
 glm::dmat4 clip_from_uv(double offset_x, double offset_y, double scale_x, double scale_y) {
   glm::dmat4 matrix(1.0);
   matrix[0][0] = 2.0 / scale_x;

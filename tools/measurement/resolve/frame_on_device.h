@@ -19,28 +19,28 @@ namespace penumbra::resolve {
 
 class FrameOnDevice {
  public:
-  // `casters`: for graphs that draw them; `inputs`: for graphs with needs. Both are kept by reference.
+  // `casters` is for graphs that draw them, `inputs` for graphs with needs. Both are kept by reference.
   FrameOnDevice(const gpu::Device& device, const scene::Frame& frame,
                 const CastersOnDevice* casters = nullptr, const FrameInputs* inputs = nullptr);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // What a shader may bind by name: the harness's names and URP's for the same things.
+  // The resources that a shader may bind by name, under the harness's names and URP's for the same things.
   std::map<std::string, const gpu::Buffer*> buffers() const;
   std::map<std::string, const gpu::Image*> images() const;
   std::map<std::string, const gpu::Sampler*> samplers() const;
-  // Whether the one of that name compares; empty for names that samplers() lacks.
+  // Returns whether the sampler of that name compares; empty for names that samplers() lacks.
   static std::optional<bool> sampler_compares(const std::string& name);
   UniformValues uniforms(int noise_frame) const;
   const MapLayout& map_layout() const { return map_layout_; }
 
   const CastersOnDevice* casters() const { return casters_; }
   const gpu::Image& atlas() const { return atlas_; }
-  // unity_MatrixVP, world space to the clip space of the cascade's tile; _ShadowBias and _LightDirection as
-  // URP sets them for its own casters.
+  // Returns unity_MatrixVP, from world space to the clip space of the cascade's tile; and _ShadowBias and
+  // _LightDirection as URP sets them for its own casters.
   UniformValues caster_uniforms(int cascade) const;
-  // unity_MatrixVP of the camera.
+  // Returns unity_MatrixVP of the camera.
   static UniformValues caster_uniforms(const CameraImage& camera);
 
   const gpu::Buffer& visibility() const { return visibility_; }
@@ -60,7 +60,7 @@ class FrameOnDevice {
   gpu::Buffer normals_;
   gpu::Buffer visibility_;
   UniformValues uniforms_;
-  glm::vec4 main_light_params_;  // of Pipelines/Urp.hlsl, at frame 0
+  glm::vec4 main_light_params_;  // for Pipelines/Urp.hlsl, at frame 0
 };
 
 }  // namespace penumbra::resolve

@@ -27,7 +27,7 @@ std::string errors_in(const fxc::Verdict& verdict, const shaders::CompileRequest
 BytecodeCompiler bytecode_by_fxc(const fxc::Installation& installation, const fxc::JudgeLimits& limits) {
   struct Known {
     std::unique_ptr<fxc::Judge> judge;
-    std::map<std::string, Bytecode> answers;  // by the program: graphs share the programs of their passes
+    std::map<std::string, Bytecode> answers;  // answers by program: graphs share the programs of their passes
   };
   const auto known = std::make_shared<Known>();
   return [installation, limits, known](const shaders::CompileRequest& request, const std::string& expanded) {

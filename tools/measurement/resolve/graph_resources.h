@@ -12,24 +12,24 @@
 
 namespace penumbra::resolve {
 
-// What the extents of a graph are shares of, in texels.
+// The sizes in texels that a graph's extents are shares of.
 struct GraphExtents {
   int screen_width = 0;
   int screen_height = 0;
   MapLayout map;
 };
 
-// Width, height and depth of a texture at its first mip level.
+// Returns width, height and depth of a texture at its first mip level.
 std::array<int, 3> texture_size_of(const techniques::GraphTexture& texture, const GraphExtents& extents);
 
-// Textures of 8 bits for each channel are measured in floats: what is compared with ray tracing is what the
-// passes compute, without the rounding of the texture that holds it, at most 1/510. All others are as
-// declared.
+// Returns the format in which a texture is measured. Textures of 8 bits for each channel are measured in
+// floats: ray tracing is compared with what the passes compute, without the rounding of the texture that
+// holds it, at most 1/510. All other formats are as declared.
 gpu::Format measured_format(const techniques::GraphTexture& texture);
 
 class GraphResources {
  public:
-  // Contents are 0. Throws InputError, at the texture's place, for one that the device lacks.
+  // All contents begin as 0. Throws InputError, at the texture's place, for a format that the device lacks.
   GraphResources(const gpu::Device& device, const techniques::PassGraph& graph, const GraphExtents& extents);
 
   const gpu::Image& texture(const std::string& name) const { return textures_.at(name); }

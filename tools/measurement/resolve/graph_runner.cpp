@@ -29,7 +29,8 @@ double sum(const std::vector<Count>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
-// Per pixel of the screen, rows from the top: what `of` says of the texel of a smaller image that covers it.
+// Returns for each pixel of the screen, rows from the top, the value of `of` for the texel of a smaller image
+// that covers it.
 template <typename Texel, typename Of>
 auto at_each_pixel(const std::vector<Texel>& texels, int width, int divisor, const CameraImage& camera,
                    Of of) {
@@ -54,7 +55,7 @@ TargetFormats target_formats(const ShadowGraph& source, const GraphPass& pass, g
   TargetFormats formats;
   formats.reversed_z = source.reversed_z;
   if (pass.kind == PassKind::filter)
-    formats.colours = {gpu::Format::r32f};  // of a function in a fragment shader
+    formats.colours = {gpu::Format::r32f};  // the result of a function in a fragment shader
   if (!techniques::is_drawn(pass.kind)) return formats;
   for (const auto& [shader_name, name] : pass.writes) {
     formats.colours.push_back(measured_format(*graph.texture(name)));
@@ -71,13 +72,13 @@ TargetFormats target_formats(const ShadowGraph& source, const GraphPass& pass, g
     if (formats.depth_is_shadow_map) formats.depth = shadow_map;
     return formats;
   }
-  // The other cascades' tiles.
+  // The other cascades' tiles are kept.
   formats.keep = pass.frequency == techniques::Frequency::cascade &&
                  graph.texture(pass.writes.front().second)->extent == techniques::ExtentOf::map;
   return formats;
 }
 
-// A user's numbers for uniforms that the function reads.
+// Checks a user's numbers for uniforms that the function reads.
 void check_numbers_of(const ShadowShader& shader, const CompiledProgram& program,
                       const ProgramOnDevice& on_device) {
   const auto function = program.named_at.find("ShadowVisibility");
@@ -87,7 +88,7 @@ void check_numbers_of(const ShadowShader& shader, const CompiledProgram& program
 
 }  // namespace
 
-// One frame: the graph's textures, and the steps of both modules.
+// The graph's textures and the steps of one module for one frame.
 class GraphRunner::Run {
  public:
   Run(GraphRunner& runner, const FrameOnDevice& frame, const CameraImage* camera,
@@ -120,7 +121,7 @@ class GraphRunner::Run {
     }
   }
 
-  // The time of each pass in nanoseconds, as Sequence::run() gives it for its steps.
+  // Returns the time of each pass in nanoseconds, from the times that Sequence::run() gives for its steps.
   std::vector<double> run(int seed) {
     UniformValues values = frame_.uniforms(seed);
     values.merge(runner_.own_.uniforms());
@@ -140,7 +141,7 @@ class GraphRunner::Run {
     return times_of_passes(sequence_.run());
   }
 
-  // That a run has found: read as zero because nobody provides them.
+  // The names that a run has found: their uniforms read as zero because nobody provides them.
   const std::set<std::string>& unset_uniforms() const { return unset_; }
 
   std::vector<float> visibility() const {
@@ -161,7 +162,7 @@ class GraphRunner::Run {
                          [](float texel) { return static_cast<std::uint8_t>(texel < 0.5f ? 1 : 0); });
   }
 
-  // After a run of the counting modules.
+  // Adds the counts of a run of the counting modules.
   void add_counts(GraphResult& result) const {
     const double pixels = static_cast<double>(extents_.screen_width) * extents_.screen_height;
     const auto receivers = static_cast<std::size_t>(pixels);
@@ -189,16 +190,16 @@ class GraphRunner::Run {
 
  private:
   struct Counter {
-    std::optional<TexelCounter> buffer;  // of counting modules
+    std::optional<TexelCounter> buffer;  // set for counting modules
     int divisor = 0;  // pixels of the screen per cell of the grid of counts, each way; 0: one cell for all
   };
 
   struct Step {
     std::size_t pass = 0;
     gpu::Bindings bindings;
-    UniformValues uniforms;                       // of this step alone
-    Counter counter;                              // of casters the first step's holds the counts of all
-    const CastersOnDevice::Part* part = nullptr;  // of casters
+    UniformValues uniforms;  // uniforms of this step alone
+    Counter counter;         // casters keep the counts of all their steps in the first one's
+    const CastersOnDevice::Part* part = nullptr;  // set for casters
   };
 
   std::vector<double> times_of_passes(const std::vector<double>& times) const {
@@ -253,7 +254,7 @@ class GraphRunner::Run {
     }
   }
 
-  // What every program may bind, and of the graph what the pass names.
+  // Returns the resources that every program may bind, and those of the graph that the pass names.
   NamedResources named_resources(const GraphPass& pass, int mip) {
     NamedResources named;
     for (const auto& [name, image] : frame_.images()) named.images[name] = {image};
@@ -285,7 +286,7 @@ class GraphRunner::Run {
     return named;
   }
 
-  // Black, as the renderer feature binds it. The program does not read it.
+  // Binds black for absent textures, as the renderer feature does. The program does not read them.
   void add_absent(const GraphPass& pass, const ProgramOnDevice& program, NamedResources& named) {
     for (const std::string& name : pass.absent) {
       const std::string lists = "'" + pass.name + "' lists '" + name + "' as absent, ";
@@ -309,7 +310,7 @@ class GraphRunner::Run {
     }
   }
 
-  // Inline samplers and those of textures of the user's, by the names that the program has.
+  // Adds inline samplers and those of the user's textures, by the names that the program has.
   void add_own_samplers(const ProgramOnDevice& program, NamedResources& named) {
     for (const shaders::Resource& resource : program.resources())
       if (resource.kind == shaders::ResourceKind::sampler && named.samplers.count(resource.name) == 0)
@@ -317,8 +318,8 @@ class GraphRunner::Run {
           named.samplers[resource.name] = own;
   }
 
-  // One cell for each pixel of a target, or thread, that covers a fixed share of the screen; else one for
-  // all.
+  // The grid has one cell for each pixel of a target, or thread, that covers a fixed share of the screen;
+  // otherwise one cell holds all counts.
   Counter counter_of(const GraphPass& pass, int mip) const {
     Counter counter;
     int width = 1, height = 1;
@@ -365,7 +366,7 @@ class GraphRunner::Run {
     if (counter.buffer) named.buffers[shaders::texel_counts_name] = &counter.buffer->buffer();
     steps_.push_back({index, used.bind(named), geometry_.uniforms(pass, cascade, mip), std::move(counter)});
     gpu::Bindings& bindings = steps_.back().bindings;
-    used.set_uniforms(bindings, {});  // a sequence wants everything bound; run() sets their values
+    used.set_uniforms(bindings, {});  // a sequence wants everything bound; run() sets the values
     switch (pass.kind) {
       case PassKind::filter:
         add_filter(used, bindings);
@@ -385,7 +386,8 @@ class GraphRunner::Run {
     }
   }
 
-  // A draw for each cascade and material of the pass's casters, into targets that are empty before the first.
+  // Adds a draw for each cascade and material of the pass's casters. The targets are empty before the first
+  // draw.
   void add_casters(std::size_t index, int cascades) {
     const GraphPass& pass = runner_.graph().passes[index];
     if (frame_.casters() == nullptr)
@@ -443,7 +445,8 @@ class GraphRunner::Run {
               streams);
   }
 
-  // Once per receiver: a compute shader, or a user's function as a fragment shader over the picture.
+  // The filter runs once per receiver: as a compute shader, or as a user's function in a fragment shader over
+  // the picture.
   void add_filter(ProgramOnDevice& used, const gpu::Bindings& bindings) {
     if (!used.is_raster()) {
       const auto groups = [&](int pixels, std::size_t axis) {
@@ -465,12 +468,13 @@ class GraphRunner::Run {
   GraphResources resources_;
   PassGeometry geometry_;
   std::optional<gpu::Image> depth_;
-  std::optional<gpu::Image> black_;    // in the place of absent textures
+  std::optional<gpu::Image> black_;    // bound in the place of absent textures
   std::optional<gpu::Image> picture_;  // its content means nothing
   gpu::Sequence sequence_;
   bool counting_;
   std::vector<Step> steps_;
-  std::vector<std::size_t> pass_of_step_;  // of the sequence's, which has clears too
+  std::vector<std::size_t>
+      pass_of_step_;  // the pass of each step of the sequence, whose steps include clears
   std::set<std::string> unset_;
 };
 
@@ -521,7 +525,7 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
     const std::vector<double> times = plain.run(options.first_seed + seed);
-    const bool kept = seed > 0 && options.warm_up_seconds == 0.0;  // in the first run the driver may compile
+    const bool kept = seed > 0 && options.warm_up_seconds == 0.0;  // the driver may compile in the first run
     if (kept && timed()) add_times(times, result);
     result.visibility.push_back(plain.visibility());
   }

@@ -21,18 +21,18 @@ struct RunOptions {
   int noise_seeds = 16;  // visibility images; graphs without noise are run once
   int first_seed = 0;
   int timing_repeats = 5;  // runs whose times are kept: those of the seeds but the first, then further ones
-  // Before those, runs whose times are not kept for so long, until a GPU that was idle runs at its full clock
-  // (those of the seeds are not kept then either: the device waits between them). Without, the first run
-  // alone is not timed.
+  // Seconds of runs before the timed ones, whose times are not kept, until a GPU that was idle runs at its
+  // full clock. The times of the seeds are then not kept either, since the device waits between them. If this
+  // is 0, the first run alone is not timed.
   double warm_up_seconds = 0.0;
   bool count_fetches = true;
-  // Of graphs whose programs draw both eyes at once and whose textures of the screen have two layers: what
-  // the second eye sees, of the same size and order of rows. Visibility then has its rows behind the first
-  // eye's.
+  // The view of the second eye, of the same size and order of rows, for graphs whose programs draw both eyes
+  // at once and whose textures of the screen have two layers. The visibility then has the second eye's rows
+  // after the first's.
   const CameraImage* second_eye = nullptr;
 };
 
-// What a pass reads, writes and calculates in a frame, in all its draws or dispatches.
+// The texels that a pass reads and writes, and its operations, in a frame, in all its draws or dispatches.
 struct PassCounts {
   std::string pass;
   techniques::Frequency frequency = techniques::Frequency::frame;
@@ -41,20 +41,20 @@ struct PassCounts {
   double operations = 0.0;      // the same; scalar operations that are executed
   double invocations = 0.0;     // the same; threads or fragments
   std::optional<double>
-      fetches_per_cascade;  // of a pass over the map, or that runs for each cascade: in one of them
+      fetches_per_cascade;  // fetches in one cascade, for a pass over the map or for each cascade
 };
 
 // Images have one value per receiver, row 0 at the top.
 struct GraphResult {
   std::vector<std::vector<float>> visibility;  // per seed; 1 = lit
-  std::vector<std::uint32_t> fetches;  // of the filter, or of passes at the screen's resolution; of seed 0
-  double fetches_of_others = 0.0;      // of all other passes, per pixel of the screen
-  std::vector<float> fetches_of_others_at;  // the same at each pixel: its share; empty without such passes
-  std::vector<PassCounts> passes;           // in the order in which they run
-  std::vector<std::uint8_t> masked_out;     // the mask is below 0.5; empty without one
-  std::vector<double> time_ns;              // of the graph as it ships, without counting; per timed run
+  std::vector<std::uint32_t> fetches;       // seed 0's, by the filter or by passes at the screen's resolution
+  double fetches_of_others = 0.0;           // fetches of all other passes, per pixel of the screen
+  std::vector<float> fetches_of_others_at;  // the share of these at each pixel; empty without such passes
+  std::vector<PassCounts> passes;           // in the order in which the passes run
+  std::vector<std::uint8_t> masked_out;     // 1 where the mask is below 0.5; empty without a mask
+  std::vector<double> time_ns;              // times of the graph as it ships, without counting, per timed run
   std::vector<std::vector<double>>
-      pass_times_ns;                        // the same of each pass; empty where the device has no timestamps
+      pass_times_ns;                        // times of each pass; empty where the device has no timestamps
   std::vector<std::string> unset_uniforms;  // read as zero because nobody provides them
 };
 
@@ -66,9 +66,10 @@ class GraphRunner {
 
   void set_parameters(const UniformValues& parameters) { graph_.source.parameters.merge(parameters); }
 
-  // The camera is read by graphs that run over the screen or draw what it sees. Throws InputError when a
-  // program binds a texture, sampler or buffer that neither the graph nor the harness provides;
-  // std::invalid_argument without a camera, or the frame's casters or their volumes, where they are needed.
+  // Graphs that run over the screen or draw what the camera sees read the camera. Throws InputError when a
+  // program binds a texture, sampler or buffer that neither the graph nor the harness provides. Throws
+  // std::invalid_argument without a camera, or without the frame's casters or their volumes, where they are
+  // needed.
   GraphResult run(const FrameOnDevice& frame, const CameraImage* camera, const RunOptions& options = {});
   GraphResult run(const FrameOnDevice& frame, const RunOptions& options = {}) {
     return run(frame, nullptr, options);
@@ -79,7 +80,8 @@ class GraphRunner {
 
   const gpu::Device* device_;
   CompiledGraph graph_;
-  // Of a pass; `alpha_tested`: for casters of materials with alpha test, where that is another program.
+  // The programs of a pass. `alpha_tested` draws casters of materials with alpha test, where that is another
+  // program.
   struct Programs {
     ProgramOnDevice usual;
     std::optional<ProgramOnDevice> alpha_tested;

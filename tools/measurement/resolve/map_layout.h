@@ -1,4 +1,4 @@
-// Where the cascades' tiles lie in the shadow map.
+// The places of the cascades' tiles in the shadow map.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace penumbra::resolve {
 struct MapLayout {
   int width = 0;  // texels, all cascades
   int height = 0;
-  int tile = 0;                             // of a cascade's square tile
+  int tile = 0;                             // side of a cascade's square tile
   std::vector<std::array<int, 2>> origins;  // x, y of each cascade's tile
 };
 

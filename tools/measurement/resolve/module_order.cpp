@@ -44,10 +44,10 @@ CompiledModules compile_here(const ModuleOrder& order) {
   return made;
 }
 
-// What a process is asked for.
+// The tasks of a process.
 enum class Task : std::uint64_t { compile, expand, translate };
 
-// Of an order's programs, as FXC takes and gives them.
+// The texts of an order's programs, as FXC takes them, and its bytecode for them.
 struct StageTexts {
   std::string vertex;  // empty without a request
   std::string plain;
@@ -164,7 +164,7 @@ StageTexts decode_texts(const std::string& bytes) {
   return texts;
 }
 
-// SPIRV-Cross and the driver of this process read them next, and believe them.
+// SPIRV-Cross and the driver of this process read the modules next and do not check them.
 void require_valid(const CompiledModules& made, const ModuleOrder& order) {
   for (const auto* module : {&made.vertex, &made.plain, &made.counting}) {
     if (module == &made.vertex && !order.vertex) continue;
@@ -213,7 +213,7 @@ std::vector<shaders::Resource> uniforms_of(const std::string& bytecode, const Mo
   }
 }
 
-// Expanded and translated where glslang would compile, and compiled in between by FXC.
+// The other process expands the source, FXC compiles it here, and the other process translates the bytecode.
 CompiledModules modules_of_bytecode(const ModuleOrder& order, const Compiler& compiler) {
   const bool here = compiler.process.arguments.empty();
   const StageTexts texts =

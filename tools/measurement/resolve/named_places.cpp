@@ -12,7 +12,7 @@ bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// The first line of any text that has the name as a word; 0: none.
+// Returns the first line of any text that has the name as a word, or 0.
 int line_of_name(const std::string& text, const std::string& name) {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
@@ -26,7 +26,8 @@ int line_of_name(const std::string& text, const std::string& name) {
   return 0;
 }
 
-// Of the first file that was read and has the name; the user's own is read before those that it includes.
+// Returns the place in the first file that was read and has the name. The user's own file is read before
+// those that it includes.
 std::string place_of_name(const hlsl::SourceFiles& sources, const std::string& name) {
   for (const std::string& file : sources.names()) {
     const int line = line_of_name(sources.text(file), name);

@@ -1,4 +1,4 @@
-// Where a shader's text names what its module binds. Internal to this folder.
+// The places where a shader's text names the resources that its module binds. Internal to this folder.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace penumbra::resolve {
 
-// "file:line" of the first file that was read and has the name, of this function and of every resource and
-// uniform that the module reads.
+// Returns "file:line" of the first file that was read and has the name, for this function and for every
+// resource and uniform that the module reads.
 std::map<std::string, std::string> named_places(const std::vector<std::uint32_t>& spirv,
                                                 const hlsl::SourceFiles& sources,
                                                 const std::string& function);

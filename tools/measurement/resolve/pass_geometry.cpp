@@ -11,7 +11,7 @@ namespace {
 using techniques::GraphPass;
 using techniques::GraphTexture;
 
-// _PenumbraSourceSize of _PenumbraSourceTexture.
+// Returns _PenumbraSourceSize for _PenumbraSourceTexture.
 std::string size_uniform(const std::string& texture) {
   constexpr std::string_view kEnding = "Texture";
   const bool ends = texture.ends_with(kEnding);

@@ -1,5 +1,5 @@
-// Where each step of a pass draws, for a cascade and a mip level, and what its program is told of it.
-// Internal to this folder.
+// The place where each step of a pass draws, for a cascade and a mip level, and the uniforms that describe it
+// to the pass's program. Internal to this folder.
 #pragma once
 
 #include <array>
@@ -15,35 +15,37 @@ namespace penumbra::resolve {
 
 class PassGeometry {
  public:
-  // All of these have to outlive it.
+  // All arguments have to outlive the object.
   PassGeometry(const techniques::PassGraph& graph, const GraphResources& resources,
                const GraphExtents& extents)
       : graph_(graph), resources_(resources), extents_(extents) {}
 
-  // The first of those that it writes, its depth or stencil last; null: none.
+  // Returns the first of the textures that the pass writes, its depth or stencil last; null if it writes
+  // none.
   const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
 
-  // What _PenumbraTargetSize and _PenumbraTile are of: of a kernel with a thread for each texel of a texture
-  // that texture, otherwise the first that is written.
+  // Returns the texture that _PenumbraTargetSize and _PenumbraTile describe. A kernel with a thread for each
+  // texel of a texture has that texture; other passes have the first that they write.
   const techniques::GraphTexture* target(const techniques::GraphPass& pass) const;
 
-  // Levels of a texture that is made for so many cascades: in the last no tile is smaller than a texel.
+  // Returns the number of levels of a texture that is made for so many cascades: in the last level no tile is
+  // smaller than a texel.
   int mips(const techniques::GraphTexture& texture, int cascades) const;
 
-  // `shadow_map`: what casters may be tested against.
+  // Casters may be tested against `shadow_map`.
   gpu::RasterTargets targets(const techniques::GraphPass& pass, int cascade, int mip,
                              const gpu::Image& shadow_map) const;
 
-  // All of the targets, or one cascade's tile of the map; one triangle over it. Throws InputError, at the
-  // texture, where its divisor does not divide the tile.
+  // Returns the whole of the targets, or one cascade's tile of the map; one triangle covers it. Throws
+  // InputError, at the texture, where its divisor does not divide the tile.
   gpu::RasterTile tile(const techniques::GraphPass& pass, int cascade, int mip) const;
 
-  // Of a kernel whose number of groups no buffer holds; in a pass for each cascade of its tile or layer
-  // alone.
+  // Returns the groups of a kernel whose number of groups no buffer holds. In a pass for each cascade they
+  // cover its tile or layer alone.
   std::array<std::uint32_t, 3> groups(const techniques::GraphPass& pass,
                                       const std::array<std::uint32_t, 3>& workgroup_size, int mip) const;
 
-  // _PenumbraTargetSize; of every texture that is read _NameSize of _NameTexture, 0 of one that is absent;
+  // Returns _PenumbraTargetSize; _NameSize for every _NameTexture that is read, 0 for one that is absent; and
   // _PenumbraMip, _PenumbraCascade and _PenumbraTile, where the pass runs for each.
   UniformValues uniforms(const techniques::GraphPass& pass, int cascade, int mip) const;
 

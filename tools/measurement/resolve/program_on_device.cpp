@@ -13,7 +13,7 @@ constexpr const char* kSamplerNames =
     "a name with 'point' or 'linear' and with 'clamp' or 'repeat' (sampler_LinearClamp) is a sampler of that "
     "kind, and 'sampler' followed by the name of a texture of yours is linear and repeating";
 
-// `declared_at`: the pass in its manifest; empty: the program is an adapter's.
+// `declared_at` is the place of the pass in its manifest. If it is empty, the program is an adapter's.
 std::string way_out_of(const shaders::Resource& missing, const std::string& declared_at) {
   if (!declared_at.empty()) {
     const bool is_texture = missing.kind == shaders::ResourceKind::sampled_image;
@@ -75,7 +75,7 @@ void require_known_inputs(const CompiledProgram& program) {
                        "they have " + CastersOnDevice::semantics());
 }
 
-// Bytecode's modules know a block's bytes alone, `uniforms` its members.
+// Modules from bytecode have only the bytes of a block; `uniforms` has its members.
 std::vector<shaders::Resource> with_uniforms(std::vector<shaders::Resource> resources,
                                              const std::vector<shaders::Resource>& uniforms) {
   for (shaders::Resource& resource : resources)
@@ -87,8 +87,8 @@ std::vector<shaders::Resource> with_uniforms(std::vector<shaders::Resource> reso
   return resources;
 }
 
-// A vertex stage and a fragment stage have their uniforms from one text: of two blocks of one name the longer
-// one is filled.
+// A vertex stage and a fragment stage have their uniforms from one text, so of two blocks with one name the
+// longer is filled.
 std::vector<shaders::Resource> joined(std::vector<shaders::Resource> resources,
                                       const std::vector<shaders::Resource>& of_vertex,
                                       const CompiledProgram& program) {
@@ -153,7 +153,7 @@ void require_texels(const shaders::Resource& resource, gpu::Format format, const
                    std::string("declare it with components of ") + word(bound) + ", or change the format");
 }
 
-// As pointers, which is what provided() takes.
+// Returns the images as pointers, which provided() takes.
 std::map<std::string, const BoundImage*> pointers(const std::map<std::string, BoundImage>& images) {
   std::map<std::string, const BoundImage*> result;
   for (const auto& [name, image] : images) result[name] = &image;
@@ -205,7 +205,7 @@ gpu::Bindings ProgramOnDevice::bind(const NamedResources& resources) const {
     const std::string& place = place_of(resource);
     switch (resource.kind) {
       case shaders::ResourceKind::uniform_block:
-        break;  // set_uniforms()
+        break;  // set_uniforms() fills these
       case shaders::ResourceKind::storage_buffer:
         bindings.buffer(resource.name, provided(resources.buffers, resource, place, "buffer",
                                                 way_out_of(resource, declared_at_)));

@@ -1,5 +1,5 @@
-// One program of a graph on a device, as it ships or with its texels counted: what it binds and its uniforms,
-// by the names that its shader gives them. Internal to this folder.
+// One program of a graph on a device, as it ships or with its texels counted. Its bindings and uniforms go by
+// the names that its shader gives them. Internal to this folder.
 #pragma once
 
 #include <array>
@@ -22,45 +22,46 @@ struct BoundImage {
   gpu::ImageRange range{};
 };
 
-// What a program may bind.
+// The resources that a program may bind.
 struct NamedResources {
   std::map<std::string, BoundImage> images;
   std::map<std::string, const gpu::Sampler*> samplers;
   std::map<std::string, const gpu::Buffer*> buffers;
 };
 
-// What a raster program draws into.
+// The targets that a raster program draws into.
 struct TargetFormats {
   std::vector<gpu::Format> colours;
   std::optional<gpu::Format> depth{};
   int samples = 1;
-  bool stencil = false;  // of the depth, both of which are kept
-  bool keep = false;     // what the targets hold outside of the tiles that are drawn
+  bool stencil = false;  // the depth has a stencil; both are kept
+  bool keep = false;     // contents outside of the drawn tiles are kept
   bool casters = false;  // triangles of the scene instead of one over the tile
   bool depth_is_shadow_map = false;
   bool reversed_z = true;
 };
 
-// All of an image, by one triangle.
+// The tile is all of an image, covered by one triangle.
 gpu::RasterTile whole_of(const gpu::Image& target);
 
 class ProgramOnDevice {
  public:
   enum class Module { as_shipped, counting };
 
-  // `targets`: of a raster program. Throws InputError for render states that are not drawn here, for vertex
-  // inputs that the scene's triangles lack, and when the vertex stage of a pass over its whole target reads
-  // anything.
+  // `targets` are those of a raster program. Throws InputError for render states that are not drawn here, for
+  // vertex inputs that the scene's triangles lack, and when the vertex stage of a pass over its whole target
+  // reads anything.
   ProgramOnDevice(const gpu::Device& device, const CompiledProgram& program, Module module,
                   const TargetFormats& targets = {});
 
   std::array<std::uint32_t, 3> workgroup_size() const { return workgroup_size_; }
 
-  // For one more step of a sequence. Throws InputError, naming the line or else the program, for a texture,
-  // sampler or buffer that `resources` lacks; `way_out` says of a missing texture how to provide it.
+  // Returns the bindings for one more step of a sequence. Throws InputError, naming the line or else the
+  // program, for a texture, sampler or buffer that `resources` lacks. For a missing texture the message says
+  // how to provide it.
   gpu::Bindings bind(const NamedResources& resources) const;
 
-  // Uniforms without a value are zero; those of them that the program reads are returned. `numbers` win over
+  // Uniforms without a value are zero; this returns those of them that the program reads. `numbers` win over
   // `values`.
   std::vector<std::string> set_uniforms(gpu::Bindings& bindings, const UniformValues& values,
                                         const UniformNumbers& numbers = {}) const;
@@ -73,7 +74,7 @@ class ProgramOnDevice {
   void draw(gpu::Sequence& sequence, const gpu::Bindings& bindings, const gpu::RasterTargets& targets,
             const gpu::RasterTile& tile, const gpu::VertexStreams& streams = {}) const;
 
-  // Semantics of the vertex shader's inputs, in the order in which draw() takes their streams.
+  // Returns the semantics of the vertex shader's inputs, in the order in which draw() takes their streams.
   const std::vector<std::string>& vertex_inputs() const { return vertex_inputs_; }
 
   const std::vector<shaders::Resource>& resources() const { return resources_; }
@@ -87,8 +88,8 @@ class ProgramOnDevice {
   std::vector<shaders::Resource> resources_;
   std::vector<std::string> vertex_inputs_;
   std::array<std::uint32_t, 3> workgroup_size_{};
-  std::optional<gpu::ComputePass> compute_;  // this or
-  std::optional<gpu::RasterPass> raster_;    // that
+  std::optional<gpu::ComputePass> compute_;  // set for a compute shader
+  std::optional<gpu::RasterPass> raster_;    // set for a raster program
 };
 
 }  // namespace penumbra::resolve

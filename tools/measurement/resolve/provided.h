@@ -8,8 +8,8 @@
 
 namespace penumbra::resolve {
 
-// Throws InputError with the names that are provided when this one is not. `where`: the shader, or the line
-// that names the resource; `way_out`: how the user can provide it.
+// Throws InputError with the names that are provided when this one is not. `where` is the shader, or the line
+// that names the resource; `way_out` says how the user can provide it.
 template <typename Map>
 const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& where,
                      const char* kind, const std::string& way_out = "") {

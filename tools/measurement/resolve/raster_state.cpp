@@ -18,7 +18,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// One command of a pass, in lower case: ShaderLab's words may be written in either.
+// One command of a pass, in lower case: ShaderLab's words may be written in either case.
 struct State {
   const RenderCommand& command;
   const std::string& pass;
@@ -35,7 +35,7 @@ struct State {
                      way_out);
   }
   bool is(const Words& words) const { return values == words; }
-  // On, True or 1 against Off, False or 0.
+  // ShaderLab takes On, True or 1 against Off, False or 0.
   bool on() const {
     if (is({"on"}) || is({"true"}) || is({"1"})) return true;
     if (is({"off"}) || is({"false"}) || is({"0"})) return false;
@@ -76,7 +76,7 @@ gpu::StencilTest stencil_test(const State& state) {
 
 gpu::StencilOperation stencil_operation(const State& state) {
   using gpu::StencilOperation;
-  // In the order of UnityEngine.Rendering.StencilOp.
+  // The order is that of UnityEngine.Rendering.StencilOp.
   constexpr std::array<std::pair<const char*, StencilOperation>, 8> operations{
       {{"keep", StencilOperation::keep},
        {"zero", StencilOperation::zero},
@@ -100,7 +100,7 @@ std::uint8_t stencil_number(const State& state) {
   return static_cast<std::uint8_t>(number);
 }
 
-// Comp, Pass, Fail and ZFail are of both faces, with Front or Back behind them of one.
+// Comp, Pass, Fail and ZFail apply to both faces; with the suffix Front or Back they apply to one.
 gpu::StencilState stencil_state(const RenderCommand& command, const std::string& pass) {
   gpu::StencilState result;
   for (const RenderCommand& inner : command.block) {
@@ -134,7 +134,7 @@ gpu::StencilState stencil_state(const RenderCommand& command, const std::string&
   return result;
 }
 
-// A leading number is a target's, unless it is followed by nothing.
+// A leading number names a target, unless nothing follows it.
 std::optional<std::size_t> target_of(Words& values) {
   if (values.size() < 2 || values.front().size() != 1 ||
       std::isdigit(static_cast<unsigned char>(values.front()[0])) == 0)
@@ -144,10 +144,10 @@ std::optional<std::size_t> target_of(Words& values) {
   return target;
 }
 
-// What Blend and BlendOp say of each target.
+// The states that Blend and BlendOp give each target.
 struct BlendStates {
   std::vector<gpu::Blend> factors;
-  std::vector<std::optional<gpu::Blend>> operations;  // Min and Max, for which factors count nothing
+  std::vector<std::optional<gpu::Blend>> operations;  // Min and Max ignore the factors
 
   explicit BlendStates(std::size_t targets) : factors(targets, gpu::Blend::none), operations(targets) {}
 

@@ -10,7 +10,7 @@
 
 namespace penumbra::resolve {
 
-// What of a pass's render state is left to it; the rest is the runner's.
+// The state that a pass's render state decides; the runner decides the rest.
 struct RasterState {
   bool both_faces = false;
   gpu::DepthTest depth_test = gpu::DepthTest::less_equal;
@@ -19,14 +19,14 @@ struct RasterState {
   std::optional<gpu::StencilState> stencil;
   float constant_depth_bias = 0.0F;
   float slope_depth_bias = 0.0F;
-  std::vector<gpu::Blend> blends;  // of each of the targets
+  std::vector<gpu::Blend> blends;  // one for each target
 };
 
-// Whether what is drawn into has a stencil.
+// The presence of a stencil in the targets.
 enum class StencilTarget { none, has };
 
-// With Unity's defaults for commands that are not there. `pass`: what messages call it, followed by the line.
-// Throws InputError for a state that is drawn in Unity but not here.
+// Commands that are absent get Unity's defaults. `pass` is the name in messages, followed by the line. Throws
+// InputError for a state that is drawn in Unity but not here.
 RasterState raster_state(const std::vector<shaderlab::RenderCommand>& commands, const std::string& pass,
                          std::size_t targets, bool reversed_z, StencilTarget stencil = StencilTarget::none);
 

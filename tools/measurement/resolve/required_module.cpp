@@ -8,7 +8,7 @@
 namespace penumbra::resolve {
 namespace {
 
-// Of what the compiler does not know.
+// Returns the way out for what the compiler does not know.
 std::string way_out_of(const std::string& messages, const MissingName& needed) {
   if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.way_out;
   for (const char* macro : {"'TEXTURE2D_ARRAY'", "'TEXTURECUBE'", "'TEXTURECUBE_ARRAY'", "'TEXTURE3D'"}) {
@@ -26,8 +26,9 @@ void require_success(const shaders::CompileRequest& request, const std::vector<h
       messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
   }
   const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
+  // The messages are the way out of the error, because only there do lines stay lines.
   throw InputError(request.file.string(), "does not compile:",
-                   messages + (way_out.empty() ? "" : "\n  " + way_out));  // lines stay lines there alone
+                   messages + (way_out.empty() ? "" : "\n  " + way_out));
 }
 
 }  // namespace

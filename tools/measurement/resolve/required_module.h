@@ -10,22 +10,22 @@
 
 namespace penumbra::resolve {
 
-// What to say when the compiler's messages are about this name.
+// The message for compiler errors about this name.
 struct MissingName {
   std::string name;
   std::string way_out;
 };
 
-// The module; throws InputError with the compiler's messages. Notes are formatted messages; sources the texts
-// that were read; unoptimised as in shaders::CompileResult.
+// Returns the module; throws InputError with the compiler's messages. `notes` are formatted messages,
+// `sources` the texts that were read, and `unoptimised` as in shaders::CompileResult.
 std::vector<std::uint32_t> required_module(const shaders::CompileRequest& request,
                                            std::vector<std::string>* notes = nullptr,
                                            const MissingName* needed = nullptr,
                                            hlsl::SourceFiles* sources = nullptr,
                                            std::vector<std::uint32_t>* unoptimised = nullptr);
 
-// Its text without includes and macros, for another compiler: nothing in it is prepared for glslang. Throws
-// as above.
+// Returns the text without includes and macros, for another compiler: nothing in it is prepared for glslang.
+// Throws as above.
 std::string required_text(const shaders::CompileRequest& request, hlsl::SourceFiles* sources = nullptr);
 
 // A vertex shader's module, with the semantics of those inputs that it reads, by location.

@@ -1,4 +1,5 @@
-// What every pass over the screen is told of the camera and of its textures. Internal to this folder.
+// The uniforms that describe the camera and its textures to every pass over the screen. Internal to this
+// folder.
 #pragma once
 
 #include "gpu/resources.h"
@@ -7,11 +8,11 @@
 
 namespace penumbra::resolve {
 
-// Width, height and their inverses, as _PenumbraTargetSize and its like hold them.
+// Returns width, height and their inverses, as _PenumbraTargetSize and similar uniforms hold them.
 glm::vec4 texture_size(int width, int height);
 glm::vec4 texture_size(const gpu::Image& image);
 
-// Without a second eye both are the first.
+// Without a second eye, the first eye stands for both.
 void set_screen(UniformValues& values, const CameraImage& camera, const CameraImage* second_eye = nullptr);
 
 }  // namespace penumbra::resolve

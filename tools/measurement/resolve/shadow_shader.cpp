@@ -21,7 +21,7 @@ std::string whole_source(const ShadowShader& shader) {
   return shader.body + "#include \"Platform/Platform.hlsl\"\n#include \"Resolve.hlsl\"\n";
 }
 
-// This library under the name it has in Unity, unless the user brings a version of it.
+// The roots contain this library under the name it has in Unity, unless the user brings a version of it.
 std::vector<shaders::PackageRoot> with_own_package(std::vector<shaders::PackageRoot> roots) {
   const std::string name = "com.penumbra.shadows";
   const bool given = std::any_of(roots.begin(), roots.end(),

@@ -25,21 +25,21 @@ namespace penumbra::resolve {
 
 struct ShadowShader {
   std::string name;
-  std::filesystem::path file{};         // of a user; empty: a technique
+  std::filesystem::path file{};         // a user's file; empty for a technique
   std::filesystem::path written_for{};  // the file whose function is called, a user's or a technique's
-  std::string body;                     // what stands before Resolve.hlsl, its platform macros included
+  std::string body;                     // the text before Resolve.hlsl, its platform macros included
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::filesystem::path project;     // "#include "Assets/..." resolves under it; may be empty
   std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty
   UniformValues parameters;
-  UniformNumbers numbers{};                // of a user, for uniforms of any type
-  std::vector<AdapterTexture> textures{};  // of a user, by the names the shader reads them by
-  // Runs as a fragment shader over the picture, as a user's function did in its engine; else as a compute
-  // shader.
+  UniformNumbers numbers{};                // a user's, for uniforms of any type
+  std::vector<AdapterTexture> textures{};  // a user's, under the names by which the shader reads them
+  // If true, it runs as a fragment shader over the picture, as a user's function did in its engine; otherwise
+  // as a compute shader.
   bool fragment = false;
-  bool prepare = false;     // what only Unity's compilers accept is rewritten first
+  bool prepare = false;     // rewrites code that only Unity's compilers accept
   bool uses_noise = false;  // the result depends on the noise seed
 };
 
@@ -57,17 +57,17 @@ struct Adapter {
   std::string name;
   std::filesystem::path file;
   std::vector<std::string> keywords;  // defined as 1
-  UniformNumbers uniforms;            // instead of the frame's
+  UniformNumbers uniforms;            // these replace the frame's
   std::vector<AdapterTexture> textures;
   parameters::CasterBias bias{};  // URP's own default
   double light_scale = 1.0;       // the diameter that the function is told, over the light's
   std::vector<shaders::PackageRoot> package_roots;
-  std::filesystem::path project;     // of Unity, whose Assets/ it includes; may be empty
+  std::filesystem::path project;     // a Unity project whose Assets/ it includes; may be empty
   std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty
 };
 ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z = true);
 
-// How to compile it: a compute shader with the entry point Main, or of a user's function the fragment shader
+// The order compiles a compute shader with the entry point Main, or for a user's function the fragment shader
 // ResolveFragment over a triangle.
 ModuleOrder module_order(const ShadowShader& shader);
 

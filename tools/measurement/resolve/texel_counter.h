@@ -9,22 +9,22 @@
 
 namespace penumbra::resolve {
 
-// Per cell of the grid, x first, then y and z. Of a fragment shader a cell is a pixel of its target, of a
-// compute shader a value of SV_DispatchThreadID.
+// The counts of each cell of the grid, x first, then y and z. For a fragment shader a cell is a pixel of its
+// target, for a compute shader a value of SV_DispatchThreadID.
 struct TexelCounts {
   std::vector<std::uint32_t> fetches;
   std::vector<std::uint32_t> written;
   std::vector<std::uint64_t> operations;  // scalar operations, executed
-  std::uint32_t invocations = 0;          // of the whole grid: threads, or fragments that are not helpers
+  std::uint32_t invocations = 0;          // total of the grid: threads, or fragments that are not helpers
 };
 
 class TexelCounter {
  public:
-  // All 0. A grid of one cell has the totals of any pass, fetches and texels up to 2^32 - 1. Throws
-  // std::invalid_argument for an extent below 1.
+  // All counts begin at 0. A grid of one cell has the totals of any pass, fetches and texels up to 2^32 - 1.
+  // Throws std::invalid_argument for an extent below 1.
   explicit TexelCounter(const gpu::Device& device, int width = 1, int height = 1, int depth = 1);
 
-  // For the binding of the name shaders::texel_counts_name.
+  // It is bound under the name shaders::texel_counts_name.
   const gpu::Buffer& buffer() const { return buffer_; }
 
   TexelCounts counts() const;

@@ -18,7 +18,8 @@ namespace {
 using shaders::ScalarKind;
 using shaders::UniformLeaf;
 
-// Whether `path` is `name` or a part of it: "_Lights" has "_Lights[1].colour", and not "_LightsOn".
+// Returns whether `path` is `name` or a part of it: "_Lights[1].colour" is a part of "_Lights", and
+// "_LightsOn" is not.
 bool is_of(const std::string& path, const std::string& name) {
   if (path.compare(0, name.size(), name) != 0) return false;
   return path.size() == name.size() || path[name.size()] == '.' || path[name.size()] == '[';
@@ -57,8 +58,8 @@ std::uint32_t word(ScalarKind kind, double number) {
   }
 }
 
-// Of the n-th number of a leaf. glslang decorates HLSL's column_major matrices RowMajor, with rows and
-// columns exchanged: in memory such a matrix holds the columns of mul(M, v).
+// Returns the offset of the n-th number of a leaf. glslang decorates HLSL's column_major matrices RowMajor,
+// with rows and columns exchanged: in memory such a matrix holds the columns of mul(M, v).
 std::size_t offset_of(const UniformLeaf& leaf, std::size_t n) {
   if (leaf.columns == 1) return leaf.offset + 4 * n;
   // SPIR-V's matrix is the transpose of HLSL's: its columns are HLSL's rows.
@@ -68,15 +69,15 @@ std::size_t offset_of(const UniformLeaf& leaf, std::size_t n) {
                         : leaf.offset + row * leaf.matrix_stride + 4 * column;
 }
 
-// "_Lights" of "_Lights[1].colour".
+// Returns "_Lights" for "_Lights[1].colour".
 std::string uniform_of(const std::string& path) {
   return path.substr(0, path.find_first_of(".["));
 }
 
 struct KnownNames {
-  std::vector<std::string> all;    // of uniforms
+  std::vector<std::string> all;    // names of uniforms
   std::vector<std::string> read;   // those of them that the shader reads
-  std::vector<std::string> parts;  // of the uniform that was asked for: elements and fields
+  std::vector<std::string> parts;  // elements and fields of the uniform that was asked for
 };
 
 KnownNames known_names(const std::vector<shaders::Resource>& resources, const std::string& asked) {
@@ -99,7 +100,7 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > most ? text + ", ..." : text;
 }
 
-// What exists instead: the parts of a uniform that is there, else the uniforms.
+// Names what exists instead: the parts of a uniform that is there, or else the uniforms.
 std::string way_out_of(const std::string& name, const KnownNames& known) {
   const bool is_part = !known.parts.empty();
   const std::string nearest = nearest_name(name, is_part ? known.parts : known.all);

@@ -33,8 +33,8 @@ void store(std::vector<std::byte>& bytes, std::size_t offset, std::uint32_t valu
   if (offset + sizeof(value) <= bytes.size()) std::memcpy(bytes.data() + offset, &value, sizeof(value));
 }
 
-// glslang turns HLSL's matrices round: a column_major one (HLSL's default and Unity's) comes out decorated
-// RowMajor, and its memory holds the columns of mul(M, v) one after the other.
+// glslang exchanges the rows and columns of HLSL's matrices: a column_major one (HLSL's default and Unity's)
+// comes out decorated RowMajor, and its memory holds the columns of mul(M, v) one after the other.
 void store_matrix(std::vector<std::byte>& bytes, std::size_t offset, const shaders::UniformMember& member,
                   const std::array<std::uint32_t, 16>& columns) {
   for (std::size_t column = 0; column < 4; ++column) {

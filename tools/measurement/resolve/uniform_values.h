@@ -32,11 +32,11 @@ class UniformValues {
 
   bool contains(const std::string& name) const { return values_.count(name) != 0; }
 
-  // Every name and word (platform/hashed_fields.h).
+  // The hash covers every name and word (platform/hashed_fields.h).
   friend void add_fields(platform::ContentHash& hash, const UniformValues& values);
 
-  // The bytes of one uniform block. Members without a value are zero, and named in `unset` when the
-  // shader reads them.
+  // Returns the bytes of one uniform block. Members without a value are zero; `unset` names those that the
+  // shader reads.
   std::vector<std::byte> pack(const shaders::Resource& block, std::vector<std::string>& unset) const;
 
  private:
