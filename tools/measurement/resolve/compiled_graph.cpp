@@ -56,7 +56,7 @@ ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniq
   graph.package = list.package;
   graph.keywords = technique.all_keywords();
   graph.reversed_z = reversed_z;
-  // With unlimited samples the filter runs alone, also on surfaces that other passes know exactly.
+  // With unlimited samples the filter runs alone, on surfaces whose positions are known exactly.
   const bool filter_alone = taps == Taps::unlimited && technique.graph.filter_pass() == nullptr;
   if (filter_alone) graph.graph = techniques::graph_of(*technique.graph.filter(), technique.where);
   if (graph.graph.filter_pass() != nullptr)

@@ -27,8 +27,8 @@ void require_success(const shaders::CompileRequest& request, const std::vector<h
   }
   const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
   // The messages are the way out of the error, because only there do lines stay lines.
-  throw InputError(request.file.string(), "does not compile:",
-                   messages + (way_out.empty() ? "" : "\n  " + way_out));
+  throw InputError(request.file.string(),
+                   "does not compile:", messages + (way_out.empty() ? "" : "\n  " + way_out));
 }
 
 }  // namespace
