@@ -27,21 +27,21 @@ constexpr std::array entries{
           garden_scene},
 };
 
-// What a spot light lights.
+// These scenes have a spot light.
 constexpr std::array spot_entries{
     Entry{"spot-table",
           "a room under one lamp: a table, chairs, wires of 6 to 22 mm, slats half way to the lamp",
           spot_table},
 };
 
-// With casters that blend.
+// These scenes have casters that blend.
 constexpr std::array blended_entries{
     Entry{"wires-and-smoke",
           "a line of thin wires and puffs of smoke, which blend, over a yard with opaque things",
           wires_and_smoke},
 };
 
-// With ground beyond the shadow distance.
+// These scenes have ground beyond the shadow distance.
 constexpr std::array landscape_entries{
     Entry{"valley-5", "a valley of 10 km x 10 km under a sun 5 degrees high, with trees near the camera",
           valley_5},

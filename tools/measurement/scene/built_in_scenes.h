@@ -1,4 +1,4 @@
-// The built-in scenes, one file each, and the pieces that several of them are furnished with.
+// The built-in scenes, one file each, and the objects that several of them share.
 #pragma once
 
 #include <glm/vec3.hpp>

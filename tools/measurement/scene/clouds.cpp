@@ -19,7 +19,7 @@ double corner_value(std::int64_t x, std::int64_t z, std::uint32_t octave) {
   return (bits >> 8U) / 16777215.0;
 }
 
-// Weights of a cell's lower and upper corner along one axis.
+// Returns the weights of a cell's lower and upper corner along one axis.
 std::array<double, 2> faded(double t) {
   const double upper = std::pow(t, 3) * (10.0 - 15.0 * t + 6.0 * t * t);
   return {1.0 - upper, upper};

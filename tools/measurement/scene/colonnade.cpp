@@ -5,7 +5,7 @@
 namespace penumbra::scene {
 namespace {
 
-constexpr double kHalfWidth = 5.0;  // of the platform, along x
+constexpr double kHalfWidth = 5.0;  // half of the platform's width, along x
 constexpr double kLength = 32.0;    // along z
 constexpr double kMiddle = 16.0;    // z of its centre
 constexpr double kStep = 0.28;      // height of each of three steps

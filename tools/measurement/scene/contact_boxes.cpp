@@ -7,7 +7,7 @@
 namespace penumbra::scene {
 namespace {
 
-// Turned as given, lowest corner on the ground at y = 0.
+// The box is turned as given; its lowest corner is on the ground at y = 0.
 void add_resting_box(MeshBuilder& mesh, double x, double z, const glm::dmat3& turned,
                      const glm::dvec3& size) {
   const double half_height = 0.5 * (std::abs(turned[0].y) * size.x + std::abs(turned[1].y) * size.y +
@@ -25,7 +25,7 @@ void add_stack(MeshBuilder& mesh) {
   mesh.use(surfaces::painted_wood(3));
   mesh.standing_box({-0.95, 0.0, 2.2}, {0.5, 0.5, 0.5}, 20.0);  // its corner reaches the stack's shadow
   mesh.use(surfaces::wood());
-  // A plank with its foot on the ground that leans towards the stack.
+  // A plank leans towards the stack with its foot on the ground.
   add_resting_box(mesh, -3.55, 3.0, rotation(12.0, 0.0, -32.0), {0.06, 2.0, 0.5});
 }
 

@@ -61,7 +61,7 @@ void check(const Scene& scene, const Material& material) {
   if (!whole) refuse(scene, name + "whose texture lacks texels");
 }
 
-// No alpha is as large: the surface is blended, and open for the rasterisers.
+// No alpha is as large, so blended surfaces are open for the rasterisers.
 constexpr float kBlendedCutoff = std::numeric_limits<float>::infinity();
 
 bool is_blended(const CutOuts::Entry& entry) {

@@ -1,6 +1,6 @@
-// Where a scene's cut-out surfaces are open and how much light blended ones stop: one evaluation for rays
-// (Embree's filter), and the tables with which the rasteriser's shaders (shaders/CutOut.hlsl) compute the
-// same. The rasterisers draw nothing of blended surfaces: their cutoff in the tables is one that no alpha
+// The openings of a scene's cut-out surfaces, and the light that blended ones stop. Rays evaluate them here
+// (Embree's filter); the rasteriser's shaders (shaders/CutOut.hlsl) compute the same from the tables made
+// here. The rasterisers draw nothing of blended surfaces: their cutoff in the tables is one that no alpha
 // reaches.
 //
 // The formulas are those of AlphaPattern and CutOut (material.h), in single precision, operation by operation
@@ -26,11 +26,11 @@ inline constexpr float kLargestTexCoord =
 
 class CutOuts {
  public:
-  // As the shaders read it: eight words.
+  // An entry has eight words, as the shaders read it.
   struct Entry {
     AlphaPattern pattern = AlphaPattern::none;
     std::uint32_t first_texel = 0;
-    std::uint32_t width = 0;  // of the texture; 0 is none
+    std::uint32_t width = 0;  // the texture's width; 0 means no texture
     std::uint32_t height = 0;
     TextureWrap wrap_u = TextureWrap::repeat;
     TextureWrap wrap_v = TextureWrap::repeat;
@@ -39,9 +39,10 @@ class CutOuts {
   };
   static_assert(sizeof(Entry) == 32);
 
-  // Keeps a reference to the scene's mesh. Throws InputError naming the scene and the material: texture
-  // coordinates that are missing, not one per vertex or beyond kLargestTexCoord, a texture or material out of
-  // range or without all of its texels, numbers that are not finite.
+  // The constructor keeps a reference to the scene's mesh. Throws InputError naming the scene and the
+  // material for texture coordinates that are missing, not one per vertex or beyond kLargestTexCoord; for a
+  // texture or material that is out of range or lacks some of its texels; and for numbers that are not
+  // finite.
   explicit CutOuts(const Scene& scene);
 
   bool any() const { return !of_triangle_.empty(); }
@@ -50,18 +51,19 @@ class CutOuts {
   bool any_blended() const;
   bool blends(std::size_t triangle) const;
 
-  // Share of the light that a triangle of the mesh stops at weights 1 - u - v, u and v of its corners: 0 or 1
-  // of a cut-out.
+  // Returns the share of light that a triangle of the mesh stops at weights 1 - u - v, u and v of its
+  // corners. For a cut-out it is 0 or 1.
   float opacity(std::size_t triangle, float u, float v) const;
-  // Whether the rasterisers draw nothing there: where a cut-out is open, and all of a blended triangle.
+  // Returns whether the rasterisers draw nothing there: where a cut-out is open, and everywhere on a blended
+  // triangle.
   bool open(std::size_t triangle, float u, float v) const;
 
   static constexpr std::uint32_t texels_per_word = 4;  // the first in the lowest bits
-  const std::vector<std::uint32_t>& of_triangle() const { return of_triangle_; }  // 1 + its entry; 0: none
+  const std::vector<std::uint32_t>& of_triangle() const { return of_triangle_; }  // 1 + its entry; 0 for none
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<std::uint32_t>& texels() const { return texels_; }
 
-  // Adds everything that affects where surfaces are open; nothing if there are no cut-outs.
+  // Adds everything that affects where surfaces are open; adds nothing if there are no cut-outs.
   void add_to(platform::ContentHash& hash) const;
 
  private:
@@ -73,13 +75,13 @@ class CutOuts {
   float texture_alpha(const Entry& entry, const glm::vec2& uv) const;
 
   const Mesh& mesh_;
-  std::vector<std::uint32_t> of_triangle_;  // none at all when no triangle is cut out
+  std::vector<std::uint32_t> of_triangle_;  // empty when no triangle is cut out
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> texels_;
   std::uint32_t texel_count_ = 0;
 };
 
-// Alpha of the pattern alone, in [0, 1].
+// Returns the alpha of the pattern alone, in [0, 1].
 float pattern_alpha(AlphaPattern pattern, const glm::vec2& uv);
 
 }  // namespace penumbra::scene

@@ -14,9 +14,9 @@ constexpr double kCosOfSmoothingAngle = 0.5;  // 60 degrees
 constexpr std::size_t kLargestHub = 64;
 
 struct Corner {
-  std::size_t index;  // into ModelFile::indices
-  glm::dvec3 normal;  // of its face, unit
-  double angle;       // between its two edges
+  std::size_t index;  // index into ModelFile::indices
+  glm::dvec3 normal;  // unit normal of the corner's face
+  double angle;       // angle between the corner's two edges
 };
 
 glm::dvec3 smoothed(const Corner& corner, const Corner* first, const Corner* last) {

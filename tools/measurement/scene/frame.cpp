@@ -40,7 +40,7 @@ parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows
   return shadows;
 }
 
-// Of the pixels that show a surface within the shadow distance.
+// Returns the positions of the pixels that show a surface within the shadow distance.
 std::vector<glm::dvec3> seen_positions(const Receivers& receivers, const Scene& scene,
                                        double shadow_distance) {
   std::vector<glm::dvec3> positions;

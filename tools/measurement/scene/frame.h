@@ -41,8 +41,8 @@ constexpr std::uint32_t no_triangle = 0xFFFF'FFFFU;
 
 // One record per pixel, row 0 at the top of the picture. position_ws.w is 1 where a surface within the shadow
 // distance, or the scene's seen distance, was seen, else 0. normal_ws is the geometric (flat) normal, unit,
-// turned to the camera. triangle is that of the surface seen at any distance, no_triangle where there is
-// none.
+// turned to the camera. `triangle` is that of the surface seen at any distance, and no_triangle where there
+// is none.
 struct Receivers {
   int width = 0;
   int height = 0;
@@ -62,12 +62,12 @@ struct RasterBias {
   bool operator==(const RasterBias&) const = default;
 };
 
-// What URP (ShadowUtils.RenderShadowSlice) and HDRP (HDShadowAtlas, at the light component's default) draw
-// their casters with.
+// The bias with which URP (ShadowUtils.RenderShadowSlice) and HDRP (HDShadowAtlas, at the light component's
+// default) draw their casters.
 inline constexpr RasterBias kUnityRasterBias{1.0, 2.5};
 
-// Across the border between two cascades, a share of the split sphere's radius. mixed: of both results; else
-// each pixel has one of them, by noise.
+// The transition between two cascades, across a share of the split sphere's radius. If `mixed` is true, each
+// pixel has a mixture of both results; otherwise noise gives it one of them.
 struct CascadeBlend {
   double border = 0.0;
   bool mixed = false;
@@ -76,9 +76,10 @@ struct CascadeBlend {
 };
 
 struct CascadeChoices {
-  parameters::LightFit light_fit = parameters::LightFit::sphere;  // to the receivers: those of this frame
+  // A fit to the receivers is a fit to those of this frame.
+  parameters::LightFit light_fit = parameters::LightFit::sphere;
   CascadeBlend blend;
-  // By how many degrees of the sky the sun has moved on (sun_before) since the cascades were fitted and
+  // The degrees of the sky by which the sun has moved on (sun_before) since the cascades were fitted and
   // drawn.
   double map_age_degrees = 0.0;
 
@@ -88,10 +89,10 @@ struct CascadeChoices {
 struct FrameSettings {
   parameters::ShadowSettings shadows;
   CascadeChoices cascade_choices;
-  double angular_diameter_degrees = 0.53;  // of the sun
-  RasterBias raster_bias;                  // none
+  double angular_diameter_degrees = 0.53;  // the sun's
+  RasterBias raster_bias;                  // no bias
   DepthFormat format = DepthFormat::d32;
-  int width = 480;  // of the receivers
+  int width = 480;  // size of the receivers' picture
   int height = 270;
   // The lens shift in half pictures to the right and up: the projection of an eye of a headset, or of Unity's
   // Camera.lensShift, is not symmetric. Cascades are fitted without it.
@@ -103,8 +104,8 @@ inline constexpr std::size_t kMostBalls = 16;
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
-  // light_direction: of the light that the map was drawn in. With a spot light: no cascade, and of the rest
-  // the size of the map, its conventions and the light's direction.
+  // light_direction is that of the light in which the map was drawn. With a spot light the set has no
+  // cascade, but the size of the map, its conventions and the light's direction.
   parameters::CascadeSet cascades;
   std::optional<parameters::SpotShadow> spot_shadow;  // world space (origin added)
   FrameSettings settings;
@@ -135,13 +136,14 @@ struct Frame {
 // the camera, as URP fades by it.
 class Rasteriser {
  public:
-  // Keeps a reference to both. Throws InputError for a mesh without triangles or with an index out of range,
-  // and for cut-outs as CutOuts does.
+  // The constructor keeps a reference to both. Throws InputError for a mesh without triangles or with an
+  // index out of range, and for cut-outs as CutOuts does.
   Rasteriser(gpu::Device& device, const Scene& scene);
   ~Rasteriser();
   Rasteriser(Rasteriser&&) noexcept;
 
-  // Throws InputError for a setting out of range, EnvironmentError when the device lacks the depth format.
+  // Throws InputError for a setting out of range, and EnvironmentError when the device lacks the depth
+  // format.
   Frame frame(const FrameSettings& settings);
 
  private:
@@ -149,7 +151,7 @@ class Rasteriser {
   std::unique_ptr<State> state_;
 };
 
-// One frame, when one is enough.
+// Draws one frame of a scene that needs no further ones.
 Frame rasterise(gpu::Device& device, const Scene& scene, const FrameSettings& settings);
 
 }  // namespace penumbra::scene

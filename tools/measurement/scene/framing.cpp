@@ -50,7 +50,8 @@ glm::dvec3 middle(const std::vector<glm::dvec3>& points) {
   return 0.5 * (low + high);
 }
 
-// The largest picture coordinate of any point, 1 at the picture's edge; infinite for one not in front.
+// Returns the largest picture coordinate of any point, 1 at the picture's edge; infinite if a point is not in
+// front.
 double extent(const parameters::Camera& camera, const std::vector<glm::dvec3>& points) {
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.forward));
   const glm::dvec3 up = glm::cross(camera.forward, right);

@@ -26,7 +26,7 @@ constexpr std::streamoff kContainerHead = 20;  // magic, version and length; len
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40U;
 constexpr const char* kWayOut = "the file is damaged or made to mislead: export it again";
 
-// Of a container: its JSON's. Both versions have the length at the same place.
+// Returns the length of a container's JSON. Both versions have the length at the same place.
 std::uint64_t json_length(std::ifstream& stream) {
   std::array<unsigned char, kContainerHead> head{};
   stream.seekg(0).read(reinterpret_cast<char*>(head.data()), kContainerHead);
@@ -40,7 +40,7 @@ struct GltfJson {
   bool in_container = false;
 };
 
-// Nothing where the file is no glTF.
+// Returns nothing where the file is no glTF.
 std::optional<GltfJson> json_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string begin(kContainer.size(), '\0');
@@ -75,7 +75,7 @@ class RangeCheck {
   }
 
  private:
-  // A list in glTF 2, an object of named entries in glTF 1.
+  // The entries are a list in glTF 2, and an object of named entries in glTF 1.
   template <typename Check>
   void each(const std::string& kind, Check check) const {
     const Json& root = document_.value();
@@ -94,7 +94,7 @@ class RangeCheck {
     return found == object.end() ? nullptr : &*found;
   }
 
-  // 0 where it is absent.
+  // Returns 0 where the number is absent.
   std::uint64_t number(const Pointer& at, const std::string& key) const {
     const Json* value = member(at, key);
     if (value == nullptr) return 0;
@@ -103,8 +103,8 @@ class RangeCheck {
     return value->get<std::uint64_t>();
   }
 
-  // The entry that "buffer" or "bufferView" names; nothing where there is none, which the library refuses or
-  // fills with zeros.
+  // Returns the entry that "buffer" or "bufferView" names, or nothing where there is none; the library
+  // refuses such a file or fills it with zeros.
   std::optional<Pointer> referred(const Pointer& at, const std::string& key, const std::string& kind) const {
     const Json* reference = member(at, key);
     const Json& root = document_.value();
@@ -161,7 +161,7 @@ class RangeCheck {
       check_elements(at / "sparse" / "values", at, changed, element_bytes(at));
   }
 
-  // `count` elements from the place that `at` names.
+  // Checks `count` elements from the place that `at` names.
   void check_elements(const Pointer& at, const Pointer& accessor, std::uint64_t count,
                       std::uint64_t bytes) const {
     const std::optional<Pointer> view = referred(at, "bufferView", "bufferViews");

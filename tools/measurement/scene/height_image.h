@@ -28,17 +28,17 @@ struct ImageSize {
   int height = 0;
 };
 
-// PNG: one channel of 16 bits; several are refused. RAW (.raw or .r16): 16-bit numbers, the low
-// byte first; without raw_size a square. Throws InputError naming the file if it cannot be read, is no
-// regular file, has neither form, has 8 bits (256 steps are no ground), is not a square where it must be, or
-// is smaller than 2 x 2 or larger than the limit.
+// A PNG must have one channel of 16 bits; several are refused. RAW (.raw or .r16) has 16-bit numbers, the low
+// byte first; without raw_size it must be a square. Throws InputError naming the file if it cannot be read,
+// is no regular file, has neither form, has 8 bits (256 steps are too few for ground), is not a square where
+// it must be, or is smaller than 2 x 2 or larger than the limit.
 HeightImage read_height_image(const std::filesystem::path& file, std::optional<ImageSize> raw_size);
 
-// The same from memory; `name` is what messages call it and tells the form by its extension.
+// Reads the same from memory. `name` is the name in messages; its extension tells the form.
 HeightImage decode_height_image(std::span<const std::byte> bytes, const std::string& name,
                                 std::optional<ImageSize> raw_size);
 
-// Of another process, as read_image_apart().
+// Reads it in another process, as read_image_apart() does.
 HeightImage read_height_image_apart(const std::filesystem::path& file, std::optional<ImageSize> raw_size,
                                     const ReadingProcess& process);
 

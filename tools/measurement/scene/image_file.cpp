@@ -13,7 +13,7 @@
 #include "input/text_file.h"
 #include "scene/height_image.h"
 
-// The library is a header; its own warnings are not ours.
+// The library is a header, whose warnings are not those of our code.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
@@ -28,8 +28,8 @@
 #define STBI_NO_STDIO
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
-// It copies zero bytes from a null pointer where a PNG's IDAT is empty, which C leaves undefined and C2y
-// defines.
+// The library copies zero bytes from a null pointer where a PNG's IDAT is empty, which C leaves undefined and
+// C2y defines.
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((no_sanitize("nonnull-attribute"))), apply_to = function)
 #endif
@@ -97,7 +97,7 @@ void check_height_image_size(const std::string& name, long long width, long long
                    "WIDTHxDEPTH");
 }
 
-// The library has none for some files.
+// The library has no reason for some files.
 std::string reason() {
   const char* text = stbi_failure_reason();
   return text == nullptr || *text == '\0' ? "" : fmt::format(" ({})", text);

@@ -12,11 +12,11 @@ namespace penumbra::scene {
 
 inline constexpr int kLargestImageSide = 8192;  // pixels
 
-// 8 bits a channel as stored; grey becomes three equal channels, absent alpha 255. Throws InputError naming
-// the file if it cannot be read, has none of these formats, is invalid, or is larger than the limit.
+// Returns 8 bits a channel as stored. Grey becomes three equal channels, absent alpha 255. Throws InputError
+// naming the file if it cannot be read, has none of these formats, is invalid, or is larger than the limit.
 Texture read_image(const std::filesystem::path& file);
 
-// The same from memory; `name` is what messages call it.
+// Reads the same from memory; `name` is the name in messages.
 Texture decode_image(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace penumbra::scene

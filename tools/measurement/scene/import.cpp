@@ -17,7 +17,7 @@
 namespace penumbra::scene {
 namespace {
 
-constexpr double kSmallestExtent = 1e-3;  // metres; what is smaller or larger has the wrong unit
+constexpr double kSmallestExtent = 1e-3;  // metres; a smaller or larger model has the wrong unit
 constexpr double kLargestExtent = 1e4;
 
 std::string shown(double number) {
@@ -37,7 +37,7 @@ void check_options(const ImportOptions& options) {
   if (options.z_up && options.minus_z_up) throw InputError("", "either +Z or -Z is up, not both");
 }
 
-// The axis that is up, +Z or -Z, to +Y: a quarter turn about x, which keeps the winding.
+// Turns the axis that is up, +Z or -Z, to +Y: a quarter turn about x, which keeps the winding.
 void stand_up(ModelFile& model, double sign) {
   for (auto* vectors : {&model.positions, &model.normals}) {
     for (glm::dvec3& v : *vectors) v = {v.x, sign * v.z, -sign * v.y};
@@ -66,7 +66,7 @@ void drop_triangles_without_area(ModelFile& model) {
   model.triangle_materials = std::move(materials);
 }
 
-// Of the vertices that triangles use: stray ones do not count.
+// The bounds are those of the vertices that triangles use: stray ones do not count.
 parameters::Bounds bounds_of(const ModelFile& model) {
   parameters::Bounds bounds{glm::dvec3(std::numeric_limits<double>::infinity()),
                             glm::dvec3(-std::numeric_limits<double>::infinity())};
@@ -77,7 +77,7 @@ parameters::Bounds bounds_of(const ModelFile& model) {
   return bounds;
 }
 
-// Metres per unit of the file, from the options and the model's own size.
+// Returns metres per unit of the file, from the options and the model's own size.
 double scale_of(const parameters::Bounds& bounds, const ImportOptions& options,
                 const std::filesystem::path& file) {
   const glm::dvec3 extent = bounds.maximum - bounds.minimum;
@@ -103,7 +103,8 @@ double scale_of(const parameters::Bounds& bounds, const ImportOptions& options,
   return scale;
 }
 
-// To Unity's left-handed space: x and with it the winding change sign. Only vertices in use are kept.
+// Places the mesh in Unity's left-handed space: x and with it the winding change sign. Only vertices in use
+// are kept.
 Mesh placed_mesh(const ModelFile& model, const parameters::Bounds& bounds, double scale) {
   const glm::dvec3 base{0.5 * (bounds.minimum.x + bounds.maximum.x), bounds.minimum.y,
                         0.5 * (bounds.minimum.z + bounds.maximum.z)};
@@ -127,7 +128,7 @@ Mesh placed_mesh(const ModelFile& model, const parameters::Bounds& bounds, doubl
   return mesh;
 }
 
-// more has texture coordinates, which are dropped where mesh has none.
+// `more` has texture coordinates, which are dropped where `mesh` has none.
 void append(Mesh& mesh, const Mesh& more, std::uint16_t material) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
@@ -137,7 +138,7 @@ void append(Mesh& mesh, const Mesh& more, std::uint16_t material) {
   mesh.triangle_materials.insert(mesh.triangle_materials.end(), more.triangle_count(), material);
 }
 
-// Shadow maps are made for what a game shows: 50 m, and less about a model that is small.
+// The shadow distance is that of a game, 50 m, and less for a small model.
 double shadow_distance(const parameters::Bounds& box, double reach) {
   const double size = glm::distance(box.minimum, box.maximum);
   return std::max(1.1 * reach, std::min(50.0, 25.0 * size));

@@ -10,17 +10,17 @@
 
 namespace penumbra::scene {
 
-// 8 bits a channel as the file stores them, rows from the top. Texture coordinate (0, 0) is the first row's
-// first corner, as in glTF; coordinates outside 0..1 repeat the texture, but for a cut-out that says
-// otherwise.
+// The texture has 8 bits a channel as the file stores them, rows from the top. Texture coordinate (0, 0) is
+// the first row's first corner, as in glTF. Coordinates outside 0..1 repeat the texture, unless a cut-out
+// states another rule.
 struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-// Alpha by a formula: one shape per unit square of texture coordinates, repeated. Clamped to 0..1; lengths
-// are in those coordinates.
+// Alpha by a formula: one shape per unit square of texture coordinates, repeated. It is clamped to 0..1;
+// lengths are in those coordinates.
 enum class AlphaPattern : std::uint32_t {
   none,       // 1
   wire_grid,  // 1 - 8 d, d to the nearest edge of the square: at a cutoff of 1/2 wires 1/8 wide, 49/64 open
@@ -30,10 +30,10 @@ enum class AlphaPattern : std::uint32_t {
   smoke,      // 0.6 (1 - 4 d^2)^2, d to the square's centre, 0 from d = 1/2: a puff; its mean is pi / 20
 };
 
-enum class TextureWrap : std::uint32_t { repeat, mirror, clamp };  // of coordinates outside 0..1
+enum class TextureWrap : std::uint32_t { repeat, mirror, clamp };  // the rule for coordinates outside 0..1
 enum class TextureChannel : std::uint32_t { red, alpha };
 
-// What a surface's alpha means.
+// The meaning of a surface's alpha.
 enum class AlphaMode : std::uint32_t {
   cut,      // open below the cutoff, else solid
   blended,  // transmits 1 - alpha of the light
@@ -47,12 +47,12 @@ enum class AlphaMode : std::uint32_t {
 // shadow map, the camera and the rays.
 struct CutOut {
   AlphaPattern pattern = AlphaPattern::none;
-  int texture = -1;  // index into Scene::textures; -1 is none: 1
+  int texture = -1;  // index into Scene::textures; -1 means none, with alpha 1
   TextureChannel channel = TextureChannel::alpha;
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
   float factor = 1.0F;
-  float cutoff = 0.5F;  // of AlphaMode::cut
+  float cutoff = 0.5F;  // used with AlphaMode::cut
   AlphaMode mode = AlphaMode::cut;
 
   bool reads_coordinates() const { return pattern != AlphaPattern::none || texture >= 0; }
@@ -63,7 +63,7 @@ struct Material {
   std::string name = "grey";
   glm::vec3 base_colour{0.5F};   // linear, Rec. 709; multiplies the texture
   float roughness = 0.8F;        // 0 mirror, 1 matt
-  int base_colour_texture = -1;  // index into Scene::textures, whose colours are sRGB; -1 is none
+  int base_colour_texture = -1;  // index into Scene::textures, whose colours are sRGB; -1 means none
   int normal_texture = -1;       // tangent space, +Y up, as glTF has it
   float translucency = 0.0F;  // share of the diffuse light that passes through, as through leaves and cloth
   std::optional<CutOut> cut_out{};

@@ -17,7 +17,7 @@ glm::vec3 rounded(const glm::dvec3& v) {
   return {round_one(v.x), round_one(v.y), round_one(v.z)};
 }
 
-// Two unit vectors that make a right-handed frame (u, v, axis) with a unit axis.
+// Returns two unit vectors that make a right-handed frame (u, v, axis) with a unit axis.
 std::array<glm::dvec3, 2> frame_across(const glm::dvec3& axis) {
   const glm::dvec3 helper = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 u = glm::normalize(glm::cross(helper, axis));
@@ -45,8 +45,8 @@ glm::dvec3 spoke(const std::array<glm::dvec3, 2>& across, int side, int sides) {
   return std::cos(angle) * across[0] + std::sin(angle) * across[1];
 }
 
-// The angle about a tube's axis, there and back again, so that the texture meets itself where the round
-// closes.
+// Returns the angle about a tube's axis, there and back again, so that the texture meets itself where the
+// round closes.
 double girth(int side, int sides) {
   return 2.0 * std::numbers::pi * std::min(side, sides - side) / sides;
 }

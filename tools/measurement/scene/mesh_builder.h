@@ -28,7 +28,7 @@ struct Pose {
   glm::dmat3 rotation{1.0};
 };
 
-// Turns about +Y (yaw), then tilts about the turned X (pitch) and Z (roll), all in degrees.
+// The rotation turns about +Y (yaw), then tilts about the turned X (pitch) and Z (roll), all in degrees.
 glm::dmat3 rotation(double yaw_degrees, double pitch_degrees = 0.0, double roll_degrees = 0.0);
 
 // A cylinder or a truncated cone with caps; both radii must be positive.
@@ -50,7 +50,7 @@ struct Gable {
 // outside on its right as it climbs: from the axis out, up and, for a vessel, down its inside to the axis
 // again. It is smooth where it bends by less than 50 degrees.
 struct Lathe {
-  Pose pose;  // centre is where (0, 0) of the profile goes
+  Pose pose;  // its centre is the place of (0, 0) of the profile
   std::vector<std::array<double, 2>> profile;
   int sides = 24;
 };
@@ -79,21 +79,21 @@ struct Leaf {
   glm::dvec3 across;  // unit, at a right angle to it
   double length;
   double width;
-  double fold_degrees = 25.0;  // by which each half is turned up
+  double fold_degrees = 25.0;  // the angle by which each half is turned up
 };
 
 class MeshBuilder {
  public:
-  // The surface of all that follows, until the next. One material of a name is kept, the first. Before the
-  // first call it is Material's default.
-  // metres_per_texture: the length of an edge of its textures.
+  // Sets the material of all shapes that follow, until the next call. The first material of a name is kept.
+  // Before the first call it is Material's default. metres_per_texture is the length of an edge of its
+  // textures.
   void use(const Material& material, double metres_per_texture = 1.0);
-  // Adds a texture for materials to name; returns its index.
+  // Adds a texture that materials can refer to; returns its index.
   int add_texture(Texture texture);
 
-  // A flat quadrilateral, two triangles; corners in winding order. Not closed.
+  // Adds a flat quadrilateral of two triangles, with its corners in winding order. It is not closed.
   void quad(const std::array<glm::dvec3, 4>& corners);
-  // The same as a parallelogram with so many repeats of its texture along the first edge and the second.
+  // Adds a parallelogram with so many repeats of its texture along the first edge and the second.
   void card(const std::array<glm::dvec3, 4>& corners, const glm::dvec2& repeats = {1.0, 1.0});
   void box(const Pose& pose, const glm::dvec3& size);
   void standing_box(const glm::dvec3& base_centre, const glm::dvec3& size, double yaw_degrees = 0.0);
@@ -104,19 +104,20 @@ class MeshBuilder {
   void rounded_box(const RoundedBox& box);
   void leaf(const Leaf& leaf);                                                   // not closed
   void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  // flat, not closed
-  // Level squares of this edge, so many each way from the smallest x and z on, at their corners' heights: a
-  // smooth surface without an underside. heights: of (cells + 1)^2 corners, rows along +x.
+  // Adds a smooth surface without an underside, from level squares of this edge, so many each way from the
+  // smallest x and z on, at their corners' heights. `heights` are those of (cells + 1)^2 corners, rows along
+  // +x.
   void heights(const glm::dvec2& corner, double cell, int cells, const std::vector<double>& heights);
-  // Horizontal square at y = 0.
+  // Adds a horizontal square at y = 0.
   void ground(const glm::dvec3& centre, double half_size);
 
   Mesh take() { return std::move(mesh_); }
   void move_into(Scene& scene);  // the mesh, its materials and textures
 
  private:
-  struct Ring;  // of a lathe or a bar
+  struct Ring;  // a ring of a lathe or a bar
 
-  // uv in metres on the surface.
+  // uv is in metres on the surface.
   std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec2& uv);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void join(const Ring& low, const Ring& high, int sides);

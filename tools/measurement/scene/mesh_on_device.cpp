@@ -5,7 +5,7 @@
 namespace penumbra::scene {
 namespace {
 
-// A buffer holds something, even where no cut-out reads it.
+// A buffer cannot be empty, even where no cut-out reads it.
 template <typename Element>
 gpu::Buffer filled(const gpu::Device& device, const std::vector<Element>& content) {
   static const std::vector<Element> one(1);

@@ -12,7 +12,7 @@ namespace penumbra::scene {
 struct MeshOnDevice {
   MeshOnDevice(const gpu::Device& device, const Mesh& mesh, const CutOuts& cut_outs);
 
-  // Those of the buffers that the pass's shaders read.
+  // Binds those of the buffers that the pass's shaders read.
   void bind_to(gpu::Bindings& bindings) const;
 
   struct CutOutTables {
@@ -27,7 +27,7 @@ struct MeshOnDevice {
   gpu::Buffer positions;
   gpu::Buffer normals;
   gpu::Buffer indices;
-  std::optional<CutOutTables> cut_outs;  // of a scene that has some
+  std::optional<CutOutTables> cut_outs;  // set for a scene that has cut-outs
   std::uint32_t vertex_count;
 };
 

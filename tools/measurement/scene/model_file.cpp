@@ -112,7 +112,7 @@ struct PlacedMesh {
   glm::dmat4 to_model;
 };
 
-// Every mesh once for each node that shows it.
+// Returns every mesh once for each node that shows it.
 std::vector<PlacedMesh> placed_meshes(const aiScene& scene) {
   struct Visit {
     const aiNode* node;
@@ -157,8 +157,8 @@ bool reads_coordinates(const Material& material) {
   return material.cut_out && material.cut_out->reads_coordinates();
 }
 
-// The material of each of the file's where a mesh has no texture coordinates: one that is not cut out, made
-// when first needed.
+// The materials of meshes without texture coordinates: for each of the file's, one that is not cut out. It is
+// made when first needed.
 class SolidMaterials {
  public:
   SolidMaterials(ModelMaterials& surface, const std::filesystem::path& file)
@@ -245,7 +245,7 @@ ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangl
   check_gltf_ranges(file);
   Assimp::Importer importer;
   auto* folder = new ModelFolder(file);
-  importer.SetIOHandler(folder);  // which owns it
+  importer.SetIOHandler(folder);  // the importer owns it
   keep_known_loaders(importer);
   const aiScene* scene =
       importer.ReadFile(file.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate);

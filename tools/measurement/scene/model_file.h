@@ -14,8 +14,7 @@
 namespace penumbra::scene {
 
 // Winding is counter-clockwise seen from outside. A normal is zero where the file has none that can be used.
-// Every
-// position is finite and every index is in range.
+// Every position is finite and every index is in range.
 struct ModelFile {
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;

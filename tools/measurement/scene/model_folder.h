@@ -1,4 +1,4 @@
-// The files that a model may have read: those in its own folder. Internal to this folder.
+// The files that a model may read: those in its own folder. Internal to this folder.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>
@@ -10,12 +10,12 @@
 
 namespace penumbra::scene {
 
-// `path`, relative to the model's folder or absolute, with its links resolved; empty outside of that folder.
-// It need not exist.
+// Returns `path`, relative to the model's folder or absolute, with its links resolved; empty outside of that
+// folder. The file need not exist.
 std::optional<std::filesystem::path> in_model_folder(const std::filesystem::path& path,
                                                      const std::filesystem::path& model);
 
-// What the importer library opens files with: the model, and buffers and material libraries in its folder.
+// The importer library opens files through it: the model, and buffers and material libraries in its folder.
 class ModelFolder final : public Assimp::DefaultIOSystem {
  public:
   explicit ModelFolder(std::filesystem::path model) : model_(std::move(model)) {}
@@ -23,9 +23,9 @@ class ModelFolder final : public Assimp::DefaultIOSystem {
   bool Exists(const char* file) const override { return allows(file) && DefaultIOSystem::Exists(file); }
   Assimp::IOStream* Open(const char* file, const char* mode = "rb") override;
 
-  // The first file outside of the folder that the model named; empty: none.
+  // Returns the first file outside of the folder that the model named; empty if there is none.
   const std::string& refused() const { return refused_; }
-  // The files in the folder that it named and that are not there, each once.
+  // Returns the files in the folder that the model named and that are not there, each once.
   const std::vector<std::string>& missing() const { return missing_; }
 
  private:

@@ -26,7 +26,7 @@ float factor(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.5F;
 }
 
-// "%20" is a space, as in any URI.
+// Decodes the escapes of a URI: "%20" is a space.
 std::string percent_decoded(const std::string& text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -42,8 +42,8 @@ std::string percent_decoded(const std::string& text) {
   return decoded;
 }
 
-// The file that a model means by a texture's path. Throws InputError for one outside the model's folder and
-// for one that does not exist.
+// Returns the file that a model means by a texture's path. Throws InputError for one outside the model's
+// folder and for one that does not exist.
 fs::path texture_file(std::string path, const fs::path& model) {
   std::replace(path.begin(), path.end(), '\\', '/');
   const fs::path folder = fs::canonical(model.has_parent_path() ? model.parent_path() : fs::path("."));
@@ -107,8 +107,8 @@ class Reader {
     unsigned uv_channel = 0;
     TextureWrap wrap_u = TextureWrap::repeat;
     TextureWrap wrap_v = TextureWrap::repeat;
-    bool lost = false;         // the material names one that cannot be loaded
-    bool transformed = false;  // its coordinates are
+    bool lost = false;         // the material names a texture that cannot be loaded
+    bool transformed = false;  // its coordinates are transformed
   };
 
   void add(const aiMaterial& material) {
@@ -128,7 +128,7 @@ class Reader {
       if (diffuse.texture >= 0 || !base.lost) base = diffuse;
     }
     Slot normal = slot(material, aiTextureType_NORMALS);
-    Slot cut = base;  // what the cut-out reads
+    Slot cut = base;  // the texture of the cut-out
     made.cut_out = cut_out(material, made.name, colour.a, cut);
     if (!made.cut_out) cut.texture = -1;
     const Slot& first = cut.texture >= 0 ? cut : base.texture >= 0 ? base : normal;
@@ -150,7 +150,7 @@ class Reader {
          first_name + " and is left out");
   }
 
-  // slot: of the colour; of the opacity map after.
+  // `slot` is that of the colour; afterwards it is that of the opacity map.
   std::optional<CutOut> cut_out(const aiMaterial& material, const std::string& name, float colour_alpha,
                                 Slot& slot) {
     CutOut made;
@@ -187,7 +187,7 @@ class Reader {
     return made;
   }
 
-  // Exporters declare as blended what nothing shines through.
+  // Exporters declare opaque materials as blended, too.
   bool is_opaque(const CutOut& blended) const {
     return blended.factor == 1.0F &&
            (blended.texture < 0 || !has_alpha(result_.textures[static_cast<std::size_t>(blended.texture)]));
@@ -213,7 +213,7 @@ class Reader {
     return found;
   }
 
-  // The new texture's index; -1 and a note without one.
+  // Returns the new texture's index, or -1 with a note if it cannot be loaded.
   int texture(const std::string& path) {
     try {
       const aiTexture* embedded = scene_.GetEmbeddedTexture(path.c_str());

@@ -8,7 +8,7 @@
 namespace penumbra::scene {
 namespace {
 
-// A number in 0..1 for a lattice point, by integer arithmetic alone (the finaliser of MurmurHash3).
+// Returns a number in 0..1 for a lattice point, by integer arithmetic alone (the finaliser of MurmurHash3).
 double lattice(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
   std::uint32_t h = x * 0x9e3779b1U ^ y * 0x85ebca6bU ^ seed * 0xc2b2ae35U;
   h = (h ^ (h >> 16)) * 0x85ebca6bU;
@@ -20,7 +20,7 @@ double smooth(double t) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// One octave at (x, y) in 0..1, with cells that repeat.
+// Returns one octave at (x, y) in 0..1, with cells that repeat.
 double noise(double x, double y, int cells_x, int cells_y, std::uint32_t seed) {
   const double px = x * cells_x, py = y * cells_y;
   const int ix = static_cast<int>(px), iy = static_cast<int>(py);
@@ -89,9 +89,9 @@ Texture tinted(const Relief& relief, const glm::vec3& dark, const glm::vec3& lig
 }
 
 Texture normals_of(const Relief& relief, double slope) {
-  const double rise = 0.5 * slope * relief.size;  // of a difference over two texels
+  const double rise = 0.5 * slope * relief.size;  // a difference spans two texels
   return filled(relief.size, [&](int x, int y) {
-    // Rows go down and +Y is up.
+    // Rows run down, while +Y points up.
     const glm::dvec3 normal(rise * (relief.at(x - 1, y) - relief.at(x + 1, y)),
                             rise * (relief.at(x, y + 1) - relief.at(x, y - 1)), 1.0);
     return 0.5 + 0.5 * glm::normalize(normal);

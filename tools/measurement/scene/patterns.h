@@ -18,9 +18,9 @@ struct Relief {
   double at(int x, int y) const;
 };
 
-// Sum of value noises (Perlin and Hoffert 1989, fractal noise): octave k has cells_x * 2^k by cells_y * 2^k
-// cells and, relative to the one before, persistence of its height. More cells one way than the other:
-// streaks.
+// A sum of value noises (Perlin and Hoffert 1989, fractal noise): octave k has cells_x * 2^k by
+// cells_y * 2^k cells and `persistence` of the height of the octave before. More cells one way than the other
+// give streaks.
 struct Grain {
   int cells_x = 4;
   int cells_y = 4;
@@ -30,10 +30,12 @@ struct Grain {
 };
 Relief fractal_relief(int size, const Grain& grain);
 
-// A colour between dark (height 0) and light (height 1), linear Rec. 709; the texture holds them as sRGB.
+// Returns a texture with colours between `dark` (height 0) and `light` (height 1), linear Rec. 709; the
+// texture holds them as sRGB.
 Texture tinted(const Relief& relief, const glm::vec3& dark, const glm::vec3& light);
 
-// Normals of the relief in tangent space, +Y up. slope: rise of a full height over one texture's edge.
+// Returns the normals of the relief in tangent space, +Y up. `slope` is the rise of a full height over one
+// texture's edge.
 Texture normals_of(const Relief& relief, double slope);
 
 }  // namespace penumbra::scene

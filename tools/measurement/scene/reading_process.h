@@ -18,17 +18,17 @@ struct ImportOptions;
 inline constexpr const char* reading_mode = "scene-reader";
 
 struct ReadingProcess {
-  // That start this program as serve_readings(), {reading_mode} for one whose main() knows it. Without any,
-  // the file is read in this process, without isolation.
+  // These arguments start this program as serve_readings(): {reading_mode} for a program whose main() knows
+  // it. Without any, the file is read in this process, without isolation.
   std::vector<std::string> arguments;
   platform::WorkerLimits limits{.answer = std::size_t{4} << 30};
 };
 
-// As import() and read_image() of this process, or by way of the other. That throw InputError naming the file
-// as well when the other process dies, hangs, or takes more than it may.
+// These read as import() and read_image() do, in this process or in the other one. They throw InputError
+// naming the file as well when the other process dies, hangs, or takes more than it may.
 Scene import_apart(const std::filesystem::path& file, const ImportOptions& options);
 Texture read_image_apart(const std::filesystem::path& file, const ReadingProcess& process);
 
-int serve_readings();  // the other process: its exit code
+int serve_readings();  // main() of the other process; returns its exit code
 
 }  // namespace penumbra::scene

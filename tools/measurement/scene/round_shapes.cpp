@@ -16,13 +16,14 @@ constexpr double kCosOfCrease = 0.642787609686539;  // 50 degrees
 
 using Profile = std::vector<std::array<double, 2>>;
 
-// Of a lathe's profile from point i to i + 1: (out, up) on its right, unit.
+// Returns the normal of a lathe's profile from point i to i + 1: (out, up) on its right, unit.
 glm::dvec2 segment_normal(const Profile& profile, std::size_t i) {
   const glm::dvec2 way(profile[i + 1][0] - profile[i][0], profile[i + 1][1] - profile[i][1]);
   return glm::normalize(glm::dvec2(way.y, -way.x));
 }
 
-// At one end of segment i, smoothed with the neighbour there unless the profile has a crease.
+// Returns the normal at one end of segment i, smoothed with the neighbour there unless the profile has a
+// crease.
 glm::dvec2 end_normal(const Profile& profile, std::size_t i, bool at_start) {
   const glm::dvec2 own = segment_normal(profile, i);
   const bool has_neighbour = at_start ? i > 0 : i + 2 < profile.size();
@@ -31,7 +32,7 @@ glm::dvec2 end_normal(const Profile& profile, std::size_t i, bool at_start) {
   return glm::dot(own, other) > kCosOfCrease ? glm::normalize(own + other) : own;
 }
 
-// Trilinear in the corners' shifts, over the box's half sizes.
+// Returns the corners' shifts, interpolated trilinearly over the box's half sizes.
 glm::dvec3 shift_at(const RoundedBox& box, const glm::dvec3& p) {
   glm::dvec3 sum(0.0);
   const glm::dvec3 share = 0.5 + p / box.size;
@@ -81,7 +82,8 @@ void MeshBuilder::lathe(const Lathe& lathe) {
     const Ring made{static_cast<std::uint32_t>(mesh_.positions.size()), radius == 0.0};
     for (int side = 0; side < (made.is_point ? 1 : lathe.sides); ++side) {
       const double angle = 2.0 * std::numbers::pi * side / lathe.sides;
-      // From +Z towards +X: with Y up, that is the direction of the rings of a lateral surface.
+      // The angle runs from +Z towards +X: with Y up, that is the direction of the rings of a lateral
+      // surface.
       const glm::dvec3 out{std::sin(angle), 0.0, std::cos(angle)};
       const glm::dvec3 turned = lathe.pose.rotation * (normal.x * out + glm::dvec3(0.0, normal.y, 0.0));
       const double girth = 2.0 * std::numbers::pi * std::min(side, lathe.sides - side) / lathe.sides;
@@ -112,9 +114,10 @@ void MeshBuilder::bar(const Bar& bar) {
   Ring before{};
   for (std::size_t i = 0; i <= last; ++i) {
     const glm::dvec3 axis = tangent(i);
-    u = glm::normalize(u - glm::dot(u, axis) * axis);  // turned no more than the line itself turns
+    u = glm::normalize(u - glm::dot(u, axis) * axis);  // the frame turns no more than the line itself
     const glm::dvec3 v = glm::cross(axis, u);
-    const auto ring = [&](double facing) {  // 0: the mantle; else an end's cap that looks along the axis
+    // 0: the lateral surface; else an end's cap that faces along the axis.
+    const auto ring = [&](double facing) {
       const Ring made{static_cast<std::uint32_t>(mesh_.positions.size()), false};
       for (int side = 0; side < bar.sides; ++side) {
         const double angle = 2.0 * std::numbers::pi * side / bar.sides;

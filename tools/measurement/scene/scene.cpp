@@ -48,7 +48,7 @@ glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees) {
   // The sun moves from east (+X) by south (-Z) to west; east, up and north are left-handed axes.
   const glm::dvec3 polar_axis = glm::normalize(glm::dvec3(0.0, 1.0, 1.0));
   const glm::dvec3 along_arc = glm::cross(polar_axis, light);
-  // At the pole, where the sun never is, any way will do.
+  // At the pole, where the sun never is, any direction will do.
   const glm::dvec3 onward =
       glm::length(along_arc) > 1e-6 ? glm::normalize(along_arc) : glm::dvec3(1.0, 0.0, 0.0);
   const double angle = glm::radians(degrees);

@@ -23,9 +23,9 @@ namespace penumbra::scene {
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
-  std::vector<std::uint32_t> indices;  // three per triangle
-  std::vector<glm::vec2> uvs;          // one per vertex, or none at all; Texture says where (0, 0) is
-  std::vector<std::uint16_t> triangle_materials;  // one per triangle, or none at all: then all have the first
+  std::vector<std::uint32_t> indices;             // three for each triangle
+  std::vector<glm::vec2> uvs;                     // one per vertex, or empty; Texture defines (0, 0)
+  std::vector<std::uint16_t> triangle_materials;  // one per triangle; if empty, all have the first material
 
   std::size_t triangle_count() const { return indices.size() / 3; }
   std::size_t material_of(std::size_t triangle) const {
@@ -35,72 +35,76 @@ struct Mesh {
 
 struct Scene {
   std::string name;
-  std::string description;         // one line, for reports
-  std::vector<std::string> notes;  // what an import left out; a line each, for people
+  std::string description;         // one line for reports
+  std::vector<std::string> notes;  // parts of a file that were left out; a line each for people
   Mesh mesh;
   std::vector<Material> materials{Material{}};  // at least one
   std::vector<Texture> textures;
   glm::dvec3 origin{0.0};                       // world position of the mesh's own origin
   parameters::Camera camera;                    // position relative to origin, like the mesh
-  glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the way the sun's light travels
-  // Instead of the sun; its position relative to origin, like the mesh.
+  glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the direction in which the sun's light travels
+  // A spot light in place of the sun; its position is relative to origin, like the mesh.
   std::optional<parameters::SpotLight> spot_light{};
   double shadow_distance_metres = 50.0;
-  // How far from the camera surfaces are receivers, where that is farther than the shadow distance: of scenes
-  // with far shadows.
+  // The distance from the camera up to which surfaces are receivers, where that is farther than the shadow
+  // distance: in scenes with far shadows.
   double seen_distance_metres = 0.0;
-  // So many triangles, the first of the mesh, are the ground that far shadows are baked from; 0: all are.
+  // The number of triangles, the first of the mesh, that are the ground from which far shadows are baked; 0
+  // means all.
   std::size_t ground_triangles = 0;
-  std::optional<CloudLayer> clouds{};  // over the scene
+  std::optional<CloudLayer> clouds{};  // clouds over the scene
 
-  parameters::Bounds bounds() const;  // of the mesh, relative to origin
+  parameters::Bounds bounds() const;  // bounds of the mesh, relative to origin
 };
 
-// Light of a sun that stands elevation degrees above the horizon, azimuth degrees from +Z towards +X: the
-// unit vector along which it travels. Throws InputError unless 0 < elevation <= 90.
+// Returns the light of a sun that stands `elevation` degrees above the horizon, `azimuth` degrees from +Z
+// towards +X: the unit vector along which it travels. Throws InputError unless 0 < elevation <= 90.
 glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees);
 
-// The direction of sunlight before the sun moved on by so many degrees of the sky, straight on in the
-// direction of its daily arc at 45 degrees north, which is about the axis halfway between the zenith and +Z.
-// At most kOldestMapDegrees.
+// Returns the direction of sunlight before the sun moved on by so many degrees of the sky, in the direction
+// of its daily arc at 45 degrees north, which is about the axis halfway between the zenith and +Z. The age is
+// at most kOldestMapDegrees.
 inline constexpr double kOldestMapDegrees = 10.0;
 glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees);
 
-// A camera with default lens at position (metres, relative to the mesh's origin) that looks at target.
+// Returns a camera with the default lens at `position` (metres, relative to the mesh's origin) that looks at
+// `target`.
 parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target);
 
-// The names of built-in scenes that the sun lights, in the order reports list them.
+// Returns the names of built-in scenes that the sun lights, in the order in which reports list them.
 std::vector<std::string> built_in_names();
 
-// Of those with a spot light. They are measured when they are named: most techniques are not for them.
+// Returns the names of built-in scenes with a spot light. They are measured only when they are named, because
+// most techniques do not support spot lights.
 std::vector<std::string> spot_scene_names();
 
-// Of those under the sun with casters that blend. They are measured when they are named: most techniques do
-// not draw such casters.
+// Returns the names of built-in scenes under the sun with casters that blend. They are measured only when
+// they are named, because most techniques do not draw such casters.
 std::vector<std::string> blended_scene_names();
 
-// Of a landscape whose shadows reach beyond the cascades, under the sun at several elevations. They are
-// measured when they are named: most techniques end at the shadow distance.
+// Returns the names of built-in scenes of a landscape whose shadows reach beyond the cascades, under the sun
+// at several elevations. They are measured only when they are named, because most techniques end at the
+// shadow distance.
 std::vector<std::string> landscape_scene_names();
 
-// Of all four kinds.
+// Returns the names of all four kinds.
 std::vector<std::string> all_built_in_names();
 
-// A built-in scene, of any kind; throws InputError naming the nearest known name otherwise. The same name
-// gives the same bytes on every machine.
+// Returns a built-in scene of any kind; throws InputError naming the nearest known name otherwise. The same
+// name gives the same bytes on every machine.
 Scene built_in(std::string_view name);
 
-// Its description, without building it; throws as built_in() does.
+// Returns the scene's description without building it; throws as built_in() does.
 std::string built_in_description(std::string_view name);
 
 struct ImportOptions {
   double metres_per_unit = 1.0;
   bool z_up = false;
   bool minus_z_up = false;  // a 3DS file drawn with +Y up: its reader turns every 3DS file as if +Z were up
-  double height_metres = 0.0;  // when > 0, scale so that the model is this tall
-  bool ground = true;          // put a ground plane under the model
+  double height_metres = 0.0;  // if > 0, the model is scaled to this height
+  bool ground = true;          // puts a ground plane under the model
   std::size_t triangle_limit = 20'000'000;
-  ReadingProcess process{};  // of load() and package_model(); import() reads in this process
+  ReadingProcess process{};  // for load() and package_model(); import() reads in this process
 };
 
 // Reads glTF, GLB, OBJ, 3DS, PLY, STL, Collada and FBX. Throws InputError naming the file and the
@@ -114,14 +118,14 @@ struct ImportOptions {
 // without area are dropped; vertices without a usable normal get their face's.
 Scene import(const std::filesystem::path& file, const ImportOptions& options);
 
-// A real model that a Debian package brings; never part of this repository.
+// A real model that a Debian package provides; it is never part of this repository.
 struct PackageModel {
   std::string name;  // "glmark2/horse"; users write "package:glmark2/horse"
   std::string debian_package;
   std::filesystem::path file;  // below the share folder, /usr/share
   std::string description;
   double height_metres;     // the model's units are unknown: it is scaled to this height
-  bool minus_z_up = false;  // as ImportOptions has it
+  bool minus_z_up = false;  // as in ImportOptions
 };
 const std::vector<PackageModel>& package_models();
 
@@ -131,12 +135,12 @@ const std::vector<PackageModel>& package_models();
 Scene package_model(std::string_view name, const ImportOptions& options = {},
                     const std::filesystem::path& share = "/usr/share");
 
-// The names that load() knows of scenes that the sun lights, in the order reports list them: built-in ones,
-// then "package:" ones.
+// Returns the names that load() knows of scenes that the sun lights, in the order in which reports list them:
+// built-in ones, then "package:" ones.
 std::vector<std::string> scene_names();
 
-// The argument of --scene: a built-in name, "package:NAME", or the path of a file. For anything else, throws
-// InputError suggesting the nearest name.
+// Returns the scene that --scene names: a built-in name, "package:NAME", or the path of a file. For anything
+// else, throws InputError suggesting the nearest name.
 Scene load(std::string_view name_or_file, const ImportOptions& options = {});
 
 }  // namespace penumbra::scene

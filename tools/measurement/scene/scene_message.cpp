@@ -31,8 +31,8 @@ bool is_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Structured bindings of all members, here and below: adding a member to a struct breaks the build until it
-// is serialised, too.
+// The functions here and below bind all members: adding a member to a struct breaks the build until it is
+// serialised, too.
 void write(ByteWriter& out, const Texture& texture) {
   const auto& [width, height, rgba] = texture;
   out.value(width);

@@ -11,7 +11,7 @@
 
 namespace penumbra::scene {
 
-void write(platform::ByteWriter& out, const ImportOptions& options);  // all but the process
+void write(platform::ByteWriter& out, const ImportOptions& options);  // all options but the process
 ImportOptions read_import_options(platform::ByteReader& in);
 
 std::string encode(const Texture& texture);

@@ -14,11 +14,11 @@ struct SceneShader {
   std::string entry;
   hlsl::Stage stage;
   bool reversed_z;
-  bool cut_outs = false;    // of a scene that has some
-  bool spot_light = false;  // of one that is lit by one
+  bool cut_outs = false;    // the scene has cut-outs
+  bool spot_light = false;  // the light is a spot light
 };
 
-// Throws EnvironmentError with the compiler's messages: these files are ours, not the user's.
+// Throws EnvironmentError with the compiler's messages, because these files are ours and not the user's.
 std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader);
 
 }  // namespace penumbra::scene

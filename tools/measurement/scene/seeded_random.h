@@ -11,7 +11,7 @@ class SeededRandom {
  public:
   explicit SeededRandom(std::uint32_t seed) : engine_(seed) {}
 
-  // In [low, high), in steps of 2^-32 of the range.
+  // Returns a number in [low, high), in steps of 2^-32 of the range.
   double between(double low, double high) {
     constexpr double range = 4294967296.0;  // 2^32
     return low + (high - low) * (static_cast<double>(engine_()) / range);

@@ -12,9 +12,10 @@
 namespace penumbra::scene {
 namespace {
 
-constexpr std::uint32_t first_triangle_bits = 0x4000'0000U;  // as SeenSurface.hlsl writes them
+// SeenSurface.hlsl adds it to the triangle's number.
+constexpr std::uint32_t first_triangle_bits = 0x4000'0000U;
 
-// CameraView of SeenSurface.hlsl.
+// The uniforms CameraView of SeenSurface.hlsl.
 struct CameraView {
   glm::vec4 view_row[3];
   glm::vec4 near_plane;
@@ -41,7 +42,7 @@ struct Surface {
   glm::dvec3 normal;
 };
 
-// The interpolated point, put back onto its triangle's plane along the plane's normal: interpolation errs by
+// The interpolated point is moved onto its triangle's plane along the plane's normal: interpolation errs by
 // far more than a float's rounding, and an error along the normal would be a false shadow.
 std::optional<Surface> surface_at(const Mesh& mesh, const glm::dvec3& eye, const glm::vec4& texel) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(texel.w);

@@ -1,4 +1,4 @@
-// Draws what the camera sees and turns it into receivers.
+// Draws the surfaces that the camera sees and turns them into receivers.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ class SeenSurfacesPass {
  public:
   SeenSurfacesPass(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
 
-  // scene: the one the mesh was made from.
+  // `scene` must be the one that the mesh was made from.
   Receivers draw(const Scene& scene, const FrameSettings& settings);
 
  private:

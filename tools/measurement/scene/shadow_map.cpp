@@ -8,14 +8,14 @@
 namespace penumbra::scene {
 namespace {
 
-// CasterTile of ShadowCaster.hlsl.
+// The uniforms CasterTile of ShadowCaster.hlsl.
 struct CasterTile {
   glm::vec4 shadow_row[3];
   glm::vec4 toward_light;
   glm::vec4 bias;
 };
 
-// The same with PENUMBRA_SPOT_LIGHT.
+// The same uniforms with PENUMBRA_SPOT_LIGHT.
 struct SpotTile {
   glm::vec4 shadow_row[4];
   glm::vec4 light_position;
@@ -27,12 +27,12 @@ gpu::Format gpu_format(DepthFormat format) {
   return format == DepthFormat::d24 ? gpu::Format::depth24 : gpu::Format::depth32;
 }
 
-// The row of the matrix that takes a position relative to origin there, in double until it is emitted.
+// Returns a row of the matrix for positions relative to `origin`, in double until it is stored.
 glm::dvec4 row_from_origin(const glm::dmat4& matrix, int row, const glm::dvec3& origin) {
   return {matrix[0][row], matrix[1][row], matrix[2][row], (matrix * glm::dvec4(origin, 1.0))[row]};
 }
 
-// Atlas UV to the tile's clip space, whose y = -1 is the tile's first row, as v grows with the row.
+// Maps atlas UV to the tile's clip space, whose y = -1 is the tile's first row, as v grows with the row.
 glm::vec4 clip_row(const glm::dvec4& uv_row, double offset, double scale) {
   glm::dvec4 row = uv_row * (2.0 / scale);
   row.w -= 2.0 * offset / scale + 1.0;
@@ -66,7 +66,7 @@ gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cas
   return tile;
 }
 
-// UV times w to clip space: 2 uv - 1, times w.
+// The rows map UV times w to clip space: 2 uv - 1, times w.
 gpu::RasterTile tile_of(const parameters::SpotShadow& spot, const glm::dvec3& origin,
                         std::uint32_t vertex_count) {
   glm::dvec4 rows[4];
@@ -86,7 +86,7 @@ gpu::RasterTile tile_of(const parameters::SpotShadow& spot, const glm::dvec3& or
   return tile;
 }
 
-// The texel's number as the sampler returns it: unorm formats divide by their largest integer.
+// Returns the texel's number as the sampler returns it: unorm formats divide by their largest integer.
 float decode(DepthFormat format, const std::byte* texel) {
   if (format == DepthFormat::d16) {
     std::uint16_t stored = 0;

@@ -11,13 +11,13 @@
 
 namespace penumbra::scene {
 
-// Passes by format, kind of light, reversed Z, and the rasteriser's constant and slope bias, made when first
-// asked for.
+// The passes by format, kind of light, reversed Z, and the rasteriser's constant and slope bias. Each is made
+// when first needed.
 class ShadowMapPasses {
  public:
   ShadowMapPasses(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
 
-  // origin: the world position of the mesh's own origin.
+  // `origin` is the world position of the mesh's own origin.
   ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
                    const FrameSettings& settings);
   ShadowAtlas draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,

@@ -75,7 +75,7 @@ struct Side {
   std::uint32_t low = 0;
   std::uint32_t high = 0;
   std::uint32_t triangle = 0;
-  int sign = 0;  // 1: the triangle passes it from low to high; else -1
+  int sign = 0;  // 1 if the triangle passes it from low to high, else -1
 
   bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
@@ -108,7 +108,7 @@ int sum_of_signs(const Side* first, const Side* last) {
   return std::accumulate(first, last, 0, [](int sum, const Side& side) { return sum + side.sign; });
 }
 
-// The pieces of a mesh: triangles that are joined by edges.
+// The pieces of a mesh are triangles that are joined by edges.
 class Pieces {
  public:
   explicit Pieces(const std::vector<Corners>& triangles) : above_(triangles.size()) {
@@ -140,8 +140,8 @@ class Pieces {
     return triangle;
   }
 
-  std::vector<std::uint32_t> above_;  // itself: the piece's first
-  std::vector<bool> is_open_;         // of a piece's first
+  std::vector<std::uint32_t> above_;  // a piece's first triangle has itself
+  std::vector<bool> is_open_;         // indexed by a piece's first triangle
 };
 
 // The casting triangles, wound so that their normals point towards the light.

@@ -1,7 +1,7 @@
 // The closed mesh around all that a mesh shades from a light in one direction: Crow, "Shadow algorithms for
-// computer graphics", SIGGRAPH 1977; how often a point lies in it is counted with a stencil buffer (Heidmann,
-// "Real shadows, real time", Iris Universe 18, 1991), from behind, so that the camera may be inside of it
-// (Carmack 2000, in Everitt and Kilgard, "Practical and robust stenciled shadow volumes", NVIDIA 2002).
+// computer graphics", SIGGRAPH 1977. A stencil buffer counts how often a point lies in it (Heidmann, "Real
+// shadows, real time", Iris Universe 18, 1991), from behind, so that the camera may be inside of it (Carmack
+// 2000, in Everitt and Kilgard, "Practical and robust stenciled shadow volumes", NVIDIA 2002).
 #pragma once
 
 #include <cstddef>
@@ -20,11 +20,11 @@ struct ShadowVolume {
   // The vertices of the caps that lie on the mesh, each position once and bit for bit the mesh's (but -0 is
   // 0); then the same number of vertices moved along the light.
   std::vector<glm::vec3> positions;
-  // Three for each triangle, wound so that cross(b - a, c - a) points out of the volume. Each directed edge
-  // occurs as often as its opposite: the volume is closed.
+  // There are three for each triangle, wound so that cross(b - a, c - a) points out of the volume. Each
+  // directed edge occurs as often as its opposite: the volume is closed.
   std::vector<std::uint32_t> indices;
   std::size_t caps = 0;           // triangles of one cap
-  std::size_t walls = 0;          // of two triangles each
+  std::size_t walls = 0;          // walls, of two triangles each
   std::size_t closed_pieces = 0;  // pieces of the mesh that are closed, and others
   std::size_t open_pieces = 0;
 };
@@ -48,9 +48,9 @@ struct ShadowVolume {
 ShadowVolume shadow_volume(const std::vector<glm::vec3>& positions,
                            const std::vector<std::uint32_t>& triangles, const glm::dvec3& way);
 
-// Of all of a scene's triangles but those that blend, which shadow maps do not hold either; cut-out ones cast
-// as if they had no holes. Ends beyond the scene's bounds. Throws InputError, naming the scene, where it has
-// a spot light, and as above.
+// Makes the volume of all of a scene's triangles but those that blend, which shadow maps do not hold either;
+// cut-out ones cast as if they had no holes. It ends beyond the scene's bounds. Throws InputError, naming the
+// scene, where it has a spot light, and as above.
 ShadowVolume shadow_volume(const Scene& scene);
 
 }  // namespace penumbra::scene

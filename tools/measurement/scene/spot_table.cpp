@@ -1,5 +1,5 @@
-// A room under one lamp: penumbrae from a texel wide, where things stand, to half a metre, below the shelf
-// and on the walls.
+// A room under one lamp: penumbrae are a texel wide where things stand, and half a metre below the shelf and
+// on the walls.
 #include <cmath>
 #include <numbers>
 
@@ -49,7 +49,8 @@ void add_ball(MeshBuilder& mesh, const glm::dvec3& centre, double radius) {
   mesh.lathe(ball);
 }
 
-// On the table, and beside it on the floor: what touches, stands on thin legs, and is thin.
+// On the table, and beside it on the floor, are things that touch, that stand on thin legs, and that are
+// thin.
 void add_things(MeshBuilder& mesh, const glm::dvec3& top) {
   mesh.use(surfaces::painted_wood(2));
   mesh.standing_box(top + glm::dvec3(-0.5, 0.0, 0.05), {0.18, 0.11, 0.14}, 20.0);

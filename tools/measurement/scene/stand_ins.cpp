@@ -59,7 +59,7 @@ void join_equal_positions(const Mesh& mesh, JoinedSets& sets) {
 
 struct Part {
   double surface = 0.0;
-  glm::dvec3 moment{0.0};  // of the surface
+  glm::dvec3 moment{0.0};  // moment of the surface
   glm::dvec3 minimum{std::numeric_limits<double>::infinity()};
   glm::dvec3 maximum{-std::numeric_limits<double>::infinity()};
 

@@ -12,13 +12,13 @@ constexpr double kKerb = 0.12;     // height of the pavement
 constexpr double kRoadHalf = 3.6;  // half the width of the road
 constexpr double kFacade = 6.4;    // distance of the facades from the middle
 
-// The side of the street: -1 is left of the camera, +1 right.
+// `side` is -1 left of the camera, +1 right.
 struct House {
   double side;
   double z;
   double width;  // along the street
   double height;
-  int tint;  // of its plaster
+  int tint;  // tint of the plaster
 };
 
 void add_balcony(MeshBuilder& mesh, const glm::dvec3& centre, double side) {

@@ -1,5 +1,5 @@
 // The surfaces that built-in scenes are made of. Colours are linear Rec. 709 reflectances of such materials
-// in daylight, from memory of the things, not measured.
+// in daylight, estimated and not measured.
 #pragma once
 
 #include "scene/material.h"

@@ -11,7 +11,7 @@ namespace penumbra::scene {
 namespace {
 
 glm::dvec3 random_direction(SeededRandom& random) {
-  // Uniform on the sphere: its height is uniform (Archimedes).
+  // The height of a uniform point on the sphere is uniform (Archimedes).
   const double y = random.between(-1.0, 1.0);
   const double angle = random.between(0.0, 2.0 * std::numbers::pi);
   const double across = std::sqrt(1.0 - y * y);
@@ -37,7 +37,7 @@ struct Branch {
   int order;  // 0 is the trunk
 };
 
-// Draws the branch, then its children; returns by twigs the places where leaves grow.
+// Draws the branch, then its children; `twigs` receives the places where leaves grow.
 void grow(MeshBuilder& mesh, const Branch& branch, SeededRandom& random, std::vector<glm::dvec3>& twigs) {
   const glm::dvec3 end = branch.from + branch.length * branch.direction;
   mesh.tube({branch.from, end, branch.radius, 0.6 * branch.radius, branch.order == 0 ? 12 : 6});
@@ -58,7 +58,7 @@ void grow(MeshBuilder& mesh, const Branch& branch, SeededRandom& random, std::ve
   }
 }
 
-// Leaves turn their upper side to the sky, each its own way.
+// Leaves turn their upper side to the sky, each in its own direction.
 void add_folded_leaf(MeshBuilder& mesh, const glm::dvec3& stalk, SeededRandom& random) {
   const double length = random.between(0.05, 0.11);
   const glm::dvec3 along = glm::normalize(random_direction(random) + glm::dvec3(0.0, -0.3, 0.0));

@@ -1,5 +1,5 @@
-// A valley between mountains, 10 km x 10 km: shadows of ridges that lie kilometres from what casts them, and
-// trees near the camera whose shadows the cascades draw.
+// A valley between mountains, 10 km x 10 km: ridges cast shadows over kilometres, and trees near the camera
+// cast shadows that the cascades draw.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,7 +22,7 @@ double smooth(double t) {
   return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-// In [-1, 1], of a corner of the lattice.
+// Returns a number in [-1, 1] for a corner of the lattice.
 double lattice(std::int64_t x, std::int64_t z, std::uint32_t seed) {
   auto bits = static_cast<std::uint32_t>(x) * 0x8DA6B343U ^ static_cast<std::uint32_t>(z) * 0xD8163841U ^
               seed * 0xCB1AB31FU;
@@ -34,7 +34,8 @@ double lattice(std::int64_t x, std::int64_t z, std::uint32_t seed) {
   return static_cast<double>(bits) * (2.0 / 4294967295.0) - 1.0;
 }
 
-// Value noise in [-1, 1], with two continuous derivatives (Perlin, "Improving noise", 2002, for its fade).
+// Returns value noise in [-1, 1], with two continuous derivatives (Perlin, "Improving noise", 2002, for its
+// fade).
 double noise(double x, double z, std::uint32_t seed) {
   const double column = std::floor(x), row = std::floor(z);
   const double u = smooth(x - column), v = smooth(z - row);
@@ -44,7 +45,8 @@ double noise(double x, double z, std::uint32_t seed) {
   return std::lerp(low, high, v);
 }
 
-// Ridges where the noise changes its sign, in [0, 1]; several sizes, each half of the one before.
+// Returns ridges where the noise changes its sign, in [0, 1]; they have several sizes, each half of the one
+// before.
 double ridges(double x, double z) {
   double sum = 0.0, strength = 0.5, size = 1700.0;
   for (std::uint32_t octave = 0; octave < 6; ++octave) {
@@ -76,7 +78,8 @@ std::vector<double> heights_of_ground() {
   return heights;
 }
 
-// Where a tree of the ground's triangles stands: they are lower than height() between their corners.
+// Returns the height of the ground's triangles, on which a tree stands: they are lower than height() between
+// their corners.
 double ground_at(const std::vector<double>& heights, double x, double z) {
   const double column = (x + 0.5 * kSide) / kCell, row = (z + 0.5 * kSide) / kCell;
   const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row);
@@ -101,7 +104,7 @@ void add_grove(MeshBuilder& mesh, const std::vector<double>& heights, const glm:
                const Grove& grove, SeededRandom& random) {
   for (int i = 0; i < grove.trees; ++i) {
     const double distance = random.between(grove.nearest, grove.farthest);
-    const double side = random.between(-0.55, 0.55);  // of the way ahead
+    const double side = random.between(-0.55, 0.55);  // share of the way ahead
     const double x = eye.x + side * distance, z = eye.z + distance;
     add_tree(mesh, {{x, ground_at(heights, x, z) - 0.1, z}, random.between(5.0, 11.0), grove.leaves}, random);
   }

@@ -9,7 +9,7 @@
 namespace penumbra::scene {
 namespace {
 
-// A wire of a third of that width, by AlphaPattern::wire.
+// AlphaPattern::wire makes a wire of a third of that width.
 constexpr double kRibbonWidth = 0.06;
 constexpr int kSpanPieces = 12;
 
@@ -30,7 +30,7 @@ struct LightAxes {
   glm::dvec3 toward, right, up;
 };
 
-// A square that faces the light: one puff.
+// Adds one puff, a square that faces the light.
 void add_puff(MeshBuilder& mesh, const LightAxes& light, const glm::dvec3& centre, double size) {
   mesh.use(blended("smoke", {0.35F, 0.35F, 0.36F}, AlphaPattern::smoke));
   const glm::dvec3 across = 0.5 * size * light.right, along = 0.5 * size * light.up;
@@ -38,7 +38,7 @@ void add_puff(MeshBuilder& mesh, const LightAxes& light, const glm::dvec3& centr
       {centre - across - along, centre - across + along, centre + across + along, centre + across - along});
 }
 
-// A ribbon that faces the light and sags by a parabola, by pieces.
+// Adds a ribbon of several pieces that faces the light and sags by a parabola.
 void add_wire(MeshBuilder& mesh, const LightAxes& light, const glm::dvec3& from, const glm::dvec3& to,
               double sag) {
   mesh.use(blended("thin wire", {0.08F, 0.08F, 0.09F}, AlphaPattern::wire));
@@ -69,7 +69,7 @@ void add_line(MeshBuilder& mesh, const LightAxes& light) {
       const glm::dvec3 place(x, 5.16, 0.0);
       add_wire(mesh, light, foot(pole) + place, foot(pole + 1) + place, 0.35);
     }
-  // From a pole down to a post: from five metres over the ground to one.
+  // Each of these wires runs from a pole down to a post: from five metres over the ground to one.
   for (int post = 0; post < 3; ++post) {
     const glm::dvec3 place(2.6, 0.0, 3.0 + 5.0 * post);
     mesh.use(surfaces::galvanised_steel());
@@ -79,8 +79,8 @@ void add_line(MeshBuilder& mesh, const LightAxes& light) {
   }
 }
 
-// Puffs that rise from a chimney and drift to where the sun stands, so that they shade the yard; and some
-// that hang low over the ground, most of them near the camera.
+// Puffs rise from a chimney and drift to where the sun stands, so that they shade the yard. Others hang
+// low over the ground, most of them near the camera.
 void add_smoke(MeshBuilder& mesh, const LightAxes& light) {
   SeededRandom random(7);
   constexpr int rising = 18, low = 26;

@@ -6,7 +6,7 @@
 namespace penumbra::scene::garden {
 namespace {
 
-// Boards in the piece's own frame: x to its right, z to its back.
+// It places boards in the piece's own frame: x to its right, z to its back.
 class Joinery {
  public:
   Joinery(const Workshop& shop, const Placed& place)

@@ -1,6 +1,5 @@
-// A walled garden in late-morning sun, made to be looked at: hewn stone, leaves by the thousand, a wire
-// fence, a striped awning, a laid table. Contact shadows of millimetres and leaf shadows from 6 m are in one
-// picture.
+// A walled garden in late-morning sun, made for showing: hewn stone, leaves by the thousand, a wire fence, a
+// striped awning, a laid table. Contact shadows of millimetres and leaf shadows from 6 m are in one picture.
 #include "scene/built_in_scenes.h"
 #include "scene/garden/pieces.h"
 #include "scene/surfaces.h"
@@ -17,7 +16,7 @@ constexpr double kTerraceLeft = -1.75;
 void add_grounds(const Workshop& shop) {
   shop.mesh.use(shop.palette.turf, 1.5);
   shop.mesh.ground({0.0, 0.0, 20.0}, 60.0);
-  // The bed of sand that shows in the paving's joints, and the gravel's.
+  // The bed of sand shows in the paving's joints; the gravel has one, too.
   shop.mesh.use(shop.palette.sand, 0.8);
   const double right = 9.0, near = -8.0, depth = kWallFront - near;
   shop.mesh.standing_box({0.5 * (kTerraceLeft + right), 0.0, near + 0.5 * depth},
@@ -27,14 +26,15 @@ void add_grounds(const Workshop& shop) {
   add_grass(shop, {-6.5, kTerraceLeft - 0.03, -3.0, 3.9}, 24000);
 }
 
-// Each from a seed of its own, so that one can be changed and the others stay.
+// Each tree has its own seed, so that one can be changed without the others.
 void add_trees(MeshBuilder& mesh) {
   const auto grow = [&](const Tree& tree, std::uint32_t seed) {
     SeededRandom random(seed);
     add_tree(mesh, tree, random);
   };
   grow({{-3.3, 0.0, 1.3}, 5.4, 7800, true}, 9);
-  grow({{-4.7, 0.0, -5.3}, 5.6, 5000, true}, 28);  // beside the camera: seen by its shadow alone
+  // This tree is beside the camera and seen by its shadow alone.
+  grow({{-4.7, 0.0, -5.3}, 5.6, 5000, true}, 28);
   grow({{-7.5, 0.0, 9.0}, 6.5, 9000}, 21);
   grow({{-3.8, 0.0, 11.5}, 6.5, 9000}, 22);
   grow({{-0.2, 0.0, 10.0}, 6.5, 9000}, 23);

@@ -1,4 +1,4 @@
-// What lies or grows on the garden's ground: flagstones, gravel, grass.
+// The cover of the garden's ground: flagstones, gravel, grass.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -25,7 +25,7 @@ void add_flagstone(const Workshop& shop, const glm::dvec3& middle, double width,
                          shift});
 }
 
-// An egg of 20 faces with smooth normals, lying as it fell.
+// A pebble is an egg of 20 faces with smooth normals, turned at random.
 void add_pebble(const Workshop& shop, const glm::dvec3& place, double size) {
   const double height = size * shop.random.between(0.35, 0.6);
   const double wide = 0.5 * size;

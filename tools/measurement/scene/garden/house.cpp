@@ -18,7 +18,7 @@ constexpr Opening kWindow{4.55, 5.55, 0.95, 2.15};
 constexpr double kRecess = 0.22;
 constexpr double kThickness = 0.35;
 
-// From (left, bottom) to (right, top), its face at z and its back behind it.
+// The panel reaches from (left, bottom) to (right, top), with its face at z and its back behind it.
 void add_panel(const Workshop& shop, const Opening& area, double z, double thickness) {
   shop.mesh.standing_box({0.5 * (area.left + area.right), area.sill, z + 0.5 * thickness},
                          {area.right - area.left, area.head - area.sill, thickness});
@@ -35,7 +35,7 @@ void add_front(const Workshop& shop, const House& house) {
   panel(kWindow.left, kWindow.right, 0.0, kWindow.sill);
   panel(kWindow.left, kWindow.right, kWindow.head, house.height);
   panel(kWindow.right, house.right, 0.0, house.height);
-  // The rest of the house, behind.
+  // These panels are the rest of the house, behind.
   panel(house.left, house.left + kThickness, 0.0, house.height);
   shop.mesh.standing_box({0.5 * (house.left + house.right), 0.0, house.front + kThickness + 1.8},
                          {house.right - house.left, house.height, 3.6});
@@ -238,7 +238,7 @@ void add_roof(const Workshop& shop, const House& house) {
 void add_awning(const Workshop& shop, const Awning& awning) {
   constexpr int bends = 6;
   const double step = awning.width / awning.stripes, left = awning.top.x - 0.5 * awning.width;
-  // The cloth hangs through by 5 cm between its upper edge and the bar at its lower one.
+  // The cloth sags by 5 cm between its upper edge and the bar at its lower one.
   const auto at = [&](double x, double t) {
     return glm::dvec3(x, awning.top.y - awning.drop * t - 0.05 * 4.0 * t * (1.0 - t),
                       awning.top.z - awning.reach * t);

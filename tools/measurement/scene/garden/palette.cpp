@@ -15,7 +15,7 @@ struct Surface {
 };
 
 struct Look {
-  double slope;    // of the relief in the normal map
+  double slope;    // slope of the relief in the normal map
   glm::vec3 dark;  // factor on the base colour where the relief is deep
   glm::vec3 light;
 };
@@ -37,7 +37,7 @@ Material painted(const std::string& name, const glm::vec3& colour, const Surface
   return material;
 }
 
-// One material for every tint, named kind 1, kind 2 and so on.
+// Returns one material for every tint, named kind 1, kind 2 and so on.
 template <std::size_t N>
 std::array<Material, N> tints(const std::string& kind, const std::array<glm::vec3, N>& colours,
                               const Surface& surface, float roughness = 0.9F) {

@@ -1,5 +1,4 @@
-// What the garden is furnished with; metres, +Y up, every piece at its place in the scene unless a place is
-// given.
+// The pieces of the garden: metres, +Y up, every piece at its place in the scene unless a place is given.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,7 +10,7 @@
 
 namespace penumbra::scene::garden {
 
-// What every piece draws with.
+// The mesh, materials and random numbers that every piece draws with.
 struct Workshop {
   MeshBuilder& mesh;
   const Palette& palette;
@@ -71,7 +70,7 @@ struct Placed {
   glm::dvec3 foot;
   double yaw_degrees = 0.0;
 };
-constexpr double kTableTop = 0.75;  // above its foot
+constexpr double kTableTop = 0.75;  // height above the foot
 void add_table(const Workshop& shop, const Placed& place);
 void add_chair(const Workshop& shop, const Placed& place);
 void add_bench(const Workshop& shop, const Placed& place);

@@ -17,7 +17,7 @@ glm::dvec3 any_direction(SeededRandom& random) {
   return {across * std::cos(angle), y, across * std::sin(angle)};
 }
 
-// A leaf whose upper side looks along facing as far as its direction lets it.
+// Returns a leaf whose upper side faces `facing` as far as its direction permits.
 Leaf leaf_facing(const glm::dvec3& stalk, const glm::dvec3& along, const glm::dvec3& facing, double length,
                  double width) {
   const glm::dvec3 across = glm::normalize(glm::cross(facing, along));

@@ -1,4 +1,4 @@
-// What stands on the garden's table and about it.
+// The small things on the garden's table and about it.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,7 +18,7 @@ Material glazed(const char* name, const glm::vec3& colour, float roughness = 0.2
   return material;
 }
 
-// On a piece of furniture: x to its right, z to its back, y above its foot.
+// A frame on a piece of furniture: x to its right, z to its back, y above its foot.
 class Setting {
  public:
   Setting(const Workshop& shop, const Placed& place)
@@ -198,7 +198,7 @@ void add_books(const Setting& setting, const glm::dvec3& place) {
         {0.004, book.thickness, book.length});
     y += book.thickness + 0.0002;
   }
-  // Spectacles left on top.
+  // Spectacles lie on top.
   setting.mesh().use(surfaces::painted_iron());
   for (const double x : {-0.032, 0.032}) {
     std::vector<glm::dvec3> rim;
@@ -368,7 +368,7 @@ void add_broom(const Workshop& shop, const glm::dvec3& foot, const glm::dvec3& t
 }
 
 void add_festoon(const Workshop& shop, const Festoon& festoon) {
-  constexpr int parts = 3;  // of cable between two bulbs
+  constexpr int parts = 3;  // parts of the cable between two bulbs
   const int steps = parts * (festoon.bulbs + 1);
   const auto at = [&](int i) {
     const double t = static_cast<double>(i) / steps;

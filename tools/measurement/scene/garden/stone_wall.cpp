@@ -20,7 +20,7 @@ void add_course(const Workshop& shop, const StoneWall& wall, double bottom, doub
   while (x < wall.right) {
     double width = height * shop.random.between(1.1, 2.6);
     if (wall.right - x - width < 0.12) width = wall.right - x;
-    const double out = shop.random.between(0.0, 0.035);  // of the wall's face
+    const double out = shop.random.between(0.0, 0.035);  // distance in front of the wall's face
     const double depth = 0.16;
     shop.mesh.use(shop.any_of(shop.palette.wall_stone), 0.7);
     shop.mesh.rounded_box({{{x + 0.5 * width, bottom + 0.5 * height, wall.front - out + 0.5 * depth},
