@@ -47,7 +47,7 @@ std::vector<std::string> names_of(Need need) {
   return {kNoise};
 }
 
-// The slices below each other.
+// The slices are stored below each other.
 gpu::Image noise_texture(const gpu::Device& device) {
   static const parameters::NoiseMask mask =
       parameters::generate_noise_mask(parameters::kNoiseMaskSide, parameters::kNoiseMaskSlices);

@@ -73,7 +73,7 @@ CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& raste
   setup.t1 = settings_.edge_samples > 0 ? traced_edges(setup, rasteriser)
                                         : traced(setup, setup.views.front().frame.receivers,
                                                  settings_.reference_samples, "ray tracing " + setup.label());
-  // Maps do not reach what is beyond the shadow distance: no estimate can be made from them there.
+  // Maps do not reach beyond the shadow distance, so no estimate can be made from them there.
   if (settings_.split_error && scene.seen_distance_metres <= scene.shadow_distance_metres) {
     for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
@@ -102,7 +102,7 @@ reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const sce
   return image;
 }
 
-// A picture for each sample of a pixel, taken where it lies.
+// There is one picture for each sample of a pixel, taken at the sample's place.
 reference::VisibilityImage CaseBuilder::traced_edges(const CaseSetup& setup,
                                                      scene::Rasteriser& rasteriser) const {
   std::vector<SampleView> samples;
@@ -167,7 +167,7 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
       {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
 }
 
-// For the actual light, whatever diameter the subjects are given.
+// The estimate is for the actual light, whatever diameter the subjects are given.
 reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup,
                                                           scene::Rasteriser& rasteriser,
                                                           const View& view) const {
@@ -182,7 +182,7 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
                                       run_options("same-map estimate, " + setup.label(), " points"), &cache_);
 }
 
-// The first is the view's own frame; in each further one everything moves one pixel to the left.
+// The first frame is the view's own; in each further one everything moves one pixel to the left.
 std::vector<FrameOfCase> CaseBuilder::pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                                  scene::Rasteriser& rasteriser) const {
   std::vector<FrameOfCase> frames;
@@ -196,7 +196,7 @@ std::vector<FrameOfCase> CaseBuilder::pan_frames(const CaseSetup& setup, const s
   return frames;
 }
 
-// The camera's image only for those who read it.
+// Only subjects that read the camera's image get it.
 FrameOfCase CaseBuilder::on_device_frame(const CaseSetup& setup, const scene::Frame& frame) const {
   const bool read = std::any_of(subjects_.begin(), subjects_.end(),
                                 [](const Subject& subject) { return subject.graph.graph.needs_camera(); });

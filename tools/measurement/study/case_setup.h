@@ -1,4 +1,4 @@
-// One case of a study, a scene under a light, before its subjects run. Internal to this folder.
+// A case of a study, a scene under a light, before its subjects run. Internal to this folder.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct FrameOfCase {
   std::optional<resolve::CameraImage> camera;
 };
 
-// What a subject runs with: the casters' biases, the light and the cascades.
+// The settings of a subject's frame: the casters' biases, the light and the cascades.
 struct FrameRequest {
   parameters::CasterBias bias;
   scene::RasterBias raster_bias = scene::kUnityRasterBias;
@@ -49,16 +49,16 @@ struct View {
   std::string key;  // a hash of the scene, the light, the frame and how its needs are baked
 };
 
-// Everything known about one scene under one light before the first subject runs. All views share the
+// The data of one scene under one light that are known before the first subject runs. All views share the
 // receivers and therefore T1.
 struct CaseSetup {
   const scene::Scene& scene;
-  std::unique_ptr<const resolve::CastersOnDevice> casters;  // of the scene, where a subject draws them
-  std::unique_ptr<const resolve::FrameInputs> inputs;       // of the scene, for the needs of all subjects
+  std::unique_ptr<const resolve::CastersOnDevice> casters;  // the scene's, where a subject draws them
+  std::unique_ptr<const resolve::FrameInputs> inputs;       // the scene's, for the needs of all subjects
   double light_degrees = 0.0;
   reference::VisibilityImage t1;
   std::vector<View> views;  // one for each request of the subjects
-  int width = 0;            // of the picture
+  int width = 0;            // size of the picture
   int height = 0;
   int edge_samples = 0;  // as in StudySettings
 
@@ -102,10 +102,10 @@ class CaseBuilder {
   platform::CacheStore bakes_;  // finished rows of bakes, which the next run reads
 };
 
-// Of a spot light's source that has this angular diameter, seen from one metre.
+// Returns the radius of a spot light's source that has this angular diameter, seen from one metre.
 double source_radius_metres(double degrees);
 
-// Pixels that are neither lit nor dark.
+// Counts the pixels that are neither lit nor dark.
 std::size_t penumbra_pixels(const reference::VisibilityImage& image);
 
 }  // namespace penumbra::study

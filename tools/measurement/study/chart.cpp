@@ -22,7 +22,7 @@ constexpr double kFont = 13.0;
 struct Layout {
   double width = 820.0;
   double panel_height = 340.0;
-  double title_height = 40.0;  // of the chart; 0: without its title and those of its panels
+  double title_height = 40.0;  // 0 draws the chart without its title and those of its panels
   double left = 82.0;
   double right = 20.0;
   double top = 30.0;
@@ -52,7 +52,7 @@ constexpr std::string_view kFront = "#0b4f8a";
 constexpr std::string_view kStep = "#7fb2de";
 }  // namespace ink
 
-// The page's CSS variable for each colour.
+// These are the page's CSS variables for each colour.
 constexpr std::pair<std::string_view, std::string_view> kVariables[] = {
     {ink::kGround, "ground"}, {ink::kTitle, "ink"},   {ink::kTick, "tick"},  {ink::kAxis, "axis"},
     {ink::kGrid, "grid"},     {ink::kPoint, "point"}, {ink::kOther, "tick"}, {ink::kLeader, "axis"},
@@ -83,7 +83,7 @@ bool is_drawn(const Chart& chart, const ChartPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && (!chart.x_logarithmic || point.x > 0.0);
 }
 
-// The same axes for all panels, so that they can be compared.
+// All panels have the same axes, so that they can be compared.
 Axes axes_of(const Chart& chart) {
   double least_x = std::numeric_limits<double>::infinity();
   double most_x = -least_x;
@@ -104,8 +104,9 @@ Axes axes_of(const Chart& chart) {
   return axes;
 }
 
-// A gnuplot string. Quotes, and what gnuplot replaces in a string, are written by their octal codes: two
-// single quotes in a row end a string in single quotes. Control characters would end the command.
+// Returns a gnuplot string. Quotes, and the characters that gnuplot replaces in a string, are written by
+// their octal codes: two single quotes in a row end a string in single quotes. Control characters would end
+// the command.
 std::string gnuplot_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -116,7 +117,7 @@ std::string gnuplot_string(std::string_view text) {
   return result + "\"";
 }
 
-// By point.
+// Returns for each point whether it is on the front.
 std::vector<bool> on_front(const ChartPanel& panel) {
   std::vector<bool> marked(panel.points.size());
   for (const std::size_t point : panel.front) marked.at(point) = true;
@@ -184,8 +185,8 @@ class Script {
     text_ += "unset label\nunset arrow\n";
   }
 
-  // At a fixed place in a page's narrow panel: gnuplot would move it by the width of the tics, beyond the
-  // edge.
+  // The label stands at a fixed place in a page's narrow panel: gnuplot would move it by the width of the
+  // tics, beyond the edge.
   void add_y_label(const Box& frame) {
     constexpr double kFromEdge = 10.0;
     const std::string label = gnuplot_string(chart_.y_label);
@@ -221,7 +222,7 @@ class Script {
   }
 
   struct Labels {
-    std::vector<LabelRequest> requests;  // those of the front first
+    std::vector<LabelRequest> requests;  // the points of the front come first
     std::size_t of_front = 0;
     std::vector<std::optional<PlacedLabel>> places;
   };
@@ -306,7 +307,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
   }
 }
 
-// gnuplot names its version in <desc>, and gives every file the same ids: neither may reach a page of ours.
+// gnuplot names its version in <desc>, and gives every file the same ids: neither may appear in our pages.
 std::string make_own(std::string svg, const Chart& chart) {
   const std::size_t description = svg.find("<desc>");
   const std::size_t end = svg.find("</desc>");
@@ -372,7 +373,7 @@ void remove_titles(std::string& svg) {
   }
 }
 
-// The SVG element alone, without the XML prolog a file needs and a page must not have.
+// Returns the SVG element alone, without the XML prolog that a file needs and a page must not have.
 std::string for_page(std::string svg) {
   svg.erase(0, svg.find("<svg"));
   colour_by_variables(svg);

@@ -34,22 +34,22 @@ struct Chart {
 // Throws EnvironmentError where gnuplot is not installed.
 void require_gnuplot();
 
-// Same chart, same bytes (with one gnuplot). Dark on its own light background: legible on light and dark
-// pages. Points that are not finite are omitted. Throws EnvironmentError when gnuplot is missing, fails or
-// takes over 20 s, and std::invalid_argument when no panel has a point to draw.
+// The same chart gives the same bytes (with one gnuplot). It is dark on its own light background, which is
+// legible on light and dark pages. Points that are not finite are omitted. Throws EnvironmentError when
+// gnuplot is missing, fails or takes over 20 s, and std::invalid_argument when no panel has a point to draw.
 std::string render_svg(const Chart& chart);
 
 // The position of a point in its panel's drawing, in pixels from the upper left corner.
 struct DrawnPoint {
-  std::size_t index = 0;  // in ChartPanel::points
+  std::size_t index = 0;  // index in ChartPanel::points
   double x = 0.0;
   double y = 0.0;
   bool on_front = false;
 };
 
-// One panel for a page: it sets the title itself, and its colours are the page's CSS variables
-// --chart-ground,
-// --chart-ink, --chart-tick, --chart-axis, --chart-grid, --chart-point, --chart-front and --chart-step.
+// One panel for a page. The page sets the title itself, and the colours are the page's CSS variables
+// --chart-ground, --chart-ink, --chart-tick, --chart-axis, --chart-grid, --chart-point, --chart-front and
+// --chart-step.
 struct DrawnPanel {
   std::string title;
   std::string svg;  // the element alone, without XML prolog and without <title>
@@ -58,9 +58,9 @@ struct DrawnPanel {
   std::vector<DrawnPoint> points;
 };
 
-// Each panel as a drawing narrow enough for a telephone, all with the same axes. Only the points of the front
-// have labels (all of them if there is no front): a page names the others when the pointer is over them. Same
-// chart, same bytes; throws as render_svg does.
+// Returns each panel as a drawing narrow enough for a telephone, all with the same axes. Only the points of
+// the front have labels (all of them if there is no front): a page names the others when the pointer is over
+// them. The same chart gives the same bytes; throws as render_svg() does.
 std::vector<DrawnPanel> render_panels(const Chart& chart);
 
 }  // namespace penumbra::study

@@ -18,15 +18,16 @@ double area(const Box& box) {
   return std::max(box.right - box.left, 0.0) * std::max(box.bottom - box.top, 0.0);
 }
 
-// UTF-8: bytes that continue a letter are not counted.
+// Counts the letters of UTF-8: bytes that continue a letter do not count.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-// The text's box when its nearest edge or corner is `distance` away from the point, in direction `angle`.
+// Returns the text's box when its nearest edge or corner is `distance` away from the point, in direction
+// `angle`.
 Box box_at(const LabelRequest& request, double angle, double distance, double font_pixels) {
-  constexpr double kMeanLetterWidth = 0.58;  // of a sans-serif letter, in font sizes, on the wide side
+  constexpr double kMeanLetterWidth = 0.58;  // width of a sans-serif letter, in font sizes, on the wide side
   const double width = kMeanLetterWidth * font_pixels * static_cast<double>(letters(request.text));
   const double height = 1.15 * font_pixels;
   const double c = std::cos(angle);
@@ -40,7 +41,7 @@ double distance_to(const Box& box, double x, double y) {
   return std::hypot(x - std::clamp(x, box.left, box.right), y - std::clamp(y, box.top, box.bottom));
 }
 
-// Of the line from the request's point to its label, in pixels; how much of it lies within a box.
+// Returns the length, in pixels, of the line from the request's point to its label that lies within a box.
 double length_within(const LabelRequest& request, const Box& label, const Box& box) {
   constexpr int kSteps = 24;
   const double end_x = std::clamp(request.x, label.left, label.right);
@@ -57,7 +58,7 @@ double length_within(const LabelRequest& request, const Box& label, const Box& b
   return std::hypot(end_x - request.x, end_y - request.y) * inside / kSteps;
 }
 
-// Whether the lines from two points to their labels cross.
+// Returns whether the lines from two points to their labels cross.
 bool lines_cross(const LabelRequest& a, const Box& label_a, const LabelRequest& b, const Box& label_b) {
   struct Spot {
     double x = 0.0;
@@ -81,7 +82,7 @@ struct Surroundings {
   const std::vector<LabelRequest>& requests;
   const std::vector<Box>& obstacles;
   const Box& frame;
-  const std::vector<std::optional<PlacedLabel>>& placed;  // by request; absent: not yet
+  const std::vector<std::optional<PlacedLabel>>& placed;  // indexed by request; absent if not yet placed
 };
 
 double covered_area(const Surroundings& around, std::size_t own, const Box& box) {
@@ -107,8 +108,8 @@ double ambiguity(const Surroundings& around, std::size_t own, const Box& box) {
 }
 
 double line_crossings(const Surroundings& around, std::size_t own, const Box& box) {
-  constexpr double kRadius = 5.0;    // of a point
-  constexpr double kCrossed = 15.0;  // two lines: as bad as so many pixels over a label
+  constexpr double kRadius = 5.0;    // radius of a point
+  constexpr double kCrossed = 15.0;  // cost of two crossing lines, as so many pixels over a label
   double crossings = 0.0;
   for (std::size_t i = 0; i < around.requests.size(); ++i) {
     const LabelRequest& other = around.requests[i];
@@ -128,9 +129,9 @@ double line_crossings(const Surroundings& around, std::size_t own, const Box& bo
 
 // Once the cost reaches the limit, it need not be complete.
 double cost(const Surroundings& around, std::size_t own, const Box& box, double distance, double limit) {
-  constexpr double kAmbiguity = 400.0;  // as bad as so many square pixels covered
-  constexpr double kCrossing = 20.0;    // for each pixel
-  constexpr double kFar = 0.5;          // for each pixel
+  constexpr double kAmbiguity = 400.0;  // cost in square pixels covered
+  constexpr double kCrossing = 20.0;    // cost of each pixel over something
+  constexpr double kFar = 0.5;          // cost of each pixel of distance
   double sum = kFar * distance;
   if (sum < limit) sum += covered_area(around, own, box);
   if (sum < limit) sum += kAmbiguity * ambiguity(around, own, box);
@@ -165,8 +166,8 @@ struct Placement {
   double cost = 0.0;
 };
 
-// Places them in this order, then again given the positions of the others, until none moves, at most a few
-// times.
+// Places the labels in this order, then again given the positions of the others, until none moves, at most a
+// few times.
 Placement placed_in_order(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
                           const Box& frame, double font_pixels, const std::vector<std::size_t>& order) {
   constexpr int kRounds = 6;
@@ -186,7 +187,7 @@ Placement placed_in_order(const std::vector<LabelRequest>& requests, const std::
   return placement;
 }
 
-// Of the first ones by the order of requests and of x, forwards and backwards.
+// Returns the cheapest of the placements by the order of requests and of x, forwards and backwards.
 Placement cheapest_placement(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
                              const Box& frame, double font_pixels, std::size_t first) {
   std::vector<std::size_t> order(first);

@@ -25,19 +25,21 @@ struct LabelRequest {
 };
 
 struct PlacedLabel {
-  Box box;                  // of the text
-  bool needs_line = false;  // too far from its point, or too near to another one, to be read as its own
+  Box box;  // box of the text
+  // True if it is too far from its point, or too near to another one, to be read as its own.
+  bool needs_line = false;
 
   bool operator==(const PlacedLabel&) const = default;
 };
 
 double overlap_area(const Box& a, const Box& b);
 
-// Each label takes, of candidate positions on rings around its point, the one that overlaps other labels,
-// obstacles (points, lines) and the outside of the frame least, that is nearest to its own point rather than
-// to another label's, and whose leader line crosses no other label, point or line. Several orders of
-// placement are tried, each with a few iterations of refinement; the one with the lowest cost is taken. Near
-// positions win ties. Beyond the first `always` labels, those without room are omitted. Deterministic.
+// Each label takes one of several candidate positions on rings around its point. Its cost counts overlaps
+// with other labels, obstacles (points, lines) and the outside of the frame; a place nearer to another
+// label's point than to its own; and a leader line that crosses another label, point or line. Several orders
+// of placement are tried, each with a few iterations of refinement; the one with the lowest cost is taken.
+// Near positions win ties. Beyond the first `always` labels, those without room are omitted. The result is
+// deterministic.
 std::vector<std::optional<PlacedLabel>> place_labels(
     const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& frame,
     double font_pixels, std::size_t always = std::numeric_limits<std::size_t>::max());

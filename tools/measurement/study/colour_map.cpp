@@ -12,7 +12,7 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
 }
 
-// colour(pixel index) for every pixel that has a receiver.
+// Calls colour(pixel index) for every pixel that has a receiver.
 template <typename Colour>
 Picture paint(const PixelGrid& grid, std::size_t values, const Colour& colour) {
   const std::size_t size = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);

@@ -15,18 +15,20 @@ namespace penumbra::study {
 inline constexpr Rgb kNoReceiver{168, 180, 196};
 inline constexpr Rgb kInvalid{255, 0, 255};
 
-// Black 0 to white 1, linear in the stored value: a picture of numbers, not of light.
+// The scale runs from black at 0 to white at 1, linear in the stored value: a picture of numbers, not of
+// light.
 Rgb visibility_colour(double visibility);
 
-// -1 (too dark) blue, 0 white, +1 (too bright: a leak) vermilion, two hues that people with every common
-// kind of colour blindness tell apart; both arms are straight lines to ends of equal luma (Rec. 709, within
-// 1 %), so that equal errors of either sign weigh the same in print. Saturates beyond +-1.
+// The scale runs from blue at -1 (too dark) over white at 0 to vermilion at +1 (too bright: a leak), two hues
+// that people with every common kind of colour blindness distinguish. Both arms are straight lines to ends of
+// equal luma (Rec. 709, within 1 %), so that equal errors of either sign weigh the same in print. Values
+// beyond +-1 are clamped.
 Rgb error_colour(double share);
 
-// 0 dark blue to 1 yellow by cividis (J. R. Nunez, C. R. Anderton, R. S. Renslow, "Optimizing colormaps with
-// consideration for color vision deficiency to enable accurate interpretation of scientific data", PLOS ONE
-// 2018): lightness rises evenly, and colour-blind people see the same map. Straight lines between ten of its
-// colours. Clamped to [0, 1].
+// The scale runs from dark blue at 0 to yellow at 1 by cividis (J. R. Nunez, C. R. Anderton, R. S. Renslow,
+// "Optimizing colormaps with consideration for color vision deficiency to enable accurate interpretation of
+// scientific data", PLOS ONE 2018): lightness rises evenly, and colour-blind people see the same map. It
+// consists of straight lines between ten of its colours, and the argument is clamped to [0, 1].
 Rgb fetch_colour(double share);
 
 // Categories, in colours that colour-blind people can distinguish: M. Okabe and K. Ito, "Color Universal
@@ -34,7 +36,8 @@ Rgb fetch_colour(double share);
 enum class Category { orange, sky_blue, bluish_green, yellow, blue, vermillion, reddish_purple };
 Rgb category_colour(Category category);
 
-// What all pictures of one frame share. Row 0 at the top; valid 0: no receiver.
+// The properties that all pictures of one frame share. Row 0 is at the top; `valid` is 0 where there is no
+// receiver.
 struct PixelGrid {
   int width = 0;
   int height = 0;
@@ -46,13 +49,13 @@ Picture error_picture(const PixelGrid& grid, std::span<const float> result, std:
                       double full_scale);
 Picture fetch_picture(const PixelGrid& grid, std::span<const std::uint32_t> fetches, double full_scale);
 
-// Grey: each count as it is, 255 for larger ones and 0 where there is no receiver.
+// Draws grey: each count as it is, 255 for larger ones and 0 where there is no receiver.
 Picture count_picture(const PixelGrid& grid, std::span<const std::uint32_t> counts);
 
-// Colours in [0, 1], row 0 at the top, as they are.
+// Draws colours in [0, 1] without a map, row 0 at the top.
 Picture colour_picture(int width, int height, std::span<const glm::vec3> colours);
 
-// A horizontal strip of a ramp for a legend: the first column is `from`, the last `to`.
+// Draws a horizontal strip of a ramp for a legend: the first column is `from`, the last `to`.
 Picture ramp_strip(Rgb (*ramp)(double), double from, double to);
 
 }  // namespace penumbra::study

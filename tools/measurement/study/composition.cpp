@@ -9,7 +9,7 @@
 namespace penumbra::study {
 namespace {
 
-constexpr int kCaptionGap = 4;   // between a caption and its picture
+constexpr int kCaptionGap = 4;   // pixels between a caption and its picture
 constexpr Rgb kInk{34, 34, 34};  // grey: sheets in shades of grey fit a palette
 
 std::vector<std::string> lines_of(const std::string& caption) {
@@ -36,7 +36,7 @@ class Captions {
  public:
   Captions(Picture& canvas, int text_size) : canvas_(canvas), letters_(text_size) {}
 
-  // The caption's lines from the top, and the legend in the last of them.
+  // Draws the caption's lines from the top, and the legend in the last of them.
   void draw(int left, int top, int width, const CaptionedPicture& item) {
     const std::vector<std::string> lines = lines_of(item.caption);
     const int last = std::max(static_cast<int>(lines.size()) - 1, 0);
@@ -53,7 +53,7 @@ class Captions {
   }
 
  private:
-  // "from" [======] "to", right-aligned in the caption's row. Returns its left end.
+  // Draws "from" [======] "to", right-aligned in the caption's row. Returns its left end.
   int draw_legend(int right, int top, const Legend& legend, int strip_width) {
     const int strip_right = right - letters_.width(legend.to) - kPictureGap / 2;
     const int strip_left = strip_right - strip_width;

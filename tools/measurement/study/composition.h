@@ -10,9 +10,9 @@
 namespace penumbra::study {
 
 struct Legend {
-  Picture strip;     // of one ramp (ramp_strip)
+  Picture strip;     // a strip of one ramp (ramp_strip)
   std::string from;  // text at its left end
-  std::string to;    // and at its right
+  std::string to;    // text at its right end
 };
 
 struct CaptionedPicture {
@@ -25,17 +25,17 @@ inline constexpr int kTextSize = 20;   // pixels of a caption's line
 inline constexpr int kPictureGap = 8;  // pixels between pictures
 inline constexpr Rgb kPaper{255, 255, 255};
 
-// Rows of at most `columns` pictures, dark text on white, each caption above its picture and cut to its
-// width, or to `least_width` pixels where that is more. Captions are UTF-8.
-// Throws std::invalid_argument without a picture or when sizes differ, EnvironmentError without a font.
+// Arranges rows of at most `columns` pictures, dark text on white, each caption above its picture and cut to
+// its width, or to `least_width` pixels where that is more. Captions are UTF-8. Throws std::invalid_argument
+// without a picture or when sizes differ, EnvironmentError without a font.
 Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width = 0,
                 int text_size = kTextSize);
 
-// Pixels that the longest line of a caption takes.
+// Returns the pixels that the longest line of a caption takes.
 int caption_width(const std::string& caption, int text_size = kTextSize);
 
-// The caption with lines broken after commas, else at spaces, so that none but a single word is wider than
-// this.
+// Returns the caption with lines broken after commas, or else at spaces, so that only a single word can be
+// wider than this.
 std::string wrapped_caption(const std::string& caption, int width, int text_size = kTextSize);
 
 }  // namespace penumbra::study

@@ -13,7 +13,7 @@ namespace penumbra::study {
 namespace {
 
 constexpr int kMostColumns = 4;
-constexpr int kLeastWidth = 12;  // of a cell, in heights of a line: what a legend needs
+constexpr int kLeastWidth = 12;  // least width of a cell, in heights of a line, for its legend
 
 std::string reference_caption(const Record& record) {
   return fmt::format("Ray traced\n{}, light of {}°", record.scene, record.light_degrees);
@@ -38,7 +38,7 @@ std::optional<CaptionedPicture> mask_cell(const Record& record, const PictureRow
   return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
 }
 
-// As Unity's inspector shows the name of a pass: "Penumbra Width".
+// Returns the name of a pass as Unity's inspector shows it: "Penumbra Width".
 std::string inspector_name(const std::string& pass) {
   std::string name;
   for (const char c : pass) {
@@ -109,7 +109,7 @@ int text_size(int sheet_width) {
   return std::clamp(sheet_width / kLettersPerSheet, kTextSize, 3 * kTextSize);
 }
 
-// Of a cell's width; the rest keeps neighbours' captions apart.
+// Captions get this part of a cell's width; the rest keeps neighbours' captions apart.
 int room_for_captions(int width, int text) {
   return std::max(width, kLeastWidth * text) - text / 2;
 }
@@ -128,7 +128,7 @@ int fitting_text_size(const std::vector<CaptionedPicture>& cells, int largest) {
   return largest;
 }
 
-// The part that is shown, zoomed, and its insets.
+// Returns the part of the picture that is shown, zoomed, and its insets.
 Picture shown(const Picture& picture, const SheetOptions& options) {
   const PictureWindow window = options.window.value_or(PictureWindow{0, 0, picture.width, picture.height});
   std::vector<PictureWindow> insets = options.insets;

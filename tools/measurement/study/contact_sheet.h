@@ -20,26 +20,27 @@ struct SheetChoice {
       : kind(picture), view(std::move(debug_view)) {}
 
   SheetPicture kind;
-  std::string view;  // of the debug views, by its pass
+  std::string view;  // the debug view, by its pass
 
   bool operator==(const SheetChoice&) const = default;
 };
 
 struct SheetOptions {
-  std::optional<PictureWindow> window{};  // what is shown of every picture; absent: all
+  std::optional<PictureWindow> window{};  // the part shown of every picture; absent means all
   // Parts shown enlarged beneath every picture, in pixels of the whole picture and inside of the window.
   std::vector<PictureWindow> insets{};
   bool reference_last = false;  // else the ray-traced picture comes before the techniques
   int zoom = 1;                 // pixels of the sheet per pixel shown, each way
   int columns = 0;              // 0: a scene and light take a row, of at most four pictures
-  // Of each subject; a mask and debug views only where there are some.
+  // The pictures of each subject; a mask and debug views appear only where there are some.
   std::vector<SheetChoice> pictures{SheetPicture::result};
 };
 
-// Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one
-// study, in its order; a record's title names its pictures, and its figures are the caption's. Captions keep
-// to their cells: long lines are broken. Throws std::invalid_argument if they are inconsistent, for a window
-// or an inset beyond the pictures, and for insets that do not fit side by side beneath one.
+// The sheet has, per scene and light, the ray-traced reference, then the subjects. `records` and `rows` are
+// those of one study, in its order; a record's title names its pictures, and its figures are the caption's.
+// Captions stay within their cells: long lines are broken. Throws std::invalid_argument if they are
+// inconsistent, for a window or an inset beyond the pictures, and for insets that do not fit side by side
+// beneath one.
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 

@@ -46,7 +46,7 @@ void require_same_frames(const Results& results, const Results& earlier, const s
   }
 }
 
-// Of the same scene and light.
+// Returns the record of the same scene and light.
 const Record& record_beside(const Results& results, const Record& record, const std::string& file) {
   for (const Record& own : results.records)
     if (own.scene == record.scene && own.light_degrees == record.light_degrees) return own;

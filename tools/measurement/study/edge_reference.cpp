@@ -11,15 +11,16 @@
 namespace penumbra::study {
 namespace {
 
-// In 16ths of a pixel.
+// The offsets are in 16ths of a pixel.
 constexpr std::array<std::array<int, 2>, 2> kTwo{{{4, 4}, {-4, -4}}};
 constexpr std::array<std::array<int, 2>, 4> kFour{{{-2, -6}, {6, -2}, {-6, 2}, {2, 6}}};
 constexpr std::array<std::array<int, 2>, 8> kEight{
     {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}}};
 
-// Smaller than what a technique may take for an edge: an edge that it does not mark counts here.
+// These are smaller than what a technique may take for an edge, so that an edge that it does not mark counts
+// here.
 constexpr double kSmallestPixels = 0.5;  // apart, in pixel footprints
-constexpr double kLargestCosine = 0.97;  // between normals
+constexpr double kLargestCosine = 0.97;  // cosine of the angle between normals
 
 template <std::size_t count>
 std::vector<glm::dvec2> offsets_of(const std::array<std::array<int, 2>, count>& sixteenths) {
@@ -28,7 +29,8 @@ std::vector<glm::dvec2> offsets_of(const std::array<std::array<int, 2>, count>& 
   return offsets;
 }
 
-// Of two samples of one pixel. metres: the width of a pixel per metre of distance.
+// Returns whether two samples of one pixel see different surfaces. `metres` is the width of a pixel per metre
+// of distance.
 bool differ(const SampleView& a, const SampleView& b, std::size_t pixel, const parameters::Camera& camera,
             double metres) {
   if (a.receivers.triangle[pixel] == b.receivers.triangle[pixel]) return false;

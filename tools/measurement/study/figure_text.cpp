@@ -15,8 +15,8 @@ double half_width(const Estimate& estimate, double scale) {
   return scale * std::max(estimate.value - estimate.interval->low, estimate.interval->high - estimate.value);
 }
 
-// The number of decimals of a half width: its second digit up to 35, else its first (the rule of the Particle
-// Data Group's reviews): 0.031 has 3, 0.0042 has 3, 0.0996 (0.10) has 2, 12 has none.
+// Returns the number of decimals of a half width: its second digit up to 35, else its first (the rule of the
+// Particle Data Group's reviews): 0.031 has 3, 0.0042 has 3, 0.0996 (0.10) has 2, 12 has none.
 int decimals_of(double half, int most_decimals) {
   const double exponent = std::floor(std::log10(half));
   const double digits = half / std::pow(10.0, exponent);  // [1, 10)
@@ -26,14 +26,14 @@ int decimals_of(double half, int most_decimals) {
   return std::clamp(decimals, 0, most_decimals);
 }
 
-// Three significant digits without trailing zeros: "4", not "4.00".
+// Returns three significant digits without trailing zeros: "4", not "4.00".
 std::string plain(double value, int most_decimals) {
   if (value == std::round(value)) return fmt::format("{:.0f}", value);
   const auto decimals = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
   return fmt::format("{:.{}f}", value, std::clamp(decimals, 0, std::min(3, most_decimals)));
 }
 
-// Whether the interval was clipped at 0 or 1. One that ends there by coincidence is symmetric.
+// Returns whether the interval was clipped at 0 or 1. One that ends there by coincidence is symmetric.
 bool is_cut_off(const Interval& interval, double value) {
   const double below = value - interval.low;
   const double above = interval.high - value;

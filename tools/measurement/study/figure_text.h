@@ -20,17 +20,18 @@ struct Estimate {
   bool operator==(const Estimate&) const = default;
 };
 
-// scale is applied first: 100 for percent. Never more than most_decimals. An absent figure is "–".
+// `scale` is applied first: 100 for percent. The text never has more than most_decimals. An absent figure is
+// "–".
 std::string figure_text(const std::optional<Estimate>& estimate, double scale = 1.0, int most_decimals = 4);
 
-// The same without its interval, where the interval is shown elsewhere.
+// Returns the same without its interval, where the interval is shown elsewhere.
 std::string figure_text_alone(const std::optional<Estimate>& estimate, double scale = 1.0,
                               int most_decimals = 4);
 
-// Fetches per pixel: a tenth is the finest that tells techniques apart.
+// Returns fetches per pixel: a tenth is the finest that distinguishes techniques.
 std::string fetches_text(const std::optional<Estimate>& fetches);
 
-// Operations per pixel: a whole number.
+// Returns operations per pixel as a whole number.
 std::string operations_text(const std::optional<Estimate>& operations);
 
 }  // namespace penumbra::study

@@ -9,7 +9,7 @@ namespace {
 constexpr double kForgotten = 0.01;
 constexpr int kFramesBetween = 7;
 
-// Frames before the first result, and that of the result itself.
+// Returns the number of frames before the first result, and that of the result itself.
 int first_frames(double share) {
   if (!(share > 0.0 && share <= 1.0)) throw std::invalid_argument("a share of a history is above 0, up to 1");
   if (share == 1.0) return 1;

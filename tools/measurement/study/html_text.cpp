@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-// Bytes of the well-formed UTF-8 sequence at the start of text (Unicode 15, table 3-7), or 0.
+// Returns the bytes of the well-formed UTF-8 sequence at the start of text (Unicode 15, table 3-7), or 0.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);

@@ -8,17 +8,18 @@
 
 namespace penumbra::study {
 
-// Safe in element content and in quoted attributes: & < > " ' escaped, control characters (tab and line feed
-// apart) and bytes that are not valid UTF-8 replaced by U+FFFD.
+// The result is safe in element content and in quoted attributes: & < > " ' are escaped; control characters
+// (tab and line feed apart) and bytes that are not valid UTF-8 are replaced by U+FFFD.
 std::string escape_html(std::string_view text);
 
-// A command as a block of code, escaped: lines wrap between its words, never at the hyphens of an option.
+// Returns a command as a block of code, escaped: lines wrap between its words, never at the hyphens of an
+// option.
 std::string command_html(std::string_view command);
 
-// RFC 4648, padded.
+// The encoding is that of RFC 4648, padded.
 std::string base64(std::span<const std::byte> bytes);
 
-// "data:image/png;base64,..."
+// Returns "data:image/png;base64,...".
 std::string png_data_uri(std::span<const std::byte> png);
 
 }  // namespace penumbra::study

@@ -11,7 +11,7 @@ namespace penumbra::study {
 namespace {
 
 constexpr int kFrame = 4;  // pixels around an inset
-constexpr int kMark = 2;   // around its place in the picture
+constexpr int kMark = 2;   // pixels around an inset's place in the picture
 Rgb frame_colour(std::size_t inset) {
   static constexpr std::array kOrder{Category::vermillion, Category::blue, Category::yellow,
                                      Category::bluish_green};
@@ -26,7 +26,7 @@ void fill(Picture& picture, const PictureWindow& area, Rgb colour) {
   }
 }
 
-// Around the window, not upon it.
+// The frame lies around the window, not upon it.
 void draw_frame(Picture& picture, const PictureWindow& window, int thickness, Rgb colour) {
   const int wide = window.width + 2 * thickness;
   fill(picture, {window.x - thickness, window.y - thickness, wide, thickness}, colour);

@@ -13,14 +13,14 @@ constexpr std::size_t kBlockReplicates = 1000;
 constexpr std::size_t kSceneReplicates = 2000;
 constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
 
-// The standard's engine is the same everywhere, its distributions are not.
+// The standard's engine is the same everywhere, while its distributions are not.
 class Draws {
  public:
   std::size_t index(std::size_t count) {
     return static_cast<std::size_t>((static_cast<std::uint64_t>(engine_()) * count) >> 32U);
   }
 
-  // Of the standard normal distribution (Box & Muller 1958).
+  // Returns a draw of the standard normal distribution (Box & Muller 1958).
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());
@@ -32,7 +32,7 @@ class Draws {
   std::mt19937 engine_{13};
 };
 
-// The 97.5 % quantile of Student's t: exact for one and two degrees of freedom, else the expansion in
+// Returns the 97.5 % quantile of Student's t: exact for one and two degrees of freedom, else the expansion in
 // 1/degrees of Abramowitz & Stegun 26.7.5, whose error from three degrees on is below 1 %.
 double student_quantile(double degrees) {
   if (degrees < 1.5) return 12.706204736;
@@ -54,8 +54,8 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-// Around a figure that is derived from `count` independent samples. Resampling them with replacement
-// underestimates the variance by the factor (count - 1) / count.
+// Returns the interval around a figure that is derived from `count` independent samples. Resampling them with
+// replacement underestimates the variance by the factor (count - 1) / count.
 Interval interval_of(double figure, const std::vector<double>& replicates, std::size_t count, double least,
                      double most) {
   const auto n = static_cast<double>(count);

@@ -38,18 +38,18 @@ struct BlockSums {
 
 enum class Figure { mean, root_of_mean };
 
-// Of the figure over these blocks, within [0, most]. Blocks without a count are ignored; absent if fewer than
-// two remain.
+// Returns the interval of the figure over these blocks, within [0, most]. Blocks without a count are ignored;
+// absent if fewer than two remain.
 std::optional<Interval> block_interval(std::span<const BlockSums> blocks, Figure figure, double most);
 
-// One scene's figure, and how sure it is.
+// One scene's figure and its standard error.
 struct SceneFigure {
   double value = 0.0;
-  double standard_error = 0.0;  // 0 where it is not known
+  double standard_error = 0.0;  // 0 if it is not known
 };
 
-// Of the mean over scenes, each weighing the same, within [least, most]. Of one scene: by its
-// standard error alone, absent where that is 0. Absent without scenes.
+// Returns the interval of the mean over scenes, each weighing the same, within [least, most]. For one scene
+// it follows from its standard error alone, and is absent where that is 0. It is absent without scenes.
 std::optional<Interval> mean_interval(std::span<const SceneFigure> scenes, double least, double most);
 
 }  // namespace penumbra::study

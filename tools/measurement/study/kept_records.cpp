@@ -23,7 +23,7 @@ PackedPicture read_picture(platform::ByteReader& in) {
 
 std::string encode(const KeptRecord& kept) {
   Results results;
-  results.is_software = true;  // no matter which, as long as it is read alike
+  results.is_software = true;  // any value serves, as writing and reading agree
   results.frames = {kept.frame};
   results.records = {kept.record};
   platform::ByteWriter out;

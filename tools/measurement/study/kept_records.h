@@ -1,5 +1,5 @@
-// Finished records of a study with their pictures, kept until the study is finished: one that was interrupted
-// goes on where it stopped.
+// Finished records of a study with their pictures, kept until the study is finished, so that an interrupted
+// study continues where it stopped.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace penumbra::study {
 
-inline constexpr const char* kept_record_kind = "record";  // of the store's entries
+inline constexpr const char* kept_record_kind = "record";  // the kind of the store's entries
 
 struct KeptRecord {
-  MeasuredFrame frame;  // of the record's scene and light
+  MeasuredFrame frame;  // the frame of the record's scene and light
   Record record;
   PictureRow pictures;
   std::vector<std::string> unset_uniforms;
@@ -26,17 +26,17 @@ struct KeptRecord {
 // A record that cannot be written, or not read again, is measured again.
 class KeptRecords {
  public:
-  // An empty folder: reference::ReferenceCache's own.
+  // An empty folder means reference::ReferenceCache's own.
   explicit KeptRecords(const std::filesystem::path& folder);
 
-  // key: the hash of everything that the record and its pictures depend on.
+  // `key` is the hash of everything that the record and its pictures depend on.
   std::optional<KeptRecord> find(const std::string& key);
   void store(const std::string& key, const KeptRecord& kept);
 
-  // Whether every record that was given to store() is kept.
+  // Returns whether every record that was given to store() is kept.
   bool complete() const { return complete_; }
 
-  // Those that were found or stored by this object.
+  // Removes those that were found or stored by this object.
   void drop();
 
  private:

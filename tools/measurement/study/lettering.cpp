@@ -21,7 +21,7 @@ namespace penumbra::study {
 namespace {
 
 constexpr std::array kFontFiles{
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",  // Debian
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",  // the path on Debian
     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf",
 };
@@ -31,7 +31,7 @@ struct Font {
   stbtt_fontinfo info{};
 };
 
-// Not a device, which may have no end.
+// The file must not be a device, which may have no end.
 bool could_be_a_font(const std::filesystem::path& file) {
   constexpr std::uintmax_t kLargest = std::uintmax_t{64} << 20;
   std::error_code error;
@@ -169,7 +169,7 @@ std::string Lettering::cut_to(std::string_view text, int most) const {
 void Lettering::draw(Picture& picture, int left, int top, std::string_view text, Rgb ink) const {
   const std::u32string letters = letters_of(text);
   const int baseline = top + static_cast<int>(std::lround(ascent_));
-  float pen = 0.0F;  // from `left`, so that a text looks the same at every position
+  float pen = 0.0F;  // measured from `left`, so that a text looks the same at every position
   for (std::size_t i = 0; i < letters.size(); ++i) {
     const float whole = std::floor(pen);
     const Glyph glyph = glyph_of(letters[i], scale_, pen - whole);

@@ -14,18 +14,18 @@ namespace penumbra::study {
 
 class Lettering {
  public:
-  // size: height of a line in pixels. Throws EnvironmentError where there is no font, naming the package that
-  // brings one.
+  // `size` is the height of a line in pixels. Throws EnvironmentError where there is no font, naming the
+  // package that brings one.
   explicit Lettering(int size);
 
   int line_height() const { return size_; }
-  int width(std::string_view text) const;  // in pixels, rounded up
+  int width(std::string_view text) const;  // width in pixels, rounded up
 
-  // As much of the text as is no wider than this, whole characters.
+  // Returns as much of the text as is no wider than this, in whole characters.
   std::string cut_to(std::string_view text, int width) const;
 
-  // The line's left upper corner at (left, top); what lies beyond the picture, or above or below the line, is
-  // left out.
+  // The line's left upper corner is at (left, top); what lies beyond the picture, or above or below the line,
+  // is left out.
   void draw(Picture& picture, int left, int top, std::string_view text, Rgb ink) const;
 
  private:

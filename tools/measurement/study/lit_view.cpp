@@ -20,7 +20,7 @@ LitView::LitView(lighting::LitSettings settings, StudyProgress progress)
 void LitView::add(const SubjectAnswer& answer) {
   const double degrees = answer.record.light_degrees;
   if (!frame_ || scene_ != answer.scene.name || light_degrees_ != degrees) {
-    frame_.reset();  // before the next one is made: a frame is large
+    frame_.reset();  // frees the frame before the next one is made, because a frame is large
     settings_.light_degrees = degrees;
     frame_.emplace(answer.scene, answer.frame, settings_, progress_);
     scene_ = answer.scene.name;

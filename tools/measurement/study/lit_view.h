@@ -1,7 +1,7 @@
-// The pictures of a study as photographs: what each subject's shadows look like on lit materials.
+// The pictures of a study as photographs: each subject's shadows on lit materials.
 //
-// Collects every result of a study and lights its frame; the reference's picture is lit by the ray-traced
-// visibility. A study that this view listens to runs at `supersampling` times the size of the pictures.
+// The view collects every result of a study and lights its frame; the reference's picture is lit by the
+// ray-traced visibility. Such a study runs at `supersampling` times the size of the pictures.
 #pragma once
 
 #include <optional>
@@ -19,21 +19,21 @@ class LitView {
  public:
   LitView(lighting::LitSettings settings, StudyProgress progress);
 
-  // For StudySettings::answered. Throws what lighting::LitFrame does.
+  // It is called by StudySettings::answered. Throws what lighting::LitFrame does.
   void add(const SubjectAnswer& answer);
 
-  // Replaces references and results by the lit pictures, and scales all others down to their size. rows: of
-  // the same study. Throws std::invalid_argument for another number of rows.
+  // Replaces references and results by the lit pictures, and scales all others down to their size. `rows` are
+  // those of the same study. Throws std::invalid_argument for another number of rows.
   void replace_pictures(std::vector<PictureRow>& rows) const;
 
  private:
   lighting::LitSettings settings_;
   StudyProgress progress_;
-  std::optional<lighting::LitFrame> frame_;  // of the scene and light that answers come from
+  std::optional<lighting::LitFrame> frame_;  // the frame of the scene and light that answers come from
   std::string scene_;
   double light_degrees_ = -1.0;
   Picture reference_;
-  std::vector<Picture> references_, results_;  // one per answer
+  std::vector<Picture> references_, results_;  // one picture per answer
 };
 
 }  // namespace penumbra::study

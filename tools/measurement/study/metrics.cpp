@@ -83,7 +83,7 @@ class Blocks {
   std::size_t count_ = 1;
 };
 
-// One figure's sums by block.
+// The sums of one figure by block.
 class BlockFigure {
  public:
   explicit BlockFigure(std::size_t blocks) : sums_(blocks) {}
@@ -99,7 +99,8 @@ class BlockFigure {
   std::vector<BlockSums> sums_;
 };
 
-// Nearest-rank percentile: the smallest value with at least `fraction` of all values at or below it.
+// Returns the nearest-rank percentile: the smallest value with at least `fraction` of all values at or below
+// it.
 template <typename Value>
 std::optional<double> percentile(std::vector<Value>& values, double fraction) {
   if (values.empty()) return std::nullopt;
@@ -109,7 +110,7 @@ std::optional<double> percentile(std::vector<Value>& values, double fraction) {
   return static_cast<double>(*nth);
 }
 
-// Two passes over a few seeds: the one-pass formula suffers cancellation if the variance is small.
+// It makes two passes over a few seeds: the one-pass formula suffers cancellation if the variance is small.
 std::optional<double> sample_variance(const std::vector<double>& values) {
   if (values.size() < 2) return std::nullopt;
   double mean = 0.0;

@@ -36,20 +36,21 @@ struct MeasuredImages {
   std::vector<std::span<const std::uint32_t>> fetches;  // one image per seed, or one for all, or none
   std::span<const float> t2;                            // empty when not computed
   std::span<const float> t3;                            // empty when not computed
-  double preprocess_fetches_per_pixel = 0.0;            // of map preparation and passes at lower resolution
+  double preprocess_fetches_per_pixel = 0.0;            // by map preparation and passes at lower resolution
   std::span<const std::uint8_t> masked_out;  // 1 where a penumbra mask says "none here"; empty without
-  int width = 0;                             // pixels of a row, for intervals; 0: one block, and none
+  int width = 0;                             // pixels of a row, for intervals; 0: one block and no intervals
 };
 
-// A picture is kBlocksAcross square blocks wide, of at least kSmallestBlock pixels a side: what intervals are
-// drawn from. A share of the picture, because a larger picture shows the same penumbrae wider.
+// A picture is kBlocksAcross square blocks wide, of at least kSmallestBlock pixels a side, from which
+// intervals are drawn. The block is a share of the picture, because a larger picture shows the same penumbrae
+// wider.
 inline constexpr int kBlocksAcross = 32;
 inline constexpr int kSmallestBlock = 4;
 
 // The pixels that a penumbra mask skips, as shares.
 struct MaskShares {
-  double pixels_saved = 0.0;                       // of all pixels: those the mask leaves out
-  std::optional<double> penumbra_pixels_missed{};  // of penumbra pixels: those it skips by mistake
+  double pixels_saved = 0.0;                       // share of all pixels that the mask leaves out
+  std::optional<double> penumbra_pixels_missed{};  // share of penumbra pixels that it skips by mistake
 
   bool operator==(const MaskShares&) const = default;
 };
@@ -62,8 +63,8 @@ struct ErrorShare {
   bool operator==(const ErrorShare&) const = default;
 };
 
-// Where the error comes from. Per pixel (T2-T1) + (T3-T2) + (result-T3) = result-T1, so the means add up to
-// the bias. The RMSEs do not add and do not subtract: the three shares are correlated.
+// The error by its causes. Per pixel (T2-T1) + (T3-T2) + (result-T3) = result-T1, so the means add up to the
+// bias. The RMSEs do not add and do not subtract: the three shares are correlated.
 struct ErrorSplit {
   std::optional<ErrorShare> map;        // T2 - T1: the error of the map's resolution and its single layer
   std::optional<ErrorShare> algorithm;  // T3 - T2: the error of the technique's penumbra model
@@ -72,7 +73,8 @@ struct ErrorSplit {
   bool operator==(const ErrorSplit&) const = default;
 };
 
-// Of the figures of the same names; absent where the figure is, or if it depends on one block only.
+// The intervals of the figures of the same names; absent where the figure is, or if it depends on one block
+// only.
 struct MetricIntervals {
   std::optional<Interval> rmse_penumbra;
   std::optional<Interval> rmse_all;
@@ -84,7 +86,7 @@ struct MetricIntervals {
 };
 
 struct Metrics {
-  std::size_t pixels = 0;  // with a receiver
+  std::size_t pixels = 0;  // number with a receiver
   std::size_t penumbra_pixels = 0;
   std::size_t seeds = 0;
   std::size_t invalid = 0;  // results (T3 included) that are not finite or outside [0, 1]: a finding;
@@ -101,7 +103,7 @@ struct Metrics {
   std::optional<double> fetches_p95;        // nearest-rank
   std::optional<double> fetches_penumbra_mean;
   double preprocess_fetches_per_pixel = 0.0;
-  std::optional<MaskShares> mask;  // of techniques with a penumbra mask
+  std::optional<MaskShares> mask;  // for techniques with a penumbra mask
   ErrorSplit split;
   MetricIntervals intervals;  // 95 %
 

@@ -12,7 +12,7 @@ namespace penumbra::study {
 class PackedPicture {
  public:
   PackedPicture() = default;
-  // Packs; a picture without samples is empty. Throws as encode_png does.
+  // Packs the picture; one without samples is empty. Throws as encode_png() does.
   PackedPicture(const Picture& picture);  // NOLINT(google-explicit-constructor)
   // Throws InputError for bytes that are no PNG.
   explicit PackedPicture(std::span<const std::byte> png);

@@ -16,8 +16,8 @@ std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points) {
     return std::tuple(points[a].cost, points[a].error, a) < std::tuple(points[b].cost, points[b].error, b);
   });
 
-  // In order of cost, a point is in the front if its error is below the smallest so far, or if it equals the
-  // point with the smallest.
+  // In the order of cost, a point is in the front if its error is below the smallest so far, or if it equals
+  // the point with the smallest.
   std::vector<std::size_t> front;
   double best = std::numeric_limits<double>::infinity();
   for (const std::size_t i : order) {

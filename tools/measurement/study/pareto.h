@@ -11,9 +11,9 @@ struct CostAndError {
   double error = 0.0;
 };
 
-// Indices of the points that no other point dominates, by rising cost. A point dominates another when it is
-// not worse in either figure and better in one; equal points are kept together. Points that are not finite
-// are excluded.
+// Returns the indices of the points that no other point dominates, by rising cost. A point dominates another
+// when it is not worse in either figure and better in one; equal points are kept together. Points that are
+// not finite are excluded.
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points);
 
 }  // namespace penumbra::study

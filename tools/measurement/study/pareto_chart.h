@@ -6,11 +6,11 @@
 
 namespace penumbra::study {
 
-// Mean fetches per pixel against mean penumbra RMSE over all scenes, with the Pareto front.
+// Shows mean fetches per pixel against mean penumbra RMSE over all scenes, with the Pareto front.
 Chart fetches_chart(const Results& results);
 
-// The same over milliseconds per frame; on a software device without a front, and labelled as CPU time, which
-// ranks nothing. It has no panel when nothing was timed.
+// Shows the same over milliseconds per frame; on a software device without a front, and labelled as CPU time,
+// which ranks nothing. The chart has no panel when nothing was timed.
 Chart time_chart(const Results& results);
 
 }  // namespace penumbra::study

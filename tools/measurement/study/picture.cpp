@@ -41,7 +41,8 @@ struct Palette {
   std::vector<std::uint8_t> indices;  // one per pixel
 };
 
-// Of an RGB picture with few enough colours, in their order: neighbouring greys get neighbouring indices.
+// Returns the palette of an RGB picture with few enough colours, in their order: neighbouring greys get
+// neighbouring indices.
 std::optional<Palette> palette_of(const Picture& picture) {
   constexpr std::size_t kMostColours = 256;
   if (picture.channels != 3) return std::nullopt;

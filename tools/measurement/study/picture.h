@@ -44,20 +44,21 @@ Rgb pixel(const Picture& rgb, int x, int y);
 void set_pixel(Picture& rgb, int x, int y, Rgb colour);
 void place_picture(Picture& canvas, int left, int top, const Picture& picture);
 
-// The window's pixels. Throws std::invalid_argument when it is empty or reaches beyond the picture.
+// Returns the window's pixels. Throws std::invalid_argument when it is empty or reaches beyond the picture.
 Picture cropped(const Picture& rgb, const PictureWindow& window);
 
-// Every pixel as a square of `factor` pixels.
+// Returns every pixel as a square of `factor` pixels.
 Picture enlarged(const Picture& rgb, int factor);
 
-// Every square of `factor` pixels as their mean. Throws std::invalid_argument where squares do not fill it.
+// Returns every square of `factor` pixels as their mean. Throws std::invalid_argument where squares do not
+// fill it.
 Picture shrunk(const Picture& rgb, int factor);
 
 // The same picture gives the same bytes. RGB with at most 256 colours is written with a palette. Throws
 // std::invalid_argument when the sample count does not fit.
 std::vector<std::byte> encode_png(const Picture& picture);
 
-// Baseline JPEG of quality 90: for large pictures of many colours. Throws as encode_png does.
+// Returns a baseline JPEG of quality 90, for large pictures of many colours. Throws as encode_png() does.
 std::vector<std::byte> encode_jpeg(const Picture& picture);
 
 // Throws InputError naming `name` for bytes that are no PNG, cut short or larger than 2^26 pixels. Palettes

@@ -10,18 +10,18 @@
 
 namespace penumbra::study {
 
-// title: what the technique is called in the captions.
+// `title` is the technique's name in the captions.
 Picture side_by_side(const PictureRow& row, const std::string& title);
 
-// The name with '-' for all but letters, digits, '-', '_' and '.'.
+// Returns the name with '-' for all but letters, digits, '-', '_' and '.'.
 std::string file_name_part(std::string name);
 
-// "<scene>_<technique>_<degrees>", as file_name_part() writes it.
+// Returns "<scene>_<technique>_<degrees>", as file_name_part() writes it.
 std::string file_stem(const PictureRow& row);
 
-// One row per scene of the technique with the lowest mean error, at the light nearest 2 degrees: the picture
-// a README shows. Scenes whose pictures have another size than the first one's are left out. Empty (no
-// samples) without a record.
+// The picture that a README shows: one row per scene of the technique with the lowest mean error, at the
+// light nearest 2 degrees. Scenes whose pictures have another size than the first one's are left out. The
+// picture is empty (no samples) without a record.
 Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes);
 
 }  // namespace penumbra::study

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: with thousands of taps they have little effect
 
-// What it is computed on and by, for the keys of its results.
+// Describes the device and this program, for the keys of results.
 std::string machine_of(const gpu::Device& device) {
   return platform::hash_of(platform::build_identity(), device.info());
 }

@@ -15,22 +15,23 @@
 
 namespace penumbra::study {
 
-// One subject's results for one case.
+// The results of one subject for one case.
 using Answer = resolve::GraphResult;
 
 class PreparedSubject {
  public:
-  // The subject must outlive it.
+  // The subject must outlive the object.
   PreparedSubject(const gpu::Device& device, const Subject& subject, const StudySettings& settings);
 
   const Subject& subject() const { return *subject_; }
 
-  // A hash of this program, the device, and the subject with its graph as it was compiled.
+  // Returns a hash of this program, the device, and the subject with its graph as it was compiled.
   const std::string& key() const { return key_; }
 
   Answer answer(const FrameOfCase& frame, const resolve::RunOptions& options);
 
-  // With unlimited samples; absent where it takes none, or where the settings want no such answer.
+  // Returns the answer with unlimited samples; absent where the subject takes none, or where the settings
+  // want no such answer.
   std::optional<reference::VisibilityImage> unlimited_answer(const CaseSetup& setup, const View& view,
                                                              const reference::ReferenceCache& cache);
 
@@ -43,7 +44,7 @@ class PreparedSubject {
   const Subject* subject_;
   std::string key_;
   resolve::GraphRunner runner_;
-  std::string unlimited_key_;  // the same of the graph with unlimited samples
+  std::string unlimited_key_;  // the key of the graph with unlimited samples
   std::optional<resolve::GraphRunner> unlimited_runner_;
 };
 

@@ -13,8 +13,9 @@ namespace penumbra::study {
 // `prefix`.
 void check_presets(const std::vector<std::string>& measured, const std::string& prefix);
 
-// Of every technique whose name begins with `prefix`, in the results' order, and each light: penumbra RMSE
-// and fetches per pixel, means over the scenes. Throws InputError without one, or where a figure is missing.
+// Has the figures of every technique whose name begins with `prefix`, in the results' order, and each light:
+// penumbra RMSE and fetches per pixel, means over the scenes. Throws InputError without one, or where a
+// figure is missing.
 std::string preset_figures_csharp(const Results& results, const std::string& prefix);
 
 }  // namespace penumbra::study

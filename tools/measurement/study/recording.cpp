@@ -30,7 +30,7 @@ std::string map_format_name(scene::DepthFormat format) {
   return "D32";
 }
 
-// Receivers inside of the window alone.
+// Only receivers inside of the window count.
 std::vector<std::uint8_t> counted_receivers(const reference::VisibilityImage& t1,
                                             const std::optional<PictureWindow>& window) {
   std::vector<std::uint8_t> counted = t1.valid;
@@ -53,7 +53,7 @@ double fetches_of_others(const Answer& answer, int width, const std::optional<Pi
   return sum / (static_cast<double>(window->width) * window->height);
 }
 
-// Of every pass at each pixel.
+// Returns the fetches of every pass at each pixel.
 std::vector<std::uint32_t> all_fetches(const Answer& answer) {
   std::vector<std::uint32_t> all = answer.fetches;
   for (std::size_t i = 0; i < answer.fetches_of_others_at.size(); ++i) {
@@ -79,14 +79,14 @@ RunSettings run_settings(const View& view) {
   settings.slope_bias = view.frame.settings.raster_bias.slope;
   settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
-  if (view.frame.spot_shadow) return settings;  // one map, without cascades
+  if (view.frame.spot_shadow) return settings;  // a spot light has one map, without cascades
   settings.cascade_choices = view.request.cascade_choices;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
   return settings;
 }
 
-// At the counted pixels, which have to outlive it.
+// The figures are taken at the counted pixels, which have to outlive the result.
 MeasuredImages images_of(const CaseSetup& setup, const Answer& answer,
                          std::span<const std::uint8_t> counted) {
   MeasuredImages images;
@@ -98,7 +98,7 @@ MeasuredImages images_of(const CaseSetup& setup, const Answer& answer,
   return images;
 }
 
-// Of each counted pixel; -1 of the others.
+// Returns the cascade of each counted pixel, and -1 for the others.
 std::vector<int> cascades_read(const std::vector<std::uint8_t>& counted, const CaseSetup& setup,
                                const scene::Frame& frame) {
   std::vector<int> result(counted.size(), -1);
@@ -142,8 +142,8 @@ std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view,
   return records;
 }
 
-// From the camera: the last fifth before the shadow distance and the fourth part behind it, where cascades
-// are handed over to far shadows, then octaves.
+// The limits from the camera are the last fifth before the shadow distance and the fourth part behind it,
+// where far shadows take over from cascades, then octaves.
 std::vector<double> distance_limits(double shadow_distance, double seen_distance) {
   std::vector<double> limits{0.0, 0.8 * shadow_distance, shadow_distance, 1.25 * shadow_distance};
   for (double limit = 2.0 * shadow_distance; limit < seen_distance; limit *= 2.0) limits.push_back(limit);
@@ -175,7 +175,7 @@ std::vector<DistanceRecord> by_distance(const CaseSetup& setup, const View& view
   return records;
 }
 
-// 0 within the shadow distance, 1 beyond.
+// Returns 0 within the shadow distance, 1 beyond.
 std::vector<int> sides_of_shadow_distance(const CaseSetup& setup, const View& view,
                                           const std::vector<std::uint8_t>& counted) {
   std::vector<int> sides(counted.size(), -1);
@@ -213,7 +213,7 @@ std::optional<Timing> timing_of(std::vector<double> nanoseconds) {
   return summarise(std::move(nanoseconds));
 }
 
-// Also what says of a record that its light is a spot light.
+// The kind also states whether a record's light is a spot light.
 std::string reference_kind(const scene::Frame& frame, int edge_samples) {
   if (!frame.spot_shadow)
     return edge_samples == 0
@@ -230,7 +230,7 @@ MeasuredFrame measured_frame(const CaseSetup& setup) {
   MeasuredFrame note;
   note.scene = setup.scene.name;
   note.light_degrees = setup.light_degrees;
-  // That of the light of the case, whatever the age of the maps.
+  // The direction is that of the light of the case, whatever the age of the maps.
   note.sun_direction =
       frame.spot_shadow ? frame.cascades.light_direction : glm::normalize(setup.scene.light_direction);
   if (frame.spot_shadow) note.source_radius_metres = frame.spot_shadow->light.source_radius_metres;

@@ -13,8 +13,8 @@ namespace penumbra::study {
 
 MeasuredFrame measured_frame(const CaseSetup& setup);
 
-// Figures are of the window alone where there is one. `unlimited` is the subject's answer with unlimited
-// samples.
+// If there is a window, the figures are those of the window alone. `unlimited` is the subject's answer with
+// unlimited samples.
 Record record_of(const CaseSetup& setup, const View& view, const Subject& subject, const Answer& answer,
                  const std::optional<PictureWindow>& window,
                  const std::optional<reference::VisibilityImage>& unlimited, const std::string& device);

@@ -19,7 +19,7 @@ namespace {
 struct Section {
   std::string id;
   std::string title;
-  std::string body;  // empty: the section is left out
+  std::string body;  // if empty, the section is left out
 };
 
 std::string section_html(const Section& section) {
@@ -114,7 +114,7 @@ std::string machine(const Results& results) {
          earlier;
 }
 
-// The reference of the figures, and its accuracy, per scene and light.
+// Lists the reference of the figures and its accuracy, per scene and light.
 std::string references(const Results& results) {
   std::string rows;
   std::vector<std::tuple<std::string, double, ReferenceNote>> seen;
@@ -142,7 +142,7 @@ std::string figure_cell(const std::string& text) {
   return "<td>" + escape_html(text) + "</td>";
 }
 
-// One row for each technique; empty if nothing is known of any.
+// Returns one row for each technique; empty if nothing is known of any.
 std::string technique_table(const ReportContent& content) {
   const std::vector<TechniqueRow> rows = technique_rows(content.results, content.facts);
   if (rows.empty()) return {};

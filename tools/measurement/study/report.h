@@ -18,8 +18,8 @@
 
 namespace penumbra::study {
 
-// The pictures of one record, all of one size. error_scale: the error shown in full colour; fetch_scale: the
-// fetches shown white.
+// The pictures of one record, all of one size. error_scale is the error shown in full colour; fetch_scale is
+// the number of fetches shown white.
 struct PictureRow {
   std::string scene;
   std::string technique;
@@ -28,9 +28,9 @@ struct PictureRow {
   PackedPicture result;
   PackedPicture error;
   PackedPicture fetches;
-  PackedPicture fetch_counts{};  // grey: fetches per pixel, 255 for more; empty where nobody counted
+  PackedPicture fetch_counts{};  // grey: fetches per pixel, 255 for more; empty where they were not counted
   PackedPicture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
-  std::map<std::string, PackedPicture> debug_views{};  // by pass
+  std::map<std::string, PackedPicture> debug_views{};  // keyed by pass
   double error_scale = 0.5;
   double fetch_scale = 64.0;
 };
@@ -38,8 +38,8 @@ struct PictureRow {
 struct ReportChart {
   Chart chart;  // its name is that of its file: "pareto-fetches", "pareto-time"
   std::string caption;
-  std::string svg;                 // as render_svg gives it
-  std::vector<DrawnPanel> panels;  // as render_panels gives them
+  std::string svg;                 // by render_svg()
+  std::vector<DrawnPanel> panels;  // by render_panels()
 };
 
 struct ReportContent {
@@ -52,7 +52,7 @@ struct ReportContent {
 // The same content gives the same bytes.
 std::string render_report(const ReportContent& content);
 
-// The charts of pareto_chart.h that have something to show. Throws EnvironmentError without gnuplot.
+// Returns the charts of pareto_chart.h that have something to show. Throws EnvironmentError without gnuplot.
 std::vector<ReportChart> report_charts(const Results& results);
 
 }  // namespace penumbra::study

@@ -8,7 +8,7 @@
 namespace penumbra::study {
 namespace {
 
-// Larger than the drawn point, for touch input.
+// The reach is larger than the drawn point, for touch input.
 constexpr double kReach = 11.0;
 
 std::string point_html(const DrawnPoint& drawn, const ChartPoint& point) {

@@ -9,8 +9,8 @@
 
 namespace penumbra::study {
 
-// One figure per chart, its panels beside each other. Each point is a link to the table's rows of its
-// technique, with what to say of it in data-label and data-note.
+// Returns one figure per chart, its panels beside each other. Each point is a link to the table's rows of its
+// technique, with its texts in data-label and data-note.
 std::string charts_html(const std::vector<ReportChart>& charts);
 
 }  // namespace penumbra::study

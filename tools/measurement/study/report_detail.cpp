@@ -12,7 +12,7 @@
 namespace penumbra::study {
 namespace {
 
-// A minus before a figure, not a hyphen.
+// Figures get a minus sign, not a hyphen.
 std::string with_minus(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -52,7 +52,7 @@ std::string yes_or_no(bool yes) {
   return yes ? "yes" : "no";
 }
 
-// Parameters, and what the technique was measured at.
+// Lists the parameters, and the settings at which the technique was measured.
 std::string about(const Record& record, const std::string& id) {
   Group group(record.title.empty() ? record.technique : record.title);
   group.add_text("name", record.technique);
@@ -89,7 +89,7 @@ std::string about(const Record& record, const std::string& id) {
 std::string intervals(const MetricIntervals& intervals) {
   Group group("95 % intervals");
   const auto add = [&group](const char* term, const std::optional<Interval>& interval, double scale) {
-    if (!interval || interval->low == interval->high) return;  // of a constant, which needs none
+    if (!interval || interval->low == interval->high) return;  // a constant has no interval
     group.add_text(term, fmt::format("{:.4g} to {:.4g}", interval->low * scale, interval->high * scale));
   };
   add("RMSE in penumbra", intervals.rmse_penumbra, 1.0);

@@ -42,7 +42,7 @@ Planes planes_of(const Picture& painted) {
   return planes;
 }
 
-// JSON that may stand in a <script> element: no '<' can end it.
+// Returns JSON that may stand in a <script> element: no '<' can end it.
 std::string embedded(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
@@ -51,7 +51,7 @@ std::string embedded(const Json& json) {
   return text;
 }
 
-// A ramp as the bytes of its colours, in base64.
+// Returns a ramp as the bytes of its colours, in base64.
 std::string ramp(Rgb (*colour)(double), double from, double to) {
   const Picture strip = ramp_strip(colour, from, to);
   return base64(std::as_bytes(std::span(strip.samples)));

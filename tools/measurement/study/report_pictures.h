@@ -9,8 +9,8 @@
 namespace penumbra::study {
 
 // Pictures are grey PNGs in base64, one byte a pixel: visibility in 255ths, or fetches. Reference and
-// receivers stand once per scene and light; the error is taken in the browser. Without pictures: how to get
-// some.
+// receivers stand once per scene and light; the browser computes the error. Without pictures the text says
+// how to get some.
 std::string pictures_html(const Results& results, const std::vector<PictureRow>& pictures);
 
 }  // namespace penumbra::study

@@ -16,15 +16,15 @@ namespace {
 // A record, or the mean of a technique over all scenes.
 struct Row {
   Choice choice;
-  std::string scene;               // empty: the mean
-  const Record* record = nullptr;  // of a mean, the first of its records: they share parameters and settings
+  std::string scene;               // empty for the mean
+  const Record* record = nullptr;  // for a mean, the first of its records: they share parameters and settings
   double light_degrees = 0.0;
   std::optional<Estimate> rmse_penumbra;
   std::optional<Estimate> rmse_all;
   std::optional<Estimate> leak_rate;
   std::optional<Estimate> false_shadow_rate;
-  std::optional<Estimate> fetches;     // of all passes
-  std::optional<Estimate> operations;  // the same
+  std::optional<Estimate> fetches;     // sum of all passes
+  std::optional<Estimate> operations;  // sum of all passes
   std::size_t penumbra_pixels = 0;
 
   bool is_mean() const { return scene.empty(); }
@@ -74,7 +74,7 @@ Row row_of(const Results& results, const SummaryLine& line) {
           sample_of(results, line.light_degrees).penumbra_pixels};
 }
 
-// Means first, where there is more than one scene; then the records in their order.
+// Returns means first, where there is more than one scene; then the records in their order.
 std::vector<Row> rows_of(const Results& results) {
   std::vector<Row> rows;
   if (scene_names(results).size() > 1) {
@@ -86,7 +86,7 @@ std::vector<Row> rows_of(const Results& results) {
   return rows;
 }
 
-// One column of figures: how its cell is read from a row and shown.
+// One column of figures: how a row's cell is read and shown.
 struct Column {
   std::string title;
   std::string unit;
@@ -135,7 +135,7 @@ std::vector<Column> columns(const std::vector<Row>& rows) {
   return all;
 }
 
-// A scene as the filter knows it; no scene is called so.
+// Returns the filter's value of a scene; no scene has that name.
 std::string scene_value(const std::string& scene) {
   return scene.empty() ? "mean" : "scene " + scene;
 }
@@ -154,8 +154,8 @@ double largest(const std::vector<Row>& rows, const Column& column) {
   return most;
 }
 
-// "0.147 ± 0.031" or "0.07 [0, 0.17]": the interval stands in a box of its own, so that figures end at one
-// edge.
+// Formats "0.147 ± 0.031" or "0.07 [0, 0.17]": the interval stands in a box of its own, so that figures end
+// at one edge.
 std::string figure_words(const std::string& text) {
   const std::size_t space = text.find(' ');
   const std::string interval = space == std::string::npos ? "" : text.substr(space + 1);
@@ -192,7 +192,7 @@ std::string scene_cell(const Row& row, std::size_t scenes) {
   return fmt::format("<td class=\"name scene\" data-value=\"{}\">{}</td>\n", safe, safe);
 }
 
-// The place of a record's pictures in their list.
+// Returns the index of a record's pictures in their list.
 std::optional<std::size_t> pictures_of(const Record& record, const std::vector<PictureRow>& pictures) {
   const auto found = std::find_if(pictures.begin(), pictures.end(), [&record](const PictureRow& row) {
     return row.scene == record.scene && row.technique == record.technique &&
@@ -263,8 +263,8 @@ class HtmlTable {
   const std::vector<PictureRow>& pictures_;
   std::vector<Row> rows_;
   std::vector<Column> columns_;
-  std::vector<double> largest_;      // by column
-  std::vector<bool> has_intervals_;  // by column
+  std::vector<double> largest_;      // one for each column
+  std::vector<bool> has_intervals_;  // one for each column
 };
 
 std::string option(const std::string& value, const std::string& text) {

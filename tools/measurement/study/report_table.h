@@ -1,4 +1,5 @@
-// The report's table of figures: what decides stands in columns, the rest of a record in a row below it.
+// The report's table of figures: the figures that decide stand in columns, the rest of a record in a row
+// below it.
 #pragma once
 
 #include <string>
@@ -9,9 +10,9 @@
 
 namespace penumbra::study {
 
-// One group of two rows per record: its headline figures, and everything else measured of it, which the
+// Returns one group of two rows per record: its headline figures, and all other figures of it, which the
 // report's script folds away. A row leads to its pictures where there are some. Columns without any figure
-// are left out. Empty without records.
+// are left out. The table is empty without records.
 std::string record_table(const Results& results, const std::vector<PictureRow>& pictures);
 
 }  // namespace penumbra::study

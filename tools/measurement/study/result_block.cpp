@@ -34,7 +34,7 @@ std::string light_name(double degrees) {
   return fmt::format("{}°", degrees);
 }
 
-// Of results or an earlier run: the commit and the packages, where they are known.
+// Returns the commit and the packages of results or an earlier run, where they are known.
 template <class Run>
 std::string provenance(const Run& run) {
   std::string text;
@@ -45,7 +45,7 @@ std::string provenance(const Run& run) {
   return text;
 }
 
-// The sample behind a light's means.
+// Describes the sample behind a light's means.
 std::string sample_text(const Results& results, double light) {
   const LightSample sample = sample_of(results, light);
   const std::string penumbra =
@@ -56,18 +56,18 @@ std::string sample_text(const Results& results, double light) {
          ":\n\n";
 }
 
-// "URP High", and the map where results hold several.
+// Returns "URP High", and the map where results hold several.
 std::string title_of(const Choice& choice) {
   return markdown_cell(choice.title + choice.label.substr(choice.technique.size()));
 }
 
-// "Tent 5x5, `tent-5`": the name is what options take.
+// Returns "Tent 5x5, `tent-5`": options take the name.
 std::string title_and_name(const Choice& choice) {
   return choice.title == choice.technique ? title_of(choice)
                                           : title_of(choice) + ", " + markdown_code(choice.technique);
 }
 
-// Only those of optimised bytecode: before a compiler optimises them, operations say little of what a GPU
+// Only optimised bytecode counts: before a compiler optimises it, the operations say little of what a GPU
 // runs.
 bool has_operations(const Results& results) {
   return results.front_end &&
@@ -100,7 +100,7 @@ std::string mean_table(const Results& results, double light, BlockForm form) {
   return table.text();
 }
 
-// A row for each choice, a column for each scene: what `figure` says of a record.
+// Returns a row for each choice and a column for each scene, with `figure` of the record.
 template <typename Figure>
 std::string scene_table(const Results& results, double light, Figure figure) {
   std::vector<std::string> heads{"Technique"};
@@ -117,7 +117,7 @@ std::string scene_table(const Results& results, double light, Figure figure) {
   return table.text();
 }
 
-// Those records alone, technique by technique.
+// Returns those records alone, technique by technique.
 Results with_rows(const Results& results, const std::vector<std::string>& rows) {
   if (rows.empty()) return results;
   check_rows(rows, technique_names(results));
@@ -146,7 +146,7 @@ std::string origin(const Results& results) {
                      markdown_cell(results.driver), markdown_cell(results.hardware));
 }
 
-// Of rows that another run measured, of the same pictures.
+// Describes rows that another run measured, of the same pictures.
 std::string earlier_command(const EarlierRun& run) {
   std::vector<std::string> names;
   for (const std::string& technique : run.techniques) names.push_back(markdown_code(technique));
@@ -171,7 +171,7 @@ bool has_map_passes(const Results& results) {
                      [](const Record& record) { return has_map_passes(record); });
 }
 
-// "480 x 270 to 1440 x 810 pixels"
+// Returns "480 x 270 to 1440 x 810 pixels".
 std::string picture_sizes(const Results& results) {
   const auto smaller = [](const MeasuredFrame& a, const MeasuredFrame& b) {
     return static_cast<double>(a.width) * a.height < static_cast<double>(b.width) * b.height;
@@ -209,8 +209,8 @@ std::string how_to_read(const Results& results, BlockForm form) {
           : "");
 }
 
-// What passes over the map cost, which does not depend on the picture's size. Means over the scenes at the
-// middle light; empty without such a pass.
+// Lists the cost of passes over the map, which does not depend on the picture's size: means over the scenes
+// at the middle light. The table is empty without such a pass.
 std::string map_pass_table(const Results& results) {
   if (!has_map_passes(results)) return {};
   constexpr double kFullHd = 1920.0 * 1080.0;
@@ -241,7 +241,8 @@ std::string map_pass_table(const Results& results) {
          "\n";
 }
 
-// "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units are given once.
+// Returns "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units are
+// given once.
 std::string line_block(const Results& results) {
   const double light = middle_light(results);
   std::string figures;
@@ -273,7 +274,7 @@ std::string brief_block(const Results& results) {
   return block + command(results);
 }
 
-// One row for each technique; empty if nothing is known of any.
+// Returns one row for each technique; empty if nothing is known of any.
 std::string technique_table(const Results& results, const FactsOfTechniques& facts) {
   const std::vector<TechniqueRow> rows = technique_rows(results, facts);
   if (rows.empty()) return {};

@@ -10,7 +10,8 @@
 
 namespace penumbra::study {
 
-inline constexpr std::string_view kResultBlock = "results";  // as input/markdown.h names blocks
+// The block's name in the sense of input/markdown.h.
+inline constexpr std::string_view kResultBlock = "results";
 
 enum class BlockForm {
   full,   // a table per light, the chart, a row for each technique, and the penumbra RMSE of every scene
@@ -21,21 +22,21 @@ enum class BlockForm {
 struct BlockStyle {
   std::string chart_path;  // written as given
   std::vector<std::string>
-      rows{};  // techniques, in this order; those that were not measured are left out; empty: all
+      rows{};  // techniques, in this order; those that were not measured are left out; empty means all
   BlockForm form = BlockForm::full;
-  FactsOfTechniques facts{};  // which the full form shows, one row for each technique
+  FactsOfTechniques facts{};  // facts for the full form, one row for each technique
 };
 
 // Throws InputError when rows are chosen and none of them is among the techniques that were measured, or will
 // be.
 void check_rows(const std::vector<std::string>& rows, const std::vector<std::string>& measured);
 
-// Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go by their
-// titles; the full form gives their names, too. It contains no times, because those of a software device do
-// not rank techniques. Throws InputError when none of the rows was measured.
+// The block is Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go
+// by their titles; the full form gives their names, too. It contains no times, because those of a software
+// device do not rank techniques. Throws InputError when none of the rows was measured.
 std::string result_block(const Results& results, const BlockStyle& style);
 
-// The text with what stands between the two markers of the block's name replaced by the block; the rest is
+// Returns the text in which the block replaces what stands between the two markers of its name; the rest is
 // kept byte by byte. Throws InputError naming `name` when a marker is missing, stands twice, or the end comes
 // before the beginning.
 std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name,

@@ -27,7 +27,7 @@ namespace penumbra::study {
 inline constexpr int kResultsSchemaVersion = 2;
 
 struct ReferenceNote {
-  std::string kind;  // for example "ray-traced disc light"
+  std::string kind;  // the method, for example "ray-traced disc light"
   int samples = 0;   // rays per pixel
   double noise_floor =
       0.0;  // RMSE of T1 itself in penumbra: half the RMS difference of two halves of its rays
@@ -37,11 +37,11 @@ struct ReferenceNote {
 
 // The settings at which a subject was measured: its own recommended settings by default.
 struct RunSettings {
-  double depth_bias = 1.0;  // URP's unitless settings, of the casters
+  double depth_bias = 1.0;  // URP's unitless settings of the casters
   double normal_bias = 1.0;
-  double constant_bias = 0.0;  // of the rasteriser, times the map format's smallest step
-  double slope_bias = 0.0;     // of the rasteriser, times the depth's change from texel to texel
-  parameters::SoftQuality soft_quality = parameters::SoftQuality::medium;  // by which URP scales both
+  double constant_bias = 0.0;  // the rasteriser's, times the map format's smallest step
+  double slope_bias = 0.0;     // the rasteriser's, times the depth's change from texel to texel
+  parameters::SoftQuality soft_quality = parameters::SoftQuality::medium;  // URP scales both by it
   double light_scale = 1.0;    // the diameter that the subject is given, divided by the light's
   std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end
   bool reversed_z = true;
@@ -55,9 +55,9 @@ struct MeasuredFrame {
   std::string scene;
   double light_degrees = 0.0;
   glm::dvec3 sun_direction{0.0, -1.0, 0.0};  // unit, the way the light travels; a spot light's axis
-  // Of a spot light, whose light_degrees are those of its source seen from one metre; absent: the sun.
+  // The radius of a spot light's source, seen from one metre under light_degrees; absent for the sun.
   std::optional<double> source_radius_metres{};
-  int width = 0;  // of the picture, pixels
+  int width = 0;  // size of the picture in pixels
   int height = 0;
   double shadow_distance_metres = 0.0;
   parameters::Camera camera;  // world space
@@ -68,7 +68,7 @@ struct MeasuredFrame {
 // A Unity package whose files a subject included, by its package.json.
 struct PackageNote {
   std::string name;
-  std::optional<std::string> version;  // absent: its package.json does not say
+  std::optional<std::string> version;  // absent if its package.json has none
 
   bool operator==(const PackageNote&) const = default;
 };
@@ -77,11 +77,10 @@ struct PackageNote {
 struct PassRecord {
   std::string pass;
   std::string runs;                // frame, cascade or bake
-  double fetches_per_pixel = 0.0;  // of the picture
+  double fetches_per_pixel = 0.0;  // per pixel of the picture
   double texels_written_per_pixel = 0.0;
-  std::optional<double>
-      fetches_per_cascade;  // of a pass over the shadow map: in one cascade of it, all texels
-  std::optional<double> operations_per_pixel{};   // executed scalar operations; absent in older files
+  std::optional<double> fetches_per_cascade;     // for a pass over the shadow map: in one cascade, all texels
+  std::optional<double> operations_per_pixel{};  // executed scalar operations; absent in older files
   std::optional<double> invocations_per_pixel{};  // threads or fragments; absent in older files
   std::optional<double> time_ms_median{};  // waits before it included; absent without a GPU's timestamps
 
@@ -98,11 +97,11 @@ struct CascadeRecord {
   std::optional<double> false_shadow_rate;
   std::optional<double> fetches_mean;
   MetricIntervals intervals;
-  // Where the technique has a rule for the cascade: whose filter runs there, and the values that the rule
-  // sets.
+  // The technique whose filter runs in the cascade, and the values that its rule sets, where the technique
+  // has a rule for the cascade.
   std::string technique{};
   std::map<std::string, std::vector<double>> parameters{};
-  std::optional<double> texel_size_metres{};  // of the shadow map; absent in older files
+  std::optional<double> texel_size_metres{};  // size of the shadow map's texels; absent in older files
 
   bool operator==(const CascadeRecord&) const = default;
 };
@@ -135,18 +134,21 @@ struct Record {
   RunSettings settings;
   std::string device;
   Metrics metrics;
-  std::vector<CascadeRecord> per_cascade;  // one for each of several; empty with one, and in older files
+  // One for each of several cascades; empty with one, and in older files.
+  std::vector<CascadeRecord> per_cascade;
   std::vector<DistanceRecord>
-      by_distance{};                        // of scenes that are seen beyond the shadow distance; else empty
-  std::optional<double> baked_mebibytes{};  // of the textures that the technique reads besides the frame
+      by_distance{};  // for scenes that are seen beyond the shadow distance; else empty
+  // Memory of the textures that the technique reads besides the frame.
+  std::optional<double> baked_mebibytes{};
   // Executed scalar operations of all passes (shaders/counted_module.h), per pixel of the picture; absent in
   // older files.
   std::optional<double> operations_per_pixel{};
-  std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
-  std::optional<Shimmer> shimmer;  // when the study panned
-  std::optional<Seam> seam;        // with several cascades; absent in older files
+  // In the order in which they run; empty for a technique that is a filter alone.
+  std::vector<PassRecord> passes;
+  std::optional<Shimmer> shimmer;  // present when the study panned
+  std::optional<Seam> seam;        // present with several cascades; absent in older files
   std::optional<Seam>
-      far_seam{};  // with by_distance: of all pixels, between the last cascade and what is beyond
+      far_seam{};  // present with by_distance: all pixels, between the last cascade and what is beyond
   std::optional<Timing> time;
   ReferenceNote reference;
 
@@ -156,7 +158,7 @@ struct Record {
 // The name of the compiler of shaders where Results::front_end is absent.
 inline constexpr const char* kGlslang = "glslang";
 
-// Techniques of the records that were measured before the others, of the same pictures, and how.
+// The techniques of the records that were measured before the others, of the same pictures, and their run.
 struct EarlierRun {
   std::vector<std::string> techniques;
   std::string library_version;
@@ -172,13 +174,13 @@ struct Results {
   std::optional<std::string>
       commit;  // git's, "-dirty" behind it for a changed tree; absent where none is known
   std::vector<PackageNote> packages;
-  std::string command;   // what reproduces the file
+  std::string command;   // the command that reproduces the file
   std::string hardware;  // processor, or graphics card
   std::string device;    // the Vulkan device's own name
   std::string driver;
   bool is_software = true;
-  std::optional<std::string> front_end{};  // of all programs; absent: glslang
-  std::vector<EarlierRun> earlier{};       // whose records are among these
+  std::optional<std::string> front_end{};  // compiler of all programs; absent means glslang
+  std::vector<EarlierRun> earlier{};       // runs whose records are among these
   std::vector<MeasuredFrame> frames;       // one per scene and light, in the order of the records
   std::vector<Record> records;
 
@@ -191,14 +193,14 @@ bool has_invalid_values(const Results& results);
 // "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
 
-// The frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a file that
-// was read.
+// Returns the frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a
+// file that was read.
 const MeasuredFrame& frame_of(const Results& results, const Record& record);
 
 std::string to_json(const Results& results);
 
-// Throws InputError with file:line:column for anything to_json would not have written: wrong type, missing or
-// unknown key, another schema version, a rate outside [0, 1], two records of the same measurement.
+// Throws InputError with file:line:column for anything that to_json() would not have written: wrong type,
+// missing or unknown key, another schema version, a rate outside [0, 1], two records of the same measurement.
 Results parse_results(std::string_view text, const std::string& name);
 Results read_results(const std::filesystem::path& file);
 

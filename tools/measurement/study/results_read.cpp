@@ -105,7 +105,7 @@ class StrictObject {
     return result;
   }
 
-  bool has(const std::string& key) { return object_.has(key); }  // for the keys that may be missing
+  bool has(const std::string& key) { return object_.has(key); }  // used for the keys that may be missing
 
   void finish() const { object_.finish(); }
   [[noreturn]] void fail(const std::string& key, const std::string& problem,

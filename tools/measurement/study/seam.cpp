@@ -14,7 +14,7 @@ struct Changes {
   std::size_t count = 0;
 };
 
-// Mean square of block means, each weighted by its pairs.
+// The mean square of block means, each weighted by its pairs.
 struct SquaredMeans {
   double sum = 0.0;
   std::size_t pairs = 0;
@@ -83,7 +83,7 @@ class Blocks {
     return changes;
   }
 
-  // Between the two rows in the block's middle.
+  // Returns the changes between the two rows in the block's middle.
   Changes changes_within(int left, int top) const {
     Changes changes;
     const int y = top + kSeamBlock / 2;

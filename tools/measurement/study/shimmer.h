@@ -1,4 +1,4 @@
-// Shimmer: how much a technique's picture flickers while the camera pans slowly.
+// Shimmer: the flicker of a technique's picture while the camera pans slowly.
 //
 // The picture moves by one pixel per frame, as with a lens shift: every point of a surface stays on pixel
 // centres, the shadow map does not change, and the light on each point does not change. All changes are the
@@ -22,8 +22,8 @@ struct Shimmer {
   bool operator==(const Shimmer&) const = default;
 };
 
-// frames[k] is the picture moved k columns to the left; t1 and valid are of frames[0]. Points that leave the
-// picture are ignored. Absent without a point in penumbra.
+// frames[k] is the picture moved k columns to the left; t1 and valid are those of frames[0]. Points that
+// leave the picture are ignored. The result is absent without a point in penumbra.
 std::optional<double> shimmer_of(const std::vector<std::vector<float>>& frames, int width,
                                  std::span<const float> t1, std::span<const std::uint8_t> valid);
 

@@ -46,7 +46,7 @@ void check_lights(const std::vector<scene::Scene>& scenes, const std::vector<Sub
   }
 }
 
-// Before the first picture: the last subject may be the one that the map does not fit.
+// Checked before the first picture: the last subject may be the one that the map does not fit.
 void check_map(const std::vector<Subject>& subjects, const StudySettings& settings) {
   const parameters::ShadowSettings& shadows = settings.frame.shadows;
   const parameters::AtlasLayout atlas = parameters::atlas_layout(shadows.resolution, shadows.cascades);
@@ -61,8 +61,8 @@ void check_map(const std::vector<Subject>& subjects, const StudySettings& settin
 // a warm-up.
 constexpr double kWarmUpSeconds = 0.5;
 
-// Every setting is named, so that a new one does not compile before somebody has decided: those that records
-// depend on beyond what the keys of views, subjects and debug views have.
+// Every setting is named, so that a new one does not compile before its place is decided. The hash has those
+// settings on which records depend beyond the keys of views, subjects and debug views.
 void add_settings(platform::ContentHash& hash, const StudySettings& settings) {
   const auto& [scenes, light_degrees, frame, penumbra_pixels, reference_samples, seed, noise_seeds,
                timing_repeats, split_error, pictures, pan_frames, edge_samples, window, debug_views, answered,
@@ -134,9 +134,9 @@ class Study {
                              " requested");
   }
 
-  // What an interrupted run has measured, else measured now.
+  // Takes the record that an interrupted run has measured, or measures it now.
   void add(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
-    const bool kept = !settings_.answered;  // which needs the answer itself
+    const bool kept = !settings_.answered;  // a callback needs the answer itself
     const std::string key = kept ? record_key(view, prepared) : std::string();
     if (std::optional<KeptRecord> known = kept ? kept_->find(key) : std::nullopt) {
       outcome_.records.push_back(std::move(known->record));
@@ -160,7 +160,7 @@ class Study {
     return hash.hex();
   }
 
-  // The uniforms that nobody provides.
+  // Returns the uniforms that nobody provides.
   std::vector<std::string> measure_subject(const CaseSetup& setup, const View& view,
                                            PreparedSubject& prepared) {
     const Subject& subject = prepared.subject();
@@ -217,7 +217,7 @@ class Study {
   std::shared_ptr<KeptRecords> kept_;
   CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
-  std::map<std::string, resolve::DebugView> debug_views_;  // by pass
+  std::map<std::string, resolve::DebugView> debug_views_;  // keyed by pass
   StudyOutcome outcome_;
 };
 

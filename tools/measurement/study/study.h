@@ -34,20 +34,20 @@ struct Subject {
   std::string name;
   std::string title;
   std::map<std::string, std::vector<double>> parameters;
-  std::vector<techniques::CascadeRule> cascades{};  // of the technique
+  std::vector<techniques::CascadeRule> cascades{};  // the technique's
   resolve::ShadowGraph graph;
-  parameters::CasterBias bias{};  // with which its casters are drawn
+  parameters::CasterBias bias{};  // the bias with which its casters are drawn
   scene::RasterBias raster_bias = scene::kUnityRasterBias;
   double light_scale = 1.0;  // the diameter that it is given, divided by the light's
   scene::CascadeChoices cascade_choices{};
   std::optional<resolve::ShadowGraph> unlimited{};  // absent: the subject takes no samples and is its own T3
-  // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
-  // converges to in a static scene. 1: every noise seed is a separate result.
+  // The number of frames with different noise whose mean is the subject's result: the limit of temporal
+  // antialiasing in a static scene. With 1, every noise seed is a separate result.
   int averaged_frames = 1;
   // The share of the newest of the frames with different noise whose exponential mean is the subject's result
-  // (history.h); not with averaged_frames. 1: each frame alone.
+  // (history.h); not with averaged_frames. With 1, each frame stands alone.
   double history = 1.0;
-  // Of the scenes that it runs in. A technique for both kinds is a subject for each.
+  // The kind of light of the scenes in which it runs. A technique for both kinds is a subject for each.
   techniques::LightKind light = techniques::LightKind::directional;
 };
 
@@ -56,69 +56,70 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
                           bool reversed_z, techniques::LightKind light = techniques::LightKind::directional);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
-// The result of one subject in one frame. Valid during the callback.
+// The result of one subject in one frame. It is valid during the callback.
 struct SubjectAnswer {
   const scene::Scene& scene;
   const scene::Frame& frame;
   const reference::VisibilityImage& reference;
   const Record& record;
-  std::span<const float> visibility;  // of the first noise seed, or the mean over averaged frames
+  std::span<const float> visibility;  // that of the first noise seed, or the mean over averaged frames
 };
 
 struct StudySettings {
   std::vector<scene::Scene> scenes;
-  // Angular diameters; of a spot light its source's, seen from one metre: the radius is tan(a / 2) metres.
+  // The angular diameters; for a spot light those of its source, seen from one metre: the radius is tan(a /
+  // 2) metres.
   std::vector<double> light_degrees;
   // The light, the shadow distance and both biases of the casters are set per scene, light and subject.
   scene::FrameSettings frame;
-  // The minimum number of penumbra pixels in T1 of each scene and light; the picture grows from frame.width x
-  // frame.height, by steps that about double its area up to sixteen times each way and 3840 x 2160, until it
-  // has. 0: the picture's size is fixed.
+  // The minimum number of penumbra pixels in T1 of each scene and light. The picture grows from frame.width x
+  // frame.height, by steps that about double its area, up to sixteen times each way and 3840 x 2160, until it
+  // has as many. With 0 the picture's size is fixed.
   int penumbra_pixels = 0;
   int reference_samples = 1024;
   std::uint64_t seed = 1;
   int noise_seeds = 16;
   int timing_repeats = 5;
-  bool split_error = true;  // T2 and T3
-  bool pictures = true;     // false: the outcome's are empty
-  int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
-  // 2, 4 or 8: only pixels whose so many samples see several surfaces count, against the mean of the samples
-  // (edge_reference.h); without split_error. 0: every pixel, at its centre.
+  bool split_error = true;  // measures T2 and T3
+  bool pictures = true;     // if false, the outcome's are empty
+  int pan_frames = 0;       // frames of a slow pan, for shimmer; none if below 2
+  // With 2, 4 or 8, only pixels whose so many samples see several surfaces count, against the mean of the
+  // samples (edge_reference.h); without split_error. With 0 every pixel counts, at its centre.
   int edge_samples = 0;
-  // The part of the picture that is measured; shimmer, and the pictures, cover all of it. Absent: all.
+  // The part of the picture that is measured; shimmer, and the pictures, cover all of it. Absent means all.
   std::optional<PictureWindow> window;
-  // Passes of PenumbraDebugViews.shader to draw of every subject that runs over the screen.
+  // The passes of PenumbraDebugViews.shader that are drawn of every subject that runs over the screen.
   std::vector<std::string> debug_views{};
-  // Called with every answer, in the order of the outcome's records; may be empty.
+  // It is called with every answer, in the order of the outcome's records; may be empty.
   std::function<void(const SubjectAnswer&)> answered{};
-  BakeSettings bake{};  // of what subjects need besides the frame
+  BakeSettings bake{};  // settings of the inputs that subjects need besides the frame
   int jobs = 0;
   resolve::Compiler compiler{};
   std::filesystem::path cache;  // empty: the user's cache folder
 };
 
-// stage names what is being done; done and total are of the stage, in `unit`.
+// `stage` names the work in progress; `done` and `total` count the stage's `unit`s.
 using StudyProgress =
     std::function<void(std::string_view stage, double done, double total, std::string_view unit)>;
 
 class KeptRecords;
 
 struct StudyOutcome {
-  std::vector<MeasuredFrame> frames;  // of every scene and light
+  std::vector<MeasuredFrame> frames;  // one for every scene and light
   std::vector<Record> records;
-  std::vector<PictureRow> pictures;  // of every record
+  std::vector<PictureRow> pictures;  // one for every record
   std::vector<std::string>
       notes;  // uniforms that are not provided, pictures with too little penumbra, and similar
-  // All records, as the next run of the study finds them: to be dropped when they have been written
+  // All records, as the next run of the study finds them. They are dropped when they have been written
   // elsewhere.
   std::shared_ptr<KeptRecords> kept;
 };
 
-// The kind of light that lights the scenes. Throws InputError where there are both.
+// Returns the kind of light that lights the scenes. Throws InputError where there are both.
 techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes);
 
 // Throws InputError for shaders that do not compile and for a scene whose light is not of the subjects' kind,
-// platform::Interrupted if the user interrupts; finished results are kept in either case, until
+// and platform::Interrupted if the user interrupts. Finished results are kept in either case, until
 // StudyOutcome::kept is dropped.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);

@@ -42,7 +42,7 @@ bool one_map(const Results& results) {
                      [&](const Record& record) { return map(record) == map(results.records.front()); });
 }
 
-// One figure of every scene.
+// The values of one figure for every scene.
 class SceneFigures {
  public:
   void add(const std::optional<double>& value, const std::optional<Interval>& interval) {
@@ -60,7 +60,7 @@ class SceneFigures {
   std::vector<SceneFigure> figures_;
 };
 
-// With those of passes at lower resolution.
+// Returns the fetches with those of passes at lower resolution.
 std::optional<double> of_all_passes(const std::optional<double>& fetches, const Metrics& metrics) {
   return fetches ? std::optional(*fetches + metrics.preprocess_fetches_per_pixel) : std::nullopt;
 }
@@ -117,7 +117,7 @@ struct Overall {
   double fetches = 0.0;
 };
 
-// One entry per choice that is complete for every light.
+// Returns one entry per choice that is complete for every light.
 std::vector<Overall> overall(const Results& results) {
   const std::vector<SummaryLine> lines = summarise(results);
   std::vector<Overall> entries;
@@ -185,7 +185,7 @@ const Record* find_record(const Results& results, const std::string& label, cons
 }
 
 LightSample sample_of(const Results& results, double light_degrees) {
-  std::map<std::string, std::size_t> pixels;  // of each scene, whoever measures it
+  std::map<std::string, std::size_t> pixels;  // penumbra pixels of each scene, whoever measures it
   for (const Record& record : results.records) {
     if (record.light_degrees != light_degrees || record.metrics.penumbra_pixels == 0) continue;
     pixels[record.scene] = record.metrics.penumbra_pixels;

@@ -11,7 +11,7 @@
 
 namespace penumbra::study {
 
-// One technique on one map setting. `label` is the technique's name and `shown` its short title
+// A technique on a map setting. `label` is the technique's name and `shown` its short title
 // (study/short_title.h), both with the map when the results hold several.
 struct Choice {
   std::string technique;
@@ -22,13 +22,13 @@ struct Choice {
   bool operator==(const Choice&) const = default;
 };
 
-// Means over scenes, each scene weighing the same, whatever its number of penumbra pixels, with 95 %
+// The means over scenes, each scene weighing the same, whatever its number of penumbra pixels, with 95 %
 // intervals over scenes and the pixels of each (study/interval.h). A mean over fewer scenes than the light
 // was measured on is not comparable: `complete` is false, and the line is not ranked.
 struct SummaryLine {
   Choice choice;
   double light_degrees = 0.0;
-  std::size_t scenes = 0;  // with a penumbra to measure
+  std::size_t scenes = 0;  // scenes with a penumbra to measure
   bool complete = true;
   std::optional<Estimate> rmse_penumbra{};
   std::optional<Estimate> rmse_all{};
@@ -42,13 +42,13 @@ struct SummaryLine {
 
 // The sample behind the means of one light.
 struct LightSample {
-  std::size_t scenes = 0;                    // with a penumbra to measure
-  std::size_t smallest_penumbra_pixels = 0;  // of those scenes
-  std::size_t penumbra_pixels = 0;           // of all scenes
+  std::size_t scenes = 0;                    // scenes with a penumbra to measure
+  std::size_t smallest_penumbra_pixels = 0;  // the smallest number of those scenes
+  std::size_t penumbra_pixels = 0;           // sum over all scenes
 };
 LightSample sample_of(const Results& results, double light_degrees);
 
-// Lines in the order in which the records bring technique and map first, lights rising within each.
+// Returns lines in the order in which the records bring technique and map first, lights rising within each.
 std::vector<SummaryLine> summarise(const Results& results);
 
 std::vector<std::string> scene_names(const Results& results);      // in record order
@@ -57,12 +57,12 @@ std::vector<double> light_sizes(const Results& results);           // degrees, r
 std::vector<Choice> choices(const Results& results);               // in record order
 Choice choice_of(const Results& results, const Record& record);
 
-// A record's own figures with their intervals, for tables of one scene.
+// Returns a record's own figures with their intervals, for tables of one scene.
 std::optional<Estimate> rmse_penumbra_of(const Record& record);
 std::optional<Estimate> leak_rate_of(const Record& record);
 std::optional<Estimate> false_shadow_rate_of(const Record& record);
 
-// The one record of that choice, scene and light; null when there is none.
+// Returns the one record of that choice, scene and light; null when there is none.
 const Record* find_record(const Results& results, const std::string& label, const std::string& scene,
                           double light_degrees);
 
@@ -73,9 +73,10 @@ struct Headline {
   std::string detail;
 };
 
-// The lowest error, the cheapest technique within 10 % of it, and the error of the cheapest technique of all;
-// the latter two only if they are a different technique: means over all scenes and lights, costs in fetches
-// (times on a software device rank nothing). Empty when no technique was measured on every scene and light.
+// Returns the lowest error, the cheapest technique within 10 % of it, and the error of the cheapest technique
+// of all; the latter two only if they are a different technique. Figures are means over all scenes and
+// lights, costs in fetches (times on a software device rank nothing). Empty when no technique was measured on
+// every scene and light.
 std::vector<Headline> headlines(const Results& results);
 
 }  // namespace penumbra::study

@@ -1,5 +1,6 @@
-// What is known of a technique besides its measurements: whom its manifest recommends it to, the textures
-// that its passes make, and what a compiler says of its programs; and with them one row for each technique.
+// The facts about a technique besides its measurements: the use for which its manifest recommends it, the
+// textures that its passes make, and a compiler's figures for its programs; and with them one row for each
+// technique.
 #pragma once
 
 #include <map>
@@ -13,10 +14,10 @@
 
 namespace penumbra::study {
 
-// Of a GPU that is fully occupied, per 64 threads; static estimates (Documentation~/cost.md).
+// Cycles of a GPU that is fully occupied, per 64 threads; static estimates (Documentation~/cost.md).
 struct ProgramCycles {
-  double visibility = 0.0;  // of the program that gives the visibility
-  double others = 0.0;      // the sum of those of its other passes
+  double visibility = 0.0;  // the program that gives the visibility
+  double others = 0.0;      // the sum over its other passes
 };
 
 struct TechniqueFacts {
@@ -36,13 +37,13 @@ struct FactsOfTechniques {
 
 FactsOfTechniques facts_of(const techniques::TechniqueList& list);
 
-// The memory of the shadow map and of the textures that are shares of it or have a fixed size, in MiB, as
-// declared, and of what is baked from the scene; those of the picture's size are left out.
+// Returns the memory, in MiB, of the shadow map and of the textures that are shares of it or have a fixed
+// size, as declared, and of what is baked from the scene. Textures of the picture's size are left out.
 double map_mebibytes(const Record& record, const std::vector<techniques::GraphTexture>& textures);
 
 struct TechniqueRow {
   Choice choice;
-  std::vector<std::optional<Estimate>> rmse_penumbra{};  // by light, as light_sizes()
+  std::vector<std::optional<Estimate>> rmse_penumbra{};  // one for each of light_sizes()
   std::optional<Estimate> fetches{};                     // under the middle light
   double map_mebibytes = 0.0;
   bool baked = false;  // some of it is baked from the scene
@@ -51,10 +52,11 @@ struct TechniqueRow {
   std::string not_when{};
 };
 
-// Every technique that was measured, in record order; empty if nothing is known of any.
+// Returns every technique that was measured, in record order; empty if nothing is known of any.
 std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTechniques& facts);
 
-// What the table of these rows shows, in sentences; its columns of lines are left out where no row has one.
+// rows_explained() says in sentences what the table of these rows shows; its columns of lines are left out
+// where no row has one.
 bool has_advice(const std::vector<TechniqueRow>& rows);
 std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts);
 

@@ -1,4 +1,4 @@
-// Repeated timings reduced to the two figures a record keeps.
+// The reduction of repeated timings to the two figures that a record keeps.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,8 @@
 
 namespace penumbra::study {
 
-// Milliseconds of one frame. The spread is the interquartile range: neither figure is sensitive to outliers.
+// The milliseconds of one frame. The spread is the interquartile range: neither figure is sensitive to
+// outliers.
 struct Timing {
   double median_ms = 0.0;
   double spread_ms = 0.0;
@@ -14,7 +15,7 @@ struct Timing {
   bool operator==(const Timing&) const = default;
 };
 
-// Quartiles by linear interpolation between order statistics; absent without a sample.
+// The quartiles are interpolated linearly between order statistics; the result is absent without a sample.
 std::optional<Timing> summarise(std::vector<double> milliseconds);
 
 }  // namespace penumbra::study
