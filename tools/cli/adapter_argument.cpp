@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kForm = "--adapter 'NAME=FILE;KEYWORD;UNIFORM=1,2,3;TEXTURE=picture.png'";
 
-// All of a text as finite numbers between commas; nothing when a part of it is none.
+// Returns all of a text as finite numbers between commas, or nothing when a part of it is no number.
 std::optional<std::vector<double>> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : split(text, ',')) {
@@ -56,7 +56,7 @@ double bounded(const std::string& name, const std::string& text, double most) {
   return value;
 }
 
-// "@NAME=VALUE": how the adapter's function wants to be run.
+// "@NAME=VALUE" sets how the adapter's function is run.
 void set_adapter_setting(resolve::Adapter& adapter, const std::string& name, const std::string& value) {
   static const std::vector<std::string> kNames{"@depth-bias", "@normal-bias", "@soft-quality",
                                                "@light-scale"};

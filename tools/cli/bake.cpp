@@ -1,4 +1,4 @@
-// penumbra bake: what far shadows read, made of geometry once.
+// penumbra bake: the inputs of far shadows, made of geometry once.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -34,14 +34,14 @@ struct BakeCommandOptions {
   std::string image;
   std::string field;
   std::vector<double> area;     // corner, size
-  std::vector<double> heights;  // of an image: lowest, highest
+  std::vector<double> heights;  // an image's lowest and highest height
   std::string samples = "513x513";
   std::string raw_size;
   bool flip_z = false;
   scene::ImportOptions import;
   std::string texels = "512x512";
   bake::DistanceFieldOptions distances;
-  int objects = 0;  // 0: the scene is one
+  int objects = 0;  // 0 bakes the scene as one object
   double nearest_metres = 0.0;
   std::string output;
   std::string cache;
@@ -49,7 +49,7 @@ struct BakeCommandOptions {
   WorkerOptions worker{.time_limit = 60, .memory_limit = 2048};
 };
 
-// "513x257", or "513" for a square.
+// Parses "513x257", or "513" for a square.
 scene::ImageSize size_of(const std::string& option, const std::string& text) {
   int width = 0, height = 0, read = 0;
   const auto all = static_cast<int>(text.size());
@@ -63,9 +63,9 @@ scene::ImageSize size_of(const std::string& option, const std::string& text) {
 constexpr const char* kHeightField = "heightfield";
 constexpr const char* kHorizon = "horizon";
 constexpr const char* kDistanceField = "distance-field";
-constexpr double kMuchThin = 0.1;  // of an object's surface
+constexpr double kMuchThin = 0.1;  // share of an object's surface
 
-// The pictures take the name without .json: any other ending could be that of a picture.
+// The pictures have the name without .json: any other ending could be that of a picture.
 void check_output_name(const std::string& output) {
   if (output == "-") {
     throw InputError("--output", "a bake is several files, which standard output cannot hold",

@@ -24,8 +24,8 @@ constexpr const char* kExitCodes =
     "Progress goes to standard error: a bar on a terminal, otherwise a line every 10 s; --quiet turns it "
     "off.";
 
-// `penumbra help measure` says what `penumbra measure --help` says. From a separate option tree: in the
-// parsed one, CLI11's help() returns that of the parsed subcommand.
+// `penumbra help measure` prints what `penumbra measure --help` prints. It takes a separate option tree: in
+// the parsed one, CLI11's help() returns that of the parsed subcommand.
 std::string help_on(const std::string& name) {
   Context unused;
   const std::unique_ptr<CLI::App> app = command_line(unused);
@@ -45,8 +45,8 @@ void add_help(CLI::App& app) {
   command->callback([name] { write_output("", help_on(*name)); });
 }
 
-// An empty text says something of keywords, none of them, and of a variant, which is refused with those there
-// are.
+// An empty text means no keywords, and an empty variant is refused with a list of those that exist, so both
+// may be empty.
 void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : shown_subcommands(app)) {
     for (CLI::Option* option : command->get_options()) {
@@ -66,7 +66,7 @@ int run(const std::vector<std::string>& arguments) {
     std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
     app->parse(last_first);
   } catch (const CLI::Success& asked) {
-    return app->exit(asked);  // prints the help or the version that was asked for
+    return app->exit(asked);  // prints the requested help or version
   } catch (const CLI::ParseError& error) {
     throw usage_error(*app, error);
   }

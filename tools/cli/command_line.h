@@ -9,14 +9,14 @@
 
 namespace penumbra::cli {
 
-// Every subcommand with its options. The tree refers to the context, which must outlive it.
+// Returns every subcommand with its options. The tree refers to the context, which must outlive it.
 std::unique_ptr<CLI::App> command_line(Context& context);
 
-// The subcommands for users: without those of worker processes.
+// Returns the subcommands for users: without those of worker processes.
 std::vector<CLI::App*> shown_subcommands(CLI::App& app);
 
 // Parses and runs; returns the exit code. Help and requested output go to standard output, errors to standard
-// error. `arguments` as typed, without the program's name.
+// error. `arguments` are as typed, without the program's name.
 int run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace penumbra::cli

@@ -64,7 +64,7 @@ std::string script_for(const std::string& shell) {
   return shell == "fish" ? fish_script(commands) : bash_script(commands);
 }
 
-// Few enough to name all, even where one is near.
+// The shells are few enough to name all, even where one is near.
 CLI::Validator known_shell() {
   const CLI::Validator known = one_of({"bash", "zsh", "fish"});
   const auto check = [known](std::string& text) {

@@ -1,4 +1,4 @@
-// penumbra constants: what a shader needs to know of each cascade, from settings or from dumped matrices.
+// penumbra constants: the values of each cascade that a shader needs, from settings or from dumped matrices.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -131,7 +131,7 @@ CLI::Validator between(const parameters::SettingKey& setting) {
   return {check, setting.bounds()};
 }
 
-// The option of one key of a --config file: its default, bounds and meaning are those of the key.
+// Adds the option of one key of a --config file: its default, bounds and meaning are those of the key.
 template <typename Value>
 CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value>& value) {
   const parameters::SettingKey& setting = parameters::setting_key(key);

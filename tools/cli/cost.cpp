@@ -1,4 +1,4 @@
-// penumbra cost: what every technique, or shader files of your own, cost on AMD GPUs, without one.
+// penumbra cost: the cost of every technique, or of your own shader files, on AMD GPUs, without one.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -44,7 +44,7 @@ struct CostOptions {
   std::string entry = "Main";
   std::string stage = "fragment";
   std::vector<std::string> defines;
-  std::vector<std::string> keywords;  // one set each, its keywords separated by commas
+  std::vector<std::string> keywords;  // each is one set, its keywords separated by commas
   std::vector<std::string> package_roots;
   std::vector<std::string> include_directories;
   std::string format = "table";
@@ -52,9 +52,9 @@ struct CostOptions {
   std::string baseline;
   double tolerance = 0.0;
   bool any_driver = false;
-  std::string from;    // earlier JSON: nothing is measured
+  std::string from;    // earlier JSON; if given, nothing is measured
   std::string readme;  // file whose blocks of figures are updated
-  int jobs = 0;        // 0: all cores
+  int jobs = 0;        // 0 means all cores
   WorkerOptions worker{.time_limit = 60};
 };
 
@@ -72,7 +72,7 @@ std::vector<std::string> families_of(const CostOptions& options) {
   return families;
 }
 
-// Of a baseline from a machine without FXC, or with it, only what both have.
+// A baseline may come from a machine with or without FXC: only the families that both have are compared.
 std::vector<std::string> compared_families(const CostOptions& options, const cost::CostReport& baseline) {
   if (!options.from.empty() || !options.families.empty()) return options.families;
   std::vector<std::string> families = families_of(options);
@@ -120,7 +120,7 @@ cost::CostRequest make_request(const CostOptions& options) {
   return request;
 }
 
-// The command that gives the same rows again: what was asked for, without this machine's folders.
+// Returns the command that gives the same rows again, without this machine's folders.
 std::string reproducing_command(const CostOptions& options) {
   std::string command = "penumbra cost";
   for (const std::string& file : options.files) command += " " + shell_word(file);
@@ -145,7 +145,7 @@ std::string in_form(const cost::CostReport& report, const std::string& format) {
   return format == "csv" ? cost::cost_csv(report) : cost::cost_table(report);
 }
 
-// Nothing, if no report is to be written.
+// Returns nothing if no report is to be written.
 std::optional<cost::CostReport> measure(const CostOptions& options, Context& context) {
   cost::CostRequest request = make_request(options);
   cost::CostOutcome outcome;
@@ -159,7 +159,7 @@ std::optional<cost::CostReport> measure(const CostOptions& options, Context& con
   for (const hlsl::Diagnostic& diagnostic : outcome.diagnostics)
     std::fprintf(stderr, "%s\n", hlsl::format(diagnostic).c_str());
   if (hlsl::has_errors(outcome.diagnostics)) context.exit_code = findings;
-  // A report without the shaders that do not compile would pass for a whole one.
+  // A report without the shaders that do not compile would look complete.
   if (hlsl::has_errors(outcome.diagnostics) && !options.output.empty() && options.output != "-") {
     std::fprintf(stderr, "note: %s was not written, because of these errors\n",
                  visible(options.output).c_str());
@@ -169,7 +169,7 @@ std::optional<cost::CostReport> measure(const CostOptions& options, Context& con
   return std::move(outcome.report);
 }
 
-// Checked before anything is measured: incomparable figures are useless.
+// The baseline is checked before anything is measured: incomparable figures are useless.
 cost::CostReport checked_baseline(const CostOptions& options) {
   cost::CostReport baseline = cost::read_cost_report(options.baseline);
   if (options.any_driver) return baseline;
@@ -178,7 +178,7 @@ cost::CostReport checked_baseline(const CostOptions& options) {
     ours = cost::read_cost_report(options.from);
   } else {
     cost::CostRequest request;
-    // All of RADV's have one driver.
+    // One of RADV's families suffices, because all have one driver.
     for (const std::string& family : families_of(options))
       if (request.families.empty() || family == cost::direct3d_family.name)
         request.families.push_back(family);
@@ -270,7 +270,8 @@ void add_comparison(CLI::App& command, CostOptions& options) {
                    "Compare even if the baseline was measured with other versions of driver or compiler");
 }
 
-// The process that compiles shaders for a family, which `cost` starts: not for people, and not in --help.
+// Adds the process that compiles shaders for a family, which `cost` starts. People do not call it, and --help
+// does not list it.
 void add_worker(CLI::App& app) {
   CLI::App* worker = app.add_subcommand("cost-worker", "")->group("");
   auto seconds = std::make_shared<unsigned>(60);

@@ -64,7 +64,7 @@ const std::array<EmittedFile, 8>& emitted_files() {
   return files;
 }
 
-// Several, in a folder of a package.
+// An option that writes several files into a folder of a package.
 struct EmittedFolder {
   const char* option;
   std::string EmittedFiles::*folder;
@@ -94,7 +94,7 @@ const std::array<EmittedFolder, 2>& emitted_folders() {
   return folders;
 }
 
-// A source file of somebody's own is not replaced; one that this program wrote says so.
+// A source file of the user's own is not replaced; a file that this program wrote says so in its text.
 void refuse_foreign_source(const std::string& file, std::string_view emitted) {
   constexpr std::string_view kMark = "Written by `penumbra";
   std::error_code ignored;
@@ -115,7 +115,7 @@ void refuse_link(const fs::path& package, const fs::path& file) {
                      "put the folder or file itself there");
 }
 
-// All folders are created, and all files looked at, before the first file is written.
+// All folders are created, and all files are checked, before the first file is written.
 void write_folder(const fs::path& package, const std::vector<techniques::EmittedFile>& files) {
   for (const techniques::EmittedFile& emitted : files) refuse_link(package, emitted.file);
   for (const techniques::EmittedFile& emitted : files) {

@@ -8,7 +8,7 @@
 
 namespace penumbra::cli {
 
-// Each is a file, - for standard output, except two folders; empty: not requested.
+// Each is a file, with - for standard output, except two that are folders; empty means not requested.
 struct EmittedFiles {
   std::string parameters;  // a folder
   std::string graphs;      // a folder

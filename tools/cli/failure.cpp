@@ -42,7 +42,7 @@ Failure described(const std::exception_ptr& thrown) {
   }
 }
 
-// Allocates nothing.
+// The function allocates nothing.
 [[noreturn]] void end_uncaught() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
@@ -64,7 +64,7 @@ Failure failure_of(const std::exception_ptr& thrown) {
   try {
     return described(thrown);
   } catch (const std::bad_alloc&) {
-    return {bad_environment, "out of memory"};  // short enough to need none
+    return {bad_environment, "out of memory"};  // short enough to need no memory
   }
 }
 

@@ -10,7 +10,7 @@ namespace penumbra::cli {
 
 struct Failure {
   ExitCode code;
-  std::string message;  // without the program's name before it
+  std::string message;  // the message without the program's name
 };
 
 // An exception that is not an error of input, environment or memory, and not an interruption, is a bug in the

@@ -1,9 +1,9 @@
-// operator delete of memory that an operator new of ours took from malloc() or aligned_alloc().
+// operator delete for memory that our operator new took from malloc() or aligned_alloc().
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-// NOLINTBEGIN(cppcoreguidelines-no-malloc): these are what others call
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): all other code calls these
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }

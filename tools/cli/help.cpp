@@ -47,7 +47,7 @@ std::string names_of(const CLI::Option& option) {
   return names;
 }
 
-// "0.53,2,5" of "[0.53,2,5]", which is how CLI11 writes what a list holds.
+// Returns "0.53,2,5" for "[0.53,2,5]", which is CLI11's text of a list's values.
 std::string default_of(const CLI::Option& option) {
   std::string text = option.get_default_str();
   if (text.size() >= 2 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);

@@ -7,7 +7,7 @@
 
 namespace penumbra::cli {
 
-// For the whole tree: 100 columns, descriptions wrapped below themselves.
+// Sets the layout of the whole tree: 100 columns, descriptions wrapped below themselves.
 void lay_out_help(CLI::App& app);
 
 struct Example {

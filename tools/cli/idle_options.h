@@ -1,4 +1,4 @@
-// Options that would silently have no effect, which is an error or a warning.
+// Errors and warnings about options that would silently have no effect.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,16 +10,16 @@
 
 namespace penumbra::cli {
 
-// Throws InputError for the first of `names` that is given while `idle` says that it would have no effect.
+// Throws InputError for the first of `names` that is given although it has no effect, if `idle` is true.
 // `because` completes "--entry has no effect ...".
 void refuse_idle(const CLI::App& command, const std::vector<std::string>& names, bool idle,
                  const std::string& because);
 
-// Those of `penumbra validate` that other options make ineffective.
+// Refuses those of `penumbra validate` that other options make ineffective.
 void refuse_idle_options(const CLI::App& command, const ValidateOptions& options);
 
-// Those whose effect depends only on the files: warnings, because version control hooks give the same options
-// with any files.
+// Returns warnings about options whose effect depends only on the files: version control hooks give the same
+// options with any files.
 std::vector<std::string> idle_option_warnings(const CLI::App& command, const project::ShaderFiles& files);
 
 }  // namespace penumbra::cli

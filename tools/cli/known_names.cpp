@@ -79,7 +79,7 @@ const NameKind& kind_of(const std::string& placeholder) {
   throw std::out_of_range("unknown kind of name " + placeholder);
 }
 
-// Those that the command takes with the options given.
+// Returns the names that the command takes with the options given.
 std::vector<KnownName> names_of(const NameKind& kind, const CLI::App& command) {
   // The list of families depends on whether FXC is found.
   const CLI::Option* location = command.get_option_no_throw("--fxc");

@@ -14,15 +14,15 @@ struct KnownName {
 };
 
 struct NameKind {
-  const char* placeholder;  // in help, of the options that take such a name
+  const char* placeholder;  // shown in help for the options that take such a name
   const char* flag;         // the option that prints them
   std::vector<KnownName> (*names)();
 };
 
 const std::vector<NameKind>& name_kinds();
 
-// The option's place-holder becomes the kind's, and the subcommand has the flag that prints the names; for
-// one kind any number of options.
+// The option's placeholder becomes the kind's, and the subcommand has the flag that prints the names. Several
+// options may take one kind.
 void takes(CLI::App& command, CLI::Option* option, const char* placeholder);
 
 }  // namespace penumbra::cli

@@ -16,8 +16,8 @@ struct LitArguments {
 
 void add_lit_options(CLI::App& command, LitArguments& arguments);
 
-// The lighting of the study's frames. The study's frame and window are enlarged by the supersampling. Throws
-// InputError for a picture that would grow beyond 8192 pixels a side.
+// Returns the lighting of the study's frames. The study's frame and window are enlarged by the supersampling.
+// Throws InputError for a picture that would grow beyond 8192 pixels a side.
 lighting::LitSettings light_study(const LitArguments& arguments, study::StudySettings& settings);
 
 }  // namespace penumbra::cli

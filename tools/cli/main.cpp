@@ -15,7 +15,7 @@
 
 namespace {
 
-// The exit code of a worker; nothing if the program was started by a user.
+// Returns the exit code of a worker; nothing if the program was started by a user.
 std::optional<int> serve_as_worker(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "";
   if (mode == penumbra::validation::worker_mode)

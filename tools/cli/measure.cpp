@@ -43,35 +43,35 @@ namespace {
 
 struct MeasureOptions : StudyOptions {
   VariedSubjects varied{{}, {}, {}, false};
-  std::optional<int> timing_repeats;  // absent: as many as the kind of device needs
+  std::optional<int> timing_repeats;  // absent: the number that the kind of device needs
   bool no_split = false;
   int pan_frames = 0;
   int penumbra_pixels = 0;
   int edge_samples = 0;
-  std::string from;                        // earlier results.json: nothing is measured
-  std::string earlier;                     // results.json of which rows are added to what is measured
-  std::vector<std::string> earlier_rows;   // their techniques
+  std::string from;                        // earlier results.json; if given, nothing is measured
+  std::string earlier;                     // results.json from which rows are added to the measured ones
+  std::vector<std::string> earlier_rows;   // techniques of those rows
   std::string readme;                      // file whose result block is replaced
-  std::string block{study::kResultBlock};  // that block's name
-  std::vector<std::string> rows;           // of its tables; empty: all
-  bool brief = false;                      // one light's table in sight, no tables by scene
-  bool line = false;                       // one sentence
-  std::string costs;                       // JSON of `penumbra cost`; empty: the library's own
+  std::string block{study::kResultBlock};  // name of that block
+  std::vector<std::string> rows;           // techniques in the block's tables; empty means all
+  bool brief = false;                      // shows one light's table, and no tables by scene
+  bool line = false;                       // writes one sentence
+  std::string costs;                       // JSON of `penumbra cost`; empty means the library's own
   std::string presets;                     // C# file of the presets' figures
 };
 
-// NAME=FOLDER of a package root, without the folder: it is the user's own.
+// Returns NAME=FOLDER of a package root without the folder, which is the user's own.
 std::string without_folder(const std::string& root) {
   return root.substr(0, root.find('=')) + "=DIR";
 }
 
-// The value of an option without this machine's folders.
+// Returns the value of an option without this machine's folders.
 std::string shown(const std::string& option, const std::string& value) {
   if (option == "--package-root") return without_folder(value);
   return option == "--project" || option == "--cginc-root" ? "DIR" : value;
 }
 
-// The command that gives these results again: what was asked for, without this machine's folders.
+// Returns the command that gives these results again, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
   static const std::set<std::string> kPlaces{"-o",        "--output", "--cache", "--readme",
                                              "--presets", "--block",  "--rows",  "--cost"};
@@ -91,8 +91,8 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
-// Without a choice every technique for the kind of light, unless parameters are set, which most techniques
-// lack.
+// Without a choice, every technique for the kind of light is taken, unless parameters are set, which most
+// techniques lack.
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options, techniques::LightKind light) {
   StudyOptions choice = options;
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty())
@@ -100,7 +100,7 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options, techn
   return varied_subjects(choice, options.varied, light);
 }
 
-// Two files of one name would be two indistinguishable scenes.
+// Two files with the same name would be two indistinguishable scenes.
 void refuse_equal_names(const std::vector<scene::Scene>& scenes) {
   std::set<std::string> names;
   for (const scene::Scene& scene : scenes) {
@@ -135,7 +135,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   return settings;
 }
 
-// Every package that a subject could include, once.
+// Returns every package that a subject could include, once.
 std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& subjects) {
   std::vector<study::PackageNote> packages;
   for (const study::Subject& subject : subjects) {
@@ -156,7 +156,7 @@ bool writes_report(const MeasureOptions& options) {
 struct Measured {
   study::Results results;
   std::vector<study::PictureRow> pictures;
-  std::shared_ptr<study::KeptRecords> kept;  // absent: nothing was measured
+  std::shared_ptr<study::KeptRecords> kept;  // absent if nothing was measured
 };
 
 // Rows and presets that no technique of this run will have are refused before the measuring.
@@ -202,12 +202,12 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   return measured;
 }
 
-// The library's own figures, with which it ships.
+// These are the library's own figures, with which it ships.
 std::filesystem::path own_costs() {
   return platform::data_directory() / "Documentation~" / "results" / "cost.json";
 }
 
-// What the manifests and a compiler say of techniques, where something shows it.
+// Reads the facts that the manifests and a compiler state about techniques, where something shows them.
 study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
   if (!writes_report(options) && options.readme.empty()) return {};
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
@@ -240,7 +240,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
 
-// Before the measuring: a mistake in the file loses no results.
+// They are read before the measuring, so that a mistake in the file loses no results.
 study::Results earlier_results(const MeasureOptions& options) {
   if (options.earlier.empty()) return {};
   study::Results earlier = study::read_results(options.earlier);
@@ -257,7 +257,8 @@ void check_outputs(const MeasureOptions& options, const Context& context) {
   check_cache_folder(options.cache, platform::cache_directory(), context);
   check_output_file(options.presets);
   check_output_file(options.readme);
-  if (!options.readme.empty())  // a page without the markers, before the measuring and not after it
+  // A page without the markers is refused before the measuring and not after it.
+  if (!options.readme.empty())
     (void)study::replace_result_block(read_text_file(options.readme), "", options.readme, options.block);
 }
 
@@ -271,13 +272,13 @@ void write_all(const MeasureOptions& options, Measured measured, const study::Fa
   if (!options.readme.empty()) rewrite_readme(options, measured.results, facts);
   if (!options.presets.empty())
     write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
-  // Last: what could not be written goes on from these.
+  // Finished records are dropped last, so that a run that could not write its results can continue from them.
   if (measured.kept) measured.kept->drop();
 }
 
 void run(const CLI::App& command, const MeasureOptions& options, Context& context) {
   check_outputs(options, context);
-  // Before the measuring: a mistake in a manifest loses no results.
+  // Facts are read before the measuring, so that a mistake in a manifest loses no results.
   const study::FactsOfTechniques facts = shown_facts(options);
   const study::Results earlier = earlier_results(options);
   Measured measured;

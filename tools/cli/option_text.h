@@ -13,7 +13,7 @@ std::vector<std::string> split(const std::string& text, char separator);
 std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text);
 double number(const std::string& option, const std::string& text);  // finite
 
-// A word of a command, quoted for a shell if necessary.
+// Returns a word of a command, quoted for a shell if necessary.
 std::string shell_word(const std::string& text);
 
 // Throws InputError, naming the option, for a name or title that holds a control character or the beginning

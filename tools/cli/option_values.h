@@ -10,11 +10,11 @@
 
 namespace penumbra::cli {
 
-// Numbers from the smallest to the largest, inclusive.
+// Accepts numbers from the smallest to the largest, inclusive.
 CLI::Validator within(double smallest, double largest);
-// Numbers greater than 0.
+// Accepts numbers greater than 0.
 CLI::Validator positive();
-// One of these names; another is refused with the nearest.
+// Accepts one of these names; another is refused with the nearest.
 CLI::Validator one_of(std::vector<std::string> names);
 
 // Rejects an empty value, or an empty one of several: an unset variable of a script is not a file. Must
@@ -25,20 +25,20 @@ CLI::Option* not_empty(CLI::Option* option);
 struct ValueHint {
   std::string placeholder;                          // "FILE"; empty for a flag
   std::string rule;                                 // "0 .. 30", "table|json"; empty if anything is allowed
-  std::vector<std::string> choices;                 // of one_of
-  std::optional<std::pair<double, double>> bounds;  // of within
+  std::vector<std::string> choices;                 // names for one_of()
+  std::optional<std::pair<double, double>> bounds;  // bounds for within()
 };
 ValueHint value_hint(const CLI::Option& option);
 
-// A list: its values are separated by commas, or the option is repeated, or both.
+// The option is a list: its values are separated by commas, or the option is repeated, or both.
 CLI::Option* as_list(CLI::Option* option);
-// Repeatable, one value each time: for values that contain commas.
+// The option can be repeated, with one value each time, for values that contain commas.
 CLI::Option* one_each(CLI::Option* option);
-// A number of numbers, separated by spaces or commas.
+// The option takes from `least` to `most` numbers, separated by spaces or commas.
 CLI::Option* as_vector(CLI::Option* option, int least, int most);
 
-// The elements of a list whose elements may be files: a text that is the name of an existing file is not
-// split.
+// Returns the elements of a list whose elements may be files: a text that is the name of an existing file is
+// not split.
 std::vector<std::string> names_or_files(const std::vector<std::string>& given);
 
 }  // namespace penumbra::cli

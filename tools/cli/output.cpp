@@ -12,7 +12,7 @@
 namespace penumbra::cli {
 namespace {
 
-// The folder itself, or its nearest existing parent. Throws InputError if that is a file.
+// Returns the folder itself, or its nearest existing parent. Throws InputError if that is a file.
 std::filesystem::path nearest_folder(const std::filesystem::path& folder) {
   std::error_code status;
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
@@ -27,13 +27,13 @@ void check_folder(const std::filesystem::path& given) {
   platform::check_folder_can_be_written(nearest_folder(given), given);
 }
 
-// Why nothing can or may be kept there; empty where it can.
+// Returns why nothing can or may be cached there; empty if it can.
 std::string cache_problem(const std::filesystem::path& folder) {
   if (folder.empty()) return "neither HOME nor XDG_CACHE_HOME names a folder for the cache";
   if (std::string problem = platform::cache_folder_problem(folder); !problem.empty())
     return "what is in the cache may be somebody else's: " + problem;
   try {
-    // Where the cache is kept may be behind a link of the user's; its entries are not.
+    // The cache's folder may be behind a link of the user's; its entries may not.
     platform::check_folder_can_be_written(std::filesystem::weakly_canonical(nearest_folder(folder)), folder);
   } catch (const InputError& error) {
     return std::string("the cache cannot be written: ") + error.what();

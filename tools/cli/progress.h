@@ -10,33 +10,33 @@
 
 namespace penumbra::cli {
 
-// Where progress goes; one for a whole run, whose stages follow each other.
+// The output of progress; there is one for a whole run, whose stages follow each other.
 struct ProgressOutlet {
   using Clock = std::chrono::steady_clock;
 
-  bool bar = false;  // else lines
+  bool bar = false;  // a bar, else lines
   std::function<Clock::time_point()> now = Clock::now;
   std::function<void(std::string_view)> write;
   Clock::time_point started = Clock::now();
   Clock::time_point last_line = started;
 
-  ProgressOutlet();  // to standard error
+  ProgressOutlet();  // writes to standard error
 };
 
 inline constexpr std::chrono::seconds kProgressLineInterval{10};
 
-// One stage of the work. A line reads "penumbra: LABEL: 120/400 shaders (30 %), 1 min 20 s", the time being
-// that since the start of the run; it is written by update() when it is due, so update() must be called at
-// least as often.
+// A stage of the work. A line reads "penumbra: LABEL: 120/400 shaders (30 %), 1 min 20 s", the time being
+// that since the start of the run. update() writes it when it is due, so update() must be called at least as
+// often.
 class Progress {
  public:
-  // Without an outlet nothing is written.
+  // Without an outlet, nothing is written.
   Progress(std::shared_ptr<ProgressOutlet> outlet, std::string label);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `unit` is what is counted.
+  // `unit` names the things that are counted.
   void update(double done, double total, std::string_view unit = "");
 
  private:

@@ -8,11 +8,11 @@
 
 namespace penumbra::cli {
 
-// Where a file of the report belongs there may be an older one, and nothing else: throws InputError.
+// Throws InputError if something other than an older file stands where a file of the report belongs.
 void check_report_files(const std::filesystem::path& folder);
 
-// Writes the results before what is drawn of them: if drawing fails, they are there, and no other report is
-// beside them.
+// Writes the results before the charts and pages: if drawing fails, the results are there, and no other
+// report is beside them.
 void write_report(const std::filesystem::path& folder, const study::Results& results,
                   std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts);
 

@@ -16,7 +16,7 @@ struct ReportOptions {
   bool verbose = false;
 };
 
-// --format, --output, --root and --verbose.
+// Adds --format, --output, --root and --verbose.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
 // Sets the exit code to findings if a variant failed.

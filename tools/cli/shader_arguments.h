@@ -13,7 +13,7 @@ namespace penumbra::cli {
 std::vector<std::string> parse_keyword_set(const std::string& text);        // "A,B"
 std::pair<std::string, std::string> parse_define(const std::string& text);  // "NAME" or "NAME=VALUE"
 
-// "NAME=FOLDER"; throws InputError for another form, EnvironmentError when there is no such folder.
+// Parses "NAME=FOLDER"; throws InputError for another form, EnvironmentError when there is no such folder.
 shaders::PackageRoot parse_package_root(const std::string& text);
 
 }  // namespace penumbra::cli

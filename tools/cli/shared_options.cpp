@@ -44,7 +44,7 @@ void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::str
 platform::WorkerLimits worker_limits(const WorkerOptions& options) {
   platform::WorkerLimits limits;
   limits.processor_time = std::chrono::seconds(options.time_limit);
-  // On a busy machine, a second of CPU time takes several seconds.
+  // A second of CPU time takes several seconds on a busy machine.
   limits.time = std::max<std::chrono::milliseconds>(limits.time, 6 * limits.processor_time);
   limits.memory = std::size_t{options.memory_limit} << 20;
   return limits;

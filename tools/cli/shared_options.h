@@ -19,7 +19,7 @@ CLI::Option* add_format(CLI::App& command, std::string& format, std::vector<std:
 CLI::Option* add_jobs(CLI::App& command, int& jobs);
 unsigned worker_count(int jobs);  // 0: as many as the machine has cores
 
-// Of the processes in which untrusted files are compiled and read.
+// Limits for the processes in which untrusted files are compiled and read.
 struct WorkerOptions {
   unsigned time_limit = 30;      // seconds of processor time
   unsigned memory_limit = 2048;  // MiB
@@ -28,14 +28,14 @@ void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::str
 platform::WorkerLimits worker_limits(const WorkerOptions& options);
 // The arguments that start this program as a worker; none where there are no worker processes.
 std::vector<std::string> worker_arguments(const std::string& mode);
-// In which models and pictures are read.
+// Returns the process in which models and pictures are read.
 scene::ReadingProcess reading_process(const WorkerOptions& options);
 
-// A manifest, or the folder of a package that has some, instead of the library's own.
+// The option names a manifest, or the folder of a package that has some, instead of the library's own.
 CLI::Option* add_technique_list_option(CLI::App& command, std::string& list);
 techniques::TechniqueList chosen_technique_list(const std::string& list);
 
-inline constexpr const char* kAll = "all";  // in the place of a scene's or a technique's name
+inline constexpr const char* kAll = "all";  // stands for the name of every scene or technique
 
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without);
@@ -47,7 +47,7 @@ CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& root
 // Throws InputError if --from is combined with an option that affects measuring, which all do except `kept`.
 void refuse_beside_from(const CLI::App& command, const std::set<std::string>& kept);
 
-// -I and -D, for shaders of the user's own.
+// Adds -I and -D, for shaders of the user's own.
 void add_source_options(CLI::App& command, std::vector<std::string>& folders,
                         std::vector<std::string>& defines);
 

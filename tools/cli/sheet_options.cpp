@@ -64,7 +64,7 @@ std::vector<study::PictureWindow> insets_of(const std::vector<std::string>& text
   return insets;
 }
 
-// What --show may name; a debug view by its pass of PenumbraDebugViews.shader.
+// The names that --show takes; a debug view goes by its pass of PenumbraDebugViews.shader.
 const std::map<std::string, study::SheetChoice>& shown_pictures() {
   using study::SheetPicture;
   static const std::map<std::string, study::SheetChoice> pictures{
@@ -108,7 +108,7 @@ void refuse_without_a_place(const std::filesystem::path& file) {
   }
 }
 
-// Captions left out: they are small beside pictures of this number.
+// The estimate leaves out captions, which are small beside so many pictures.
 void refuse_too_large(const study::SheetOptions& options, const study::StudySettings& settings,
                       std::size_t subjects) {
   const study::PictureWindow shown =

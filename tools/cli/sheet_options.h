@@ -11,10 +11,10 @@
 namespace penumbra::cli {
 
 struct SheetArguments {
-  std::string file;                   // empty: no sheet
-  std::string crop;                   // X,Y,WIDTH,HEIGHT; empty: all of the picture
-  std::vector<std::string> insets{};  // the same
-  std::string reference = "first";    // or last
+  std::string file;                   // empty means no sheet
+  std::string crop;                   // X,Y,WIDTH,HEIGHT; empty means all of the picture
+  std::vector<std::string> insets{};  // X,Y,WIDTH,HEIGHT each
+  std::string reference = "first";    // "first" or "last"
   int zoom = 1;
   int columns = 0;
   std::vector<std::string> show{"result"};

@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) {
   return "'" + replaced(text, "'", "'\\''") + "'";
 }
 
-// "-o" and "--output" of an option.
+// Returns "-o" and "--output" of an option.
 std::vector<std::string> dashed(const CompletedOption& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.short_names) names.push_back("-" + name);
@@ -37,7 +37,7 @@ std::vector<std::string> subcommands(const std::vector<CompletedCommand>& comman
 
 const char* made_by = "# Made by `penumbra completion {}`: make it again when penumbra is another version.\n";
 
-// How bash completes the value of an option.
+// Returns the code with which bash completes the value of an option.
 std::string bash_value(const CompletedOption& option) {
   const char* from = option.folders ? "folder" : option.files ? "file" : "none";
   return fmt::format("from={} list={} words='{}'", from, option.list ? "yes" : "", words_text(option.words));

@@ -7,10 +7,10 @@
 namespace penumbra::cli {
 
 struct CompletedOption {
-  std::vector<std::string> short_names;  // without dashes
+  std::vector<std::string> short_names;  // names without dashes
   std::vector<std::string> long_names;
   std::string description;
-  std::string placeholder;         // empty: a flag, which takes no value
+  std::string placeholder;         // empty for a flag, which takes no value
   std::vector<std::string> words;  // values that are known
   bool list = false;               // several words, separated by commas
   bool files = false;              // the value may be a file
@@ -21,7 +21,7 @@ struct CompletedCommand {
   std::string name;
   std::string description;
   std::vector<CompletedOption> options;
-  std::vector<std::string> words;  // of its positional arguments
+  std::vector<std::string> words;  // words of its positional arguments
   bool files = false;              // positional arguments are files
 };
 

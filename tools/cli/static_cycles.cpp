@@ -6,13 +6,14 @@
 namespace penumbra::cli {
 namespace {
 
-constexpr const char* kFilterEntry = "Fragment";  // of a filter, which `cost` measures in a pass of its own
+// The filter's entry, which `cost` measures in a pass of its own.
+constexpr const char* kFilterEntry = "Fragment";
 
 bool has(const std::vector<std::string>& keywords, const char* keyword) {
   return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
 }
 
-// How well the row shows what a desktop runs of the technique; 0: not at all.
+// Rates how well the row represents what a desktop runs of the technique; 0 means not at all.
 int fitness(const cost::CostRow& row, const std::string& technique) {
   int best = 0;
   for (const cost::CostVariant& variant : row.variants) {
@@ -24,7 +25,7 @@ int fitness(const cost::CostRow& row, const std::string& technique) {
   return best;
 }
 
-// The program that gives the visibility: of the pass that writes it, or the filter.
+// Returns the program that gives the visibility: that of the pass that writes it, or the filter.
 std::string visibility_entry(const techniques::Technique& technique) {
   for (const techniques::GraphPass& pass : technique.graph.passes)
     if (!technique.graph.visibility.empty() && techniques::writes_to(pass, technique.graph.visibility))

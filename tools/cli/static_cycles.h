@@ -7,7 +7,8 @@
 
 namespace penumbra::cli {
 
-// Of one GPU family of the report, navi21 if it has that. A technique without rows has none.
+// The cycles are those of one GPU family of the report, navi21 if it has that. A technique without rows has
+// none.
 void add_cycles(study::FactsOfTechniques& facts, const techniques::TechniqueList& list,
                 const cost::CostReport& report);
 

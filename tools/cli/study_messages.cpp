@@ -17,7 +17,7 @@ void tell_invalid_results(const std::vector<study::Record>& records, Context& co
     const study::Metrics& metrics = record.metrics;
     if (metrics.invalid == 0) continue;
     context.exit_code = findings;
-    // Those of the subject with unlimited samples count among the invalid ones, too.
+    // Invalid values of the subject with unlimited samples count, too, so there may be more than pixels.
     const std::size_t all = std::max(metrics.pixels * metrics.seeds, metrics.invalid);
     fmt::print(stderr, "{}: {} of {} results are not finite or not in 0..1 (scene {}, light {}°)\n",
                record.technique, metrics.invalid, all, record.scene, record.light_degrees);

@@ -9,11 +9,11 @@
 
 namespace penumbra::cli {
 
-// Nothing with --quiet.
+// It prints nothing with --quiet.
 void tell_notes(const std::vector<std::string>& notes, const Context& context);
 
-// A line for each technique, scene and light with results that are not a visibility; such a command ends with
-// findings.
+// Prints a line for each technique, scene and light with results that are not a visibility; such a command
+// ends with findings.
 void tell_invalid_results(const std::vector<study::Record>& records, Context& context);
 
 }  // namespace penumbra::cli

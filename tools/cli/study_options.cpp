@@ -42,7 +42,7 @@ scene::DepthFormat depth_format(const std::string& text) {
   return scene::DepthFormat::d32;
 }
 
-// Position, target and perhaps the field of view; the rest of the camera stays.
+// The numbers give position, target and perhaps the field of view; the rest of the camera stays.
 void look_as_told(const std::vector<double>& numbers, parameters::Camera& camera) {
   const glm::dvec3 position{numbers[0], numbers[1], numbers[2]};
   const glm::dvec3 target{numbers[3], numbers[4], numbers[5]};
@@ -213,7 +213,7 @@ std::pair<int, int> picture_size(const StudyOptions& options) {
 
 namespace {
 
-// Not silently: a scene that is built in has its size.
+// The options are refused and not ignored: a built-in scene has its own size.
 void refuse_import_options_without_a_model(const scene::ImportOptions& import,
                                            const std::vector<std::string>& names) {
   const std::vector<std::string> built_in = scene::all_built_in_names();
@@ -343,7 +343,7 @@ void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::
               "on techniques that read no distance fields");
 }
 
-// Those given by hand, then those of the project that are not.
+// Roots given by hand come first, then those of the project that were not given.
 std::vector<shaders::PackageRoot> package_roots(const StudyOptions& options) {
   std::vector<shaders::PackageRoot> given;
   for (const std::string& text : options.package_roots) {

@@ -1,4 +1,4 @@
-// The options `measure` and `render` share: which scenes, lights and maps, and on which device.
+// The options that `measure` and `render` share: scenes, lights, maps and the device.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,21 +26,21 @@ struct StudyOptions {
   std::vector<double> lights;
   std::vector<std::string> techniques;
   std::string technique_list;              // a manifest or a package's folder; empty: the library's own
-  std::vector<std::string> adapters;       // as parse_adapter() reads them
+  std::vector<std::string> adapters;       // parse_adapter() reads these
   std::vector<std::string> package_roots;  // NAME=FOLDER
-  std::string project;                     // of Unity; empty: none
+  std::string project;                     // a Unity project; empty: none
   std::string cginc_root;                  // the editor's CGIncludes; empty: none
   std::string size = "480x270";
   int map_size = 2048;
   int cascades = 4;
   std::string map_format = "d32";
-  std::optional<double> depth_bias;  // these four: absent, each subject's own
+  std::optional<double> depth_bias;  // if one of these four is absent, each subject has its own
   std::optional<double> normal_bias;
   std::optional<std::string> soft_quality;
   std::optional<double> slope_bias;
   bool reversed_z = true;
   std::vector<std::string> light_fits{"sphere"};    // parameters::name_of; several are tried one by one
-  std::vector<std::string> cascade_blends{"none"};  // or dither, mix; several are tried one by one
+  std::vector<std::string> cascade_blends{"none"};  // none, dither or mix; several are tried one by one
   double cascade_border = 0.1;
   std::vector<double> map_ages{0.0};  // degrees; several are tried one by one
   double distance_metres = 0.0;       // 0: the scene's own
@@ -50,13 +50,13 @@ struct StudyOptions {
   std::vector<double> camera;  // position, target and perhaps the field of view; empty: the scene's own
   scene::ImportOptions import;
   std::string device;
-  std::string front_end = "glslang";  // or fxc
-  std::string fxc;                    // its library; empty: where it is found
+  std::string front_end = "glslang";  // glslang or fxc
+  std::string fxc;                    // FXC's library; empty: where it is found
   bool validation = false;
   int reference_samples = 1024;
   int noise_seeds = 2;
   std::uint64_t seed = 0;
-  int jobs = 0;  // 0: all cores
+  int jobs = 0;  // 0 means all cores
   WorkerOptions worker{.time_limit = 60};
   std::string cache;
   std::string output;
@@ -66,37 +66,37 @@ struct StudyOptions {
 void add_study_options(CLI::App& command, StudyOptions& options, const std::string& default_scene);
 CLI::Option* add_adapters(CLI::App& command, std::vector<std::string>& adapters);
 
-// All of these throw InputError for what is out of range or unknown, with the nearest right name.
+// All of these throw InputError for values that are out of range or unknown, with the nearest right name.
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback);
-// The notes of imports, on stderr unless --quiet.
+// Prints the notes of imports, on stderr unless --quiet.
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
-// Throws EnvironmentError where the front end is not at hand.
+// Throws EnvironmentError where the front end is not installed.
 resolve::Compiler chosen_compiler(const StudyOptions& options);
-// As results record it; absent: glslang.
+// Returns the name that results record; absent for glslang.
 std::optional<std::string> front_end_name(const StudyOptions& options);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 
-// Without repetitions.
+// The result has no repetitions.
 std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options);
 std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
-// The requested biases instead of the subject's own.
+// Sets the requested biases instead of the subject's own.
 void choose_bias(const StudyOptions& options, study::Subject& subject);
-// Throws InputError for an option of bakes that no subject reads: before anything is compiled or baked.
+// Throws InputError for an option of bakes that no subject reads, before anything is compiled or baked.
 void refuse_idle_bake_options(const CLI::App& command, const std::vector<study::Subject>& subjects);
 
 gpu::Device open_device(const StudyOptions& options);
 
-// A progress line per stage of a study.
+// Prints a progress line per stage of a study.
 study::StudyProgress study_progress(const Context& context);
 
 std::pair<int, int> picture_size(const StudyOptions& options);  // width and height
 
-void make_folder(const std::filesystem::path& folder);  // with its parents; InputError when that fails
+void make_folder(const std::filesystem::path& folder);  // makes its parents, too; InputError when that fails
 
 bool is_jpeg_name(const std::filesystem::path& file);  // .jpg or .jpeg, in any case
-// As JPEG where its name says so, else as PNG.
+// Writes a JPEG if the file's name says so, else a PNG.
 void write_picture(const std::filesystem::path& file, const study::Picture& picture);
 
 }  // namespace penumbra::cli

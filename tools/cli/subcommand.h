@@ -27,8 +27,8 @@ enum ExitCode {
 
 struct Context {
   bool quiet = false;
-  std::vector<std::string> arguments;  // as typed, without the program's name
-  int exit_code = success;             // a subcommand that found something sets findings
+  std::vector<std::string> arguments;  // the arguments as typed, without the program's name
+  int exit_code = success;             // a subcommand with findings sets `findings`
   std::shared_ptr<ProgressOutlet> outlet = std::make_shared<ProgressOutlet>();
 
   std::shared_ptr<ProgressOutlet> progress() const { return quiet ? nullptr : outlet; }
@@ -38,20 +38,20 @@ struct Context {
 void write_output(const std::string& file, std::string_view content);
 
 // Throw InputError if writing could not succeed: a folder in the file's place, a folder that does not exist
-// or is not writable. Called before work begins; they leave nothing behind.
+// or is not writable. They are called before work begins, and leave nothing behind.
 void check_output_file(const std::string& file);      // "" and "-", standard output, pass
-void check_output_folder(const std::string& folder);  // which need not exist yet; "" passes
+void check_output_folder(const std::string& folder);  // the folder need not exist yet; "" passes
 
 // Throws InputError if `output`, the value of `option`, is one of the files that the run reads, under
 // whatever name. Empty names are skipped.
 void refuse_input_as_output(const std::string& option, const std::string& output,
                             const std::vector<std::string>& inputs);
 
-// The same for a report in the place of a shader or a manifest, whether or not the run reads it.
+// Throws the same for a report in the place of a shader or a manifest, whether or not the run reads it.
 void refuse_report_over_source(const std::string& option, const std::string& output);
 
-// A cache that cannot be written to causes a note only. `given` by --cache, else `standard`. Throws
-// InputError where a file is in the place of the folder that was given.
+// A cache that cannot be written to causes a note only. The folder is `given` by --cache, or else `standard`.
+// Throws InputError where a file is in the place of the folder that was given.
 void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
                         const Context& context);
 

@@ -1,6 +1,6 @@
-// operator new of the program: std::bad_alloc where there is no memory. That of mimalloc, a C library, ends
-// the program instead. What it gives is freed by freeing_delete.cpp. malloc() and free() are those of
-// mimalloc where it is linked (penumbra_allocator).
+// operator new of the program: it throws std::bad_alloc where there is no memory, while that of mimalloc, a C
+// library, ends the program. freeing_delete.cpp frees its memory. malloc() and free() are those of mimalloc
+// where it is linked (penumbra_allocator).
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -13,7 +13,7 @@ void* found(void* memory) {
   return memory;
 }
 
-// What aligned_alloc() asks for: a multiple of the alignment.
+// aligned_alloc() requires a size that is a multiple of the alignment.
 void* aligned(std::size_t size, std::align_val_t alignment) noexcept {
   const auto step = static_cast<std::size_t>(alignment);
   const std::size_t rounded = (std::max<std::size_t>(size, 1) + step - 1) / step * step;
@@ -22,7 +22,7 @@ void* aligned(std::size_t size, std::align_val_t alignment) noexcept {
 
 }  // namespace
 
-// NOLINTBEGIN(cppcoreguidelines-no-malloc): these are what others call
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): all other code calls these
 void* operator new(std::size_t size) {
   return found(std::malloc(std::max<std::size_t>(size, 1)));
 }

@@ -11,8 +11,8 @@
 namespace penumbra::cli {
 namespace {
 
-// Names that other programs, or other subcommands of this one, use for an option. Of several, the first that
-// the subcommand has is suggested.
+// These are names that other programs, or other subcommands of this one, use for an option. Of several, the
+// first that the subcommand has is suggested.
 constexpr std::pair<const char*, const char*> kOtherNames[] = {
     {"report", "format"},
     {"form", "format"},
@@ -119,7 +119,7 @@ InputError usage_error(CLI::App& app, const CLI::ParseError& error) {
   if (option != unexpected.end()) return unknown_option(command, *option);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty())
     return too_many(command, unexpected.front());
-  const std::string said = plain_words(error.what());  // a way out of its own follows on further lines
+  const std::string said = plain_words(error.what());  // the message's own way out follows on further lines
   const std::size_t end = std::min(said.find("\n  "), said.size());
   return {"", said.substr(0, end), lines(end < said.size() ? said.substr(end + 3) : "", see_help(command))};
 }

@@ -1,5 +1,5 @@
-// penumbra validate: shader files, or a Unity project, or the library's own techniques; every variant, every
-// target.
+// penumbra validate: compiles shader files, a Unity project, or the library's own techniques, in every
+// variant for every target.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -100,7 +100,7 @@ std::vector<project::PackageRoot> given_roots(const ValidateOptions& options) {
   return roots;
 }
 
-// On standard error, like progress.
+// Lines go to standard error, like progress.
 void say(const Context& context, const std::string& line) {
   if (!context.quiet) std::fprintf(stderr, "%s\n", line.c_str());
 }
@@ -108,7 +108,7 @@ void say(const Context& context, const std::string& line) {
 struct Found {
   project::IncludeRoots roots;
   int unity_version = variants::Platform().unity_version;
-  std::vector<hlsl::Diagnostic> said;  // about the project and its packages
+  std::vector<hlsl::Diagnostic> said;  // messages about the project and its packages
 };
 
 Found look_around(const ValidateOptions& options) {
@@ -230,7 +230,7 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
 
   for (const hlsl::Diagnostic& problem : found.said)
     if (problem.severity != hlsl::Severity::note)
-      std::fprintf(stderr, "%s\n", hlsl::format(problem).c_str());  // what is skipped, --quiet or not
+      std::fprintf(stderr, "%s\n", hlsl::format(problem).c_str());  // skipped files are named, --quiet or not
     else
       say(context, hlsl::format(problem));
   refuse_unknown_keywords(options, sources, context);

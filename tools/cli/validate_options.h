@@ -17,7 +17,7 @@ class App;
 namespace penumbra::cli {
 
 struct ValidateOptions {
-  // What.
+  // These options choose what is validated.
   std::vector<std::string> places;
   std::string project;
   std::vector<std::string> only;
@@ -25,7 +25,7 @@ struct ValidateOptions {
   std::string techniques;
   std::string entry = "Main";
   std::string stage = "fragment";
-  // With what.
+  // These options describe the surroundings of the shaders.
   std::vector<std::string> package_roots;
   std::string cginc_root;
   std::vector<std::string> include_directories;
@@ -33,7 +33,7 @@ struct ValidateOptions {
   std::string unity_version;
   std::string fxc;
   bool mobile = false;
-  // Which variants and targets.
+  // These options choose the variants and the targets.
   std::vector<std::string> keywords;
   std::vector<std::string> keyword_sets;
   std::string stripping;
@@ -48,8 +48,8 @@ struct ValidateOptions {
   std::vector<std::string> disabled_rules;
   std::optional<std::string> explain;
   bool minimise = false;
-  // How.
-  int jobs = 0;  // 0: all cores
+  // These options say how the run works and what it writes.
+  int jobs = 0;  // 0 means all cores
   std::string shard;
   std::string cache;
   bool no_cache = false;

@@ -23,11 +23,11 @@ constexpr const char* kDefaultSpotTechnique = "pcss-spot-24-16";
 struct Setting {
   std::string parameter;
   double value;
-  bool varies;  // is one of several values
+  bool varies;  // the value is one of several
 };
 
 struct Parameter {
-  std::string technique;  // that alone is varied; empty: each
+  std::string technique;  // the technique that alone is varied; empty means each
   std::string name;
   std::vector<double> values;
 };
@@ -57,7 +57,8 @@ std::vector<Parameter> parameters(const std::vector<std::string>& set) {
   return parameters;
 }
 
-// Those of one technique: its own, and of those of all techniques what it does not have itself.
+// Returns the parameters of one technique: its own, and those for all techniques that it does not have
+// itself.
 std::vector<Parameter> parameters_of(const std::string& technique, const std::vector<Parameter>& all) {
   std::vector<Parameter> chosen;
   for (const Parameter& parameter : all) {
@@ -81,7 +82,7 @@ void refuse_parameters_of_others(const std::vector<Parameter>& parameters,
                        "add --technique " + parameter.technique);
 }
 
-// Every value of each with every value of the others; the last varies fastest.
+// Returns every value of each with every value of the others; the last varies fastest.
 std::vector<std::vector<Setting>> combinations(const std::vector<Parameter>& parameters) {
   std::vector<std::vector<Setting>> all{{}};
   for (const Parameter& parameter : parameters) {
@@ -109,7 +110,7 @@ std::string text_of(const std::vector<Setting>& settings) {
   return text;
 }
 
-// The settings that distinguish a picture from its neighbours; if there are none, all settings.
+// Names the settings that distinguish a picture from its neighbours; if there are none, all settings.
 std::string text_of_varying(const std::vector<Setting>& settings) {
   std::vector<Setting> varying;
   std::copy_if(settings.begin(), settings.end(), std::back_inserter(varying),
@@ -138,7 +139,7 @@ void add_captioned(std::vector<study::Subject>& subjects, const study::Subject& 
   }
 }
 
-// Each subject with each of them, which its name and title say where there are several.
+// Returns each subject with each of the shares; name and title contain the share where there are several.
 std::vector<study::Subject> with_histories(const std::vector<study::Subject>& subjects,
                                            std::vector<double> shares) {
   drop_repetitions(shares);
@@ -162,7 +163,7 @@ std::string name_of(const scene::CascadeBlend& blend) {
   return blend.mixed ? "mix" : "dither";
 }
 
-// The package's own shaders, which techniques over the screen are, dither.
+// Dithering is built into the package's own shaders, and so into techniques over the screen.
 void require_mixable(const study::Subject& subject, const scene::CascadeBlend& blend) {
   if (!blend.mixed || !subject.graph.graph.over_screen()) return;
   throw InputError("--cascade-blend mix",
@@ -170,7 +171,7 @@ void require_mixable(const study::Subject& subject, const scene::CascadeBlend& b
                    "choose dither, or techniques that are a filter");
 }
 
-// A spot light's map has none that could be fitted, blended or kept.
+// A spot light's map has no cascades that could be fitted, blended or kept.
 void require_no_cascades(const StudyOptions& options) {
   const StudyOptions none;
   const char* given = options.light_fits != none.light_fits           ? "--light-fit"
@@ -182,11 +183,11 @@ void require_no_cascades(const StudyOptions& options) {
 }
 
 struct NamedChoices {
-  std::string text;  // what of it varies; empty: nothing
+  std::string text;  // the settings that vary; empty if none does
   scene::CascadeChoices choices;
 };
 
-// Each fit with each blend and each age of the map.
+// Returns each fit with each blend and each age of the map.
 std::vector<NamedChoices> cascade_choices(const std::vector<parameters::LightFit>& fits,
                                           const std::vector<scene::CascadeBlend>& blends,
                                           const std::vector<double>& ages) {
@@ -204,7 +205,7 @@ std::vector<NamedChoices> cascade_choices(const std::vector<parameters::LightFit
   return all;
 }
 
-// Each subject with each of them, which its name and title say where there are several.
+// Returns each subject with each of the choices; name and title contain the choice where there are several.
 std::vector<study::Subject> with_cascades(const std::vector<study::Subject>& subjects,
                                           const std::vector<NamedChoices>& choices) {
   std::vector<study::Subject> all;
@@ -254,7 +255,7 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
   }
 }
 
-// With the names of all techniques for the kind of light in the place of `all`.
+// The names of all techniques for the kind of light replace `all`.
 std::vector<std::string> without_all(const std::vector<std::string>& given,
                                      const techniques::TechniqueList& list, techniques::LightKind light) {
   std::vector<std::string> names;
@@ -267,7 +268,7 @@ std::vector<std::string> without_all(const std::vector<std::string>& given,
   return names;
 }
 
-// Those of the list that was given and, by their names, the library's own, for comparison.
+// The techniques of the list that was given and, by their names, the library's own, for comparison.
 class KnownTechniques {
  public:
   explicit KnownTechniques(const std::string& technique_list)
@@ -277,7 +278,7 @@ class KnownTechniques {
 
   const techniques::TechniqueList& given() const { return given_; }
 
-  // The list that has the technique; the given one, if none has.
+  // Returns the list that has the technique; the given one, if none has.
   const techniques::TechniqueList& list_of(const std::string& name) const {
     const auto has = [&](const techniques::TechniqueList& list) {
       const auto is_named = [&](const techniques::Technique& technique) { return technique.name == name; };
@@ -367,7 +368,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     else
       of_adapters.push_back(std::move(subject));
   }
-  const std::vector<scene::CascadeBlend> unblended(1);  // they choose cascades themselves
+  const std::vector<scene::CascadeBlend> unblended(1);  // these subjects choose cascades themselves
   of_adapters = with_cascades(of_adapters, cascade_choices(fits, unblended, ages));
   subjects.insert(varied.adapters == "first" ? subjects.begin() : subjects.end(), of_adapters.begin(),
                   of_adapters.end());

@@ -20,7 +20,7 @@ struct VariedSubjects {
   std::vector<double> histories;  // shares of the newest frame (study/history.h), tried one by one; empty: 1
   bool captions = true;  // titles are captions of pictures; else a technique's own title and what was set
   std::vector<std::string> titles{};  // NAME=TEXT: titles of subjects, by their name
-  std::string adapters = "last";      // or first: their position among the techniques
+  std::string adapters = "last";      // "last" or "first": their position among the techniques
 };
 
 // Removes duplicates; the first occurrence keeps its position.
@@ -36,11 +36,12 @@ void drop_repetitions(std::vector<Value>& values) {
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 void add_title_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 
-// Names are distinct: the technique's and what was set. Captions are, of one technique under several
-// settings, what varies, else the short title (study/short_title.h) and what was set. Without a technique and
-// an adapter: pcss-angular-24-16, or pcss-spot-24-16 under spot lights. Throws InputError for an unknown
-// technique, a parameter that a technique lacks, a value out of its range or no number, a title of what is
-// not there, and two adapters of one name.
+// Names are distinct: the technique's, with the settings that were made. For one technique under several
+// settings, captions are the settings that vary; otherwise they are the short title (study/short_title.h) and
+// the settings that were made. Without a technique and an adapter, the subject is pcss-angular-24-16, or
+// pcss-spot-24-16 under spot lights. Throws InputError for an unknown technique, a parameter that a technique
+// lacks, a value that is out of its range or no number, a title of what is not there, and two adapters of one
+// name.
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
                                             techniques::LightKind light);
 
