@@ -33,7 +33,7 @@ namespace {
 struct SourceState {
   std::string name;
   std::string hash;
-  bool silences = false;  // a lint rule, somewhere
+  bool silences = false;  // the file silences a lint rule somewhere
 };
 
 bool quotes(const std::vector<hlsl::Diagnostic>& messages, const std::string& file) {
@@ -106,7 +106,7 @@ class UnitAtWork {
     if (!reply_.compile->module_key.empty() && emits(job_.unit)) answer_module();
   }
 
-  // The verdict about the expanded text, before the steps that rewrite it for glslang.
+  // FXC judges the expanded text, before the steps that rewrite it for glslang.
   void compile_by_fxc() {
     const shaders::CompileRequest& request = job_.unit.compile;
     if (!fxc_) fxc_ = std::make_unique<fxc::Judge>(fxc::require_fxc());

@@ -13,25 +13,25 @@
 
 namespace penumbra::validation {
 
-// The handler of worker processes and of threads (platform::WorkHandler). For one run: files are read once.
-// May be called by several threads at once.
+// The handler of worker processes and of threads (platform::WorkHandler), for one run: files are read once.
+// Several threads may call it at once.
 class UnitService {
  public:
   UnitService();
   ~UnitService();
 
-  // An encoded UnitJob to an encoded UnitReply. Errors of shaders are part of the reply. Throws
+  // Turns an encoded UnitJob into an encoded UnitReply. Errors of shaders are part of the reply. Throws
   // EnvironmentError if a target's driver is missing.
   std::string answer(const std::string& job, platform::WorkerLink& link);
 
-  // For units that FXC compiles. In a worker it is called before the process is confined; otherwise FXC
-  // starts with the first such unit. Throws EnvironmentError when it does not start.
+  // Starts FXC for units that it compiles. In a worker it is called before the process is confined; otherwise
+  // FXC starts with the first such unit. Throws EnvironmentError when it does not start.
   void start_fxc(const fxc::JudgeLimits& limits);
 
  private:
-  struct Memory;  // of what it has read and compiled, and its FXC
+  struct Memory;  // the files that it has read, its results, and its FXC
 
-  // One for each working thread; kept for later threads.
+  // There is one for each working thread; they are kept for later threads.
   std::mutex mutex_;
   std::vector<std::unique_ptr<Memory>> free_;
 };

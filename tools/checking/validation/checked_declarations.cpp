@@ -22,7 +22,7 @@ std::string circumstances_of(const shaders::CompileRequest& request) {
          (request.half_is_16_bits ? "16-bit half " : "");
 }
 
-// And those that determine the generated module.
+// Returns these inputs and those that determine the generated module.
 std::string module_circumstances_of(const shaders::CompileRequest& request) {
   std::string text = circumstances_of(request) + request.file.string() + "\n" + request.entry + "\n";
   for (const bool flag :
@@ -44,7 +44,7 @@ bool is_same(const Diagnostic& a, const Diagnostic& b) {
   return !is_before(a, b) && !is_before(b, a);
 }
 
-// By location; diagnostics without one come last, in their order.
+// Returns the diagnostics by location; those without one come last, in their order.
 std::vector<Diagnostic> in_order(std::vector<Diagnostic> messages) {
   const auto placed = std::stable_partition(messages.begin(), messages.end(),
                                             [](const Diagnostic& message) { return message.line > 0; });
@@ -80,7 +80,7 @@ std::vector<std::size_t> CheckedDeclarations::wrong(const hlsl::Reach& reach,
   return indices;
 }
 
-// False if the messages do not tell which of the checked declarations have errors.
+// Returns false if the messages do not tell which of the checked declarations have errors.
 bool CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& circumstances,
                                 const shaders::FrontEndMessages& said,
                                 const std::vector<std::size_t>& checked) {
@@ -97,7 +97,7 @@ bool CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& cir
   return true;
 }
 
-// Without files, which depend on the request.
+// The result has no files, because these depend on the request.
 shaders::CompileResult CheckedDeclarations::compile_prepared(const shaders::CompileRequest& request,
                                                              shaders::PreprocessedSource prepared) {
   const std::string key = key_of(request, prepared.text);
@@ -140,8 +140,8 @@ shaders::CompileResult CheckedDeclarations::compile_reached(const shaders::Compi
   return result;
 }
 
-// Whether what is said of known declarations is what was said of them before: which of two overloads is kept
-// depends on their callers, and a text with errors has fewer.
+// Returns whether the diagnostics of known declarations are the same as before. They may differ: which of two
+// overloads is kept depends on their callers, and a text with errors has fewer.
 bool CheckedDeclarations::agrees(const hlsl::Reach& reach, const std::string& circumstances,
                                  const std::vector<Diagnostic>& said) const {
   return std::all_of(said.begin(), said.end(), [&](const Diagnostic& message) {
@@ -155,8 +155,8 @@ bool CheckedDeclarations::agrees(const hlsl::Reach& reach, const std::string& ci
   });
 }
 
-// `source` has all declarations with errors, and `text` everything. Equal messages, for as long as the same
-// names may be suggested.
+// `source` has all declarations with errors, and `text` everything. The messages are equal as long as the
+// same names may be suggested.
 shaders::CompileResult CheckedDeclarations::compile_wrong(const shaders::CompileRequest& request,
                                                           shaders::PreprocessedSource source,
                                                           const std::string& text) {

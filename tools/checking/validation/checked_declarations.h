@@ -22,10 +22,10 @@
 
 namespace penumbra::validation {
 
-// Not for several threads at once.
+// An object is not for several threads at once.
 class CheckedDeclarations {
  public:
-  // As shaders::compile() of the prepared source. `expanded` has no errors yet.
+  // The result is that of shaders::compile() of the prepared source. `expanded` has no errors yet.
   shaders::CompileResult compile(const shaders::CompileRequest& request, shaders::PreprocessedSource expanded,
                                  Sharing sharing = Sharing::everything);
 
@@ -44,15 +44,15 @@ class CheckedDeclarations {
                                           shaders::PreprocessedSource prepared);
 
   std::unordered_map<std::string, std::vector<hlsl::Diagnostic>> known_;
-  std::unordered_set<std::string> wrong_;  // those with an error
-  // By reached text, before and after its preparation, which makes more of them equal: a tenth of a megabyte
-  // each.
+  std::unordered_set<std::string> wrong_;  // keys of those with an error
+  // The results by reached text, before and after its preparation, which makes more of them equal. Each takes
+  // a tenth of a megabyte.
   RecentResults<shaders::CompileResult> reached_{64};
   RecentResults<shaders::CompileResult> prepared_{64};
   RecentResults<shaders::CompileResult> failed_{64};
 };
 
-// Compiles the whole text, including unreached declarations; equal results, but slower.
+// Compiles the whole text, including unreached declarations: the results are equal, but it takes longer.
 shaders::CompileResult compile_whole(const shaders::CompileRequest& request,
                                      shaders::PreprocessedSource expanded);
 

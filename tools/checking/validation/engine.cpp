@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without a folder there is no cache.
+// The engine has no cache without a folder.
 EngineOptions with_cache_folder(EngineOptions options) {
   if (!options.cache.empty() && !platform::make_cache_folder(options.cache)) options.cache.clear();
   return options;

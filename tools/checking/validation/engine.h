@@ -28,36 +28,36 @@ inline constexpr const char* worker_mode = "validation-worker";
 struct EngineOptions {
   unsigned jobs = 1;
   Shard shard;
-  // The folder of the cache; empty: no cache. default_cache() is the program's own.
+  // The folder of the cache; if empty, there is no cache. default_cache() is the program's own.
   std::filesystem::path cache;
   std::uint64_t cache_limit = std::uint64_t{512} << 20;  // bytes; the entries used longest ago go first
-  // The arguments that start this program as a worker, {worker_mode} for one whose main() knows it. Without
-  // any, threads do the work, and a crash ends the program.
+  // The arguments that start this program as a worker: {worker_mode} for a program whose main() knows it.
+  // Without any, threads do the work, and a crash ends the program.
   std::vector<std::string> worker_arguments;
   platform::WorkerLimits limits;
   Sharing sharing = Sharing::everything;
   bool drivers = true;  // emitted GLSL and ESSL goes to this machine's GL driver
-  // Folder for texts that crash a compiler; empty: below the cache, without one a new one for temporary
-  // files.
+  // The folder for texts that crash a compiler. If empty, it is below the cache, or without a cache a new one
+  // for temporary files.
   std::filesystem::path keep;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };
 
 struct EngineRun {
-  std::vector<UnitResult> results;  // of the shard's units, in their order
+  std::vector<UnitResult> results;  // results of the shard's units, in their order
   std::size_t unique_texts = 0;     // distinct texts among them
   std::size_t unique_modules = 0;   // different SPIR-V modules
-  std::size_t compiled = 0;         // texts that were compiled in this run, not shared and not cached
-  std::size_t damaged_entries = 0;  // of the cache: detected, ignored and written again
+  std::size_t compiled = 0;         // texts that were compiled in this run, neither shared nor cached
+  std::size_t damaged_entries = 0;  // damaged cache entries: detected, ignored and written again
 };
 
-std::filesystem::path default_cache();  // "validation" in platform::cache_directory()
+std::filesystem::path default_cache();  // Returns "validation" in platform::cache_directory().
 
 // Throws InputError when a unit's own file cannot be read or the cache's folder cannot be made,
 // EnvironmentError if a driver or the worker processes are not available, and platform::Interrupted.
 EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options);
 
-// The worker's side; the exit code of the process.
+// Runs the worker's side; returns the exit code of the process.
 int serve_units(const std::vector<std::string>& targets_with_drivers);
 
 }  // namespace penumbra::validation

@@ -1,4 +1,5 @@
-// One variant as the parser reads it: after includes, macros and preparation, every line with its origin.
+// The text of one variant as the parser reads it: after includes, macros and preparation, every line with its
+// origin.
 #pragma once
 
 #include <string>
@@ -8,14 +9,14 @@
 
 namespace penumbra::validation {
 
-// Self-contained HLSL: comments give the file, and before each line its number there; empty lines are
-// omitted. Errors before there is a text are in `diagnostics`, and the text is empty.
+// The text is self-contained HLSL: comments give the file, and before each line its number there; empty lines
+// are omitted. If errors occur before there is a text, they are in `diagnostics`, and the text is empty.
 struct Explanation {
   std::string text;
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// In a worker process if the options name one. Throws EnvironmentError if it is not available.
+// It runs in a worker process if the options name one. Throws EnvironmentError if it is not available.
 Explanation explain(const CompileUnit& unit, const EngineOptions& options);
 
 // "/* 12 */ code" and a comment where the file changes. `main_file` names what stands before any #line.

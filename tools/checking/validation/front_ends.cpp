@@ -11,7 +11,7 @@ namespace penumbra::validation {
 
 namespace {
 
-// Whether each compiler took a variant, where that is known.
+// The verdict of each compiler on a variant, where it is known.
 struct Verdicts {
   std::optional<bool> fxc;
   std::optional<bool> glslang;
@@ -21,7 +21,7 @@ bool failed(const VariantRecord& record) {
   return record.status == VariantStatus::failed;
 }
 
-// Not by a lint rule alone.
+// Returns whether something other than a lint rule refused it.
 bool refused(const VariantRecord& record) {
   return failed(record) &&
          std::any_of(record.diagnostics.begin(), record.diagnostics.end(), [](const hlsl::Diagnostic& said) {
@@ -37,12 +37,12 @@ FrontEnds front_ends(const ValidationReport& report) {
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
     if (record.target == whole_source || record.status == VariantStatus::unchecked) continue;
-    // A compiler that reached a limit or crashed has not said anything of the variant.
+    // A compiler that reached a limit or crashed has given no verdict on the variant.
     if (!record.reproduction.empty()) continue;
     Verdicts& of_variant = verdicts[variants.of_record(i)];
     if (record.target == fxc_target)
       of_variant.fxc = !failed(record);
-    else  // a target that is made from the module says something of glslang only where there was none
+    else  // a target that is made from the module shows only that glslang made none
       of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
                            !(is_spirv_target(record.target) && refused(record));
   }

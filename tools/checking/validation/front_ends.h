@@ -1,5 +1,5 @@
-// Which variants only one of the two compilers refuses: FXC, which decides in Unity, and glslang, from whose
-// SPIR-V all targets but d3d11 are made. Internal to this folder.
+// A count of the variants that only one of the two compilers refuses: FXC, which decides in Unity, or
+// glslang, from whose SPIR-V all targets but d3d11 are made. Internal to this folder.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct FrontEnds {
   std::size_t glslang_alone = 0;  // refused by glslang alone: Unity would compile them for Direct3D
 };
 
-// Zeros where the report has results of one of them only.
+// Returns zeros where the report has results of one compiler only.
 FrontEnds front_ends(const ValidationReport& report);
 
-// One line for a report; empty where nothing was compared.
+// Returns one line for a report; empty where nothing was compared.
 std::string text_of(const FrontEnds& counts);
 
 }  // namespace penumbra::validation

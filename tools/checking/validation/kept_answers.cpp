@@ -17,7 +17,7 @@ platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {
   return hash;
 }
 
-// FXC judges the texts that glslang compiles, too: an answer is of one of them.
+// FXC judges the texts that glslang compiles, too, so the key of an answer names its compiler.
 std::string compiler_of(const AnswerContext& context, const CompileUnit& unit) {
   if (!compiled_by_fxc(unit)) return {};
   return context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile);
@@ -33,7 +33,7 @@ std::string sources_key(const AnswerContext& context, const CompileUnit& unit) {
       .hex();
 }
 
-// Inputs of the preprocessor are already accounted for by the text; all others may affect the compiler.
+// The text already accounts for the inputs of the preprocessor; all others may affect the compiler.
 std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source) {
   shaders::CompileRequest rest = unit.compile;

@@ -18,7 +18,7 @@
 
 namespace penumbra::validation {
 
-// Everything that a result depends on besides the unit, and the cache's folder.
+// The inputs of a result besides the unit, and the cache's folder.
 struct AnswerContext {
   std::filesystem::path cache;                 // empty: no cache
   std::string build;                           // platform::build_identity()
@@ -34,7 +34,7 @@ std::string shared_key(const CompileUnit& unit, const std::string& text_key);
 std::string module_key(const std::vector<std::uint32_t>& spirv);
 std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, const std::string& module);
 
-// The hash of a file's current contents (source_hash); nothing if it cannot be read.
+// Returns the hash of a file's current contents (source_hash), or nothing if it cannot be read.
 using HashNow = std::function<std::optional<std::string>(const std::string& file)>;
 
 std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, const std::string& text_key,

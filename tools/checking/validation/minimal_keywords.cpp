@@ -41,10 +41,10 @@ class Reduction {
   Reduction(const Failure& failure, const EngineOptions& engine) : failure_(failure), engine_(engine) {
     engine_.shard = {};
     engine_.progress = nullptr;
-    engine_.cache.clear();  // of variants that were not requested
+    engine_.cache.clear();  // these variants were not requested
   }
 
-  // Nothing for an error that the unit does not have on its own: one between two stages.
+  // Returns nothing for an error that the unit does not have on its own: one between two stages.
   std::optional<std::vector<std::string>> reduce() {
     std::vector<std::string> needed = failure_.unit->keywords;
     if (!fail({needed})[0]) return std::nullopt;
@@ -57,7 +57,7 @@ class Reduction {
       for (std::size_t i = 0; i < needed.size(); ++i)
         if (!failing[i]) kept.push_back(needed[i]);
       if (kept.size() == needed.size()) break;
-      // Usually no two removable keywords are interchangeable.
+      // The kept keywords usually suffice, as rarely two removable keywords are interchangeable.
       needed = !kept.empty() && fail({kept})[0]
                    ? kept
                    : fewer[static_cast<std::size_t>(std::find(failing.begin(), failing.end(), true) -
@@ -72,7 +72,7 @@ class Reduction {
     return keywords;
   }
 
-  // Whether the error occurs with each of the keyword sets.
+  // Returns for each of the keyword sets whether the error occurs with it.
   std::vector<bool> fail(const std::vector<std::vector<std::string>>& sets) const {
     std::vector<CompileUnit> units;
     units.reserve(sets.size());

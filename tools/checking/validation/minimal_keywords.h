@@ -14,8 +14,8 @@
 
 namespace penumbra::validation {
 
-// units[i] is the unit of the records with place first_place + i. One entry for each error of a variant with
-// keywords, in the order of the records.
+// units[i] is the unit of the records with place first_place + i. The result has one entry for each error of
+// a variant with keywords, in the order of the records.
 std::vector<MinimalKeywords> minimal_keywords(const ValidationReport& report,
                                               const std::vector<CompileUnit>& units, std::size_t first_place,
                                               const EngineOptions& engine);

@@ -8,8 +8,8 @@
 
 namespace penumbra::validation {
 
-// Vertex and fragment stage of every raster pass and every kernel, in the order in which they run. A pass
-// that calls a filter has none of its own.
+// Returns vertex and fragment stage of every raster pass and every kernel, in the order in which they run. A
+// pass that calls a filter has none of its own.
 std::vector<SourceVariant> pass_variants(const ValidationRequest& request,
                                          const techniques::Technique& technique,
                                          const std::vector<std::string>& keywords);

@@ -10,7 +10,7 @@ namespace penumbra::validation {
 
 namespace {
 
-// The graphics API whose shaders a target is for.
+// Returns the graphics API whose shaders a target is for.
 variants::GraphicsApi api_of(const std::string& target) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
   if (target == fxc_target) return variants::GraphicsApi::d3d11;

@@ -1,4 +1,4 @@
-// Which platforms a list of targets is compiled for.
+// The platforms for which a list of targets is compiled.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,22 @@
 
 namespace penumbra::validation {
 
-// One graphics API and what is made for it: sources are compiled once for each platform, with the macros
-// Unity defines there.
+// One graphics API and its targets: sources are compiled once for each platform, with the macros that Unity
+// defines there.
 struct PlatformTargets {
   variants::Platform platform;
   std::vector<std::string> targets;
-  shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;  // of the modules they are made from
+  // Version of the modules from which the targets are made.
+  shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;
 };
 
 struct PlatformChoice {
-  std::optional<variants::GraphicsApi> api;  // of all targets; absent: each target's own
+  std::optional<variants::GraphicsApi> api;  // API of all targets; if absent, each target has its own
   bool mobile = false;                       // always true for OpenGL ES
   int unity_version = variants::Platform().unity_version;
 };
 
-// In the order of the graphics APIs, then of the Vulkan versions.
+// Returns the platforms in the order of the graphics APIs, then of the Vulkan versions.
 std::vector<PlatformTargets> platform_targets(const std::vector<std::string>& targets,
                                               const PlatformChoice& choice);
 

@@ -15,9 +15,10 @@ namespace penumbra::validation {
 
 namespace {
 
-using SubShaderKey = std::tuple<std::string, std::string, int>;                 // file, shader, index
-using ProgramKey = std::tuple<std::string, std::string, int, std::string>;      // and pass
-using Results = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;  // in the order of the run
+using SubShaderKey = std::tuple<std::string, std::string, int>;             // file, shader, index
+using ProgramKey = std::tuple<std::string, std::string, int, std::string>;  // the same and pass
+// Results in the order of the run.
+using Results = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;
 
 template <typename Named>
 SubShaderKey sub_shader_of(const Named& named) {
@@ -57,7 +58,8 @@ std::vector<lint::Finding> keyword_findings(const ProgramToLint& program, const 
   return lint::unused_keyword_findings(keywords);
 }
 
-// The stages whose buffers are compared: of one graphics API, each layout of each pass and stage once.
+// Returns the stages whose buffers are compared: for one graphics API, each layout of each pass and stage
+// once.
 std::vector<lint::PassStage> stages_of(const Results& results) {
   std::vector<lint::PassStage> stages;
   std::set<std::tuple<std::string, hlsl::Stage, std::string>> known;

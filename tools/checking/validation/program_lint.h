@@ -16,19 +16,20 @@
 
 namespace penumbra::validation {
 
-// One program of a pass, kernel file or .hlsl file, by the names its units have.
+// A program of a pass, kernel file or .hlsl file, by the names that its units have.
 struct ProgramToLint {
   std::string file;
   std::string shader;
   std::string pass;
   int sub_shader = 0;
   bool scriptable_pipeline = false;          // its SubShader or Pass has the tag RenderPipeline
-  std::vector<lint::NamedPlace> keywords;    // that its pragmas declare
+  std::vector<lint::NamedPlace> keywords;    // keywords that its pragmas declare
   bool is_whole = false;                     // every variant of its keywords is among the units
-  std::vector<lint::NamedPlace> properties;  // of its shader: numbers, colours, vectors
+  std::vector<lint::NamedPlace> properties;  // properties of its shader: numbers, colours, vectors
 };
 
-// One record for each file with findings, with target whole_source. results[i] is of units[results[i].unit].
+// Returns one record for each file with findings, with target whole_source. results[i] is that of
+// units[results[i].unit].
 std::vector<VariantRecord> program_findings(const std::vector<ProgramToLint>& programs,
                                             const std::vector<CompileUnit>& units,
                                             const std::vector<UnitResult>& results, const LintOrder& order);

@@ -14,8 +14,8 @@ class Recall {
  public:
   explicit Recall(const AnswerContext& context) : context_(context), cache_(context.cache) {}
 
-  // A worker's complete reply, without preprocessing the text; nothing if any part of it is not cached.
-  // Throws InputError if the unit's own file cannot be read.
+  // Returns a worker's complete reply, without preprocessing the text, or nothing if any part of it is not
+  // cached. Throws InputError if the unit's own file cannot be read.
   std::optional<UnitReply> reply_to(const CompileUnit& unit);
 
   std::size_t damaged() const { return cache_.damaged(); }

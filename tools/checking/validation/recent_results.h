@@ -9,7 +9,7 @@
 
 namespace penumbra::validation {
 
-// The most recent results, by a key of everything that they depend on. Not thread-safe.
+// Keeps the most recent results, by a key of everything that they depend on. Not thread-safe.
 template <typename Result>
 class RecentResults {
  public:

@@ -14,18 +14,18 @@
 
 namespace penumbra::validation {
 
-// absent: the target has no such stage, or nothing can emit it; or the manifest lists the technique as absent
-// for the target, and it does fail there. unreached: there was no SPIR-V to generate the target from; the
-// failure is reported once, under "spirv". unchecked: it could not be checked here, for a reason other than
-// the shader (a file that only the Unity editor has).
+// `absent` means that the target has no such stage, or nothing can emit it; or that the manifest lists the
+// technique as absent for the target, and it does fail there. `unreached` means that there was no SPIR-V from
+// which the target could be generated; the failure is reported once, under "spirv". `unchecked` means that it
+// could not be checked here, for a reason other than the shader (a file that only the Unity editor has).
 enum class VariantStatus { passed, failed, absent, unreached, unchecked };
 
 // The target of diagnostics about a file or a pass as a whole: no variant was compiled for it.
 inline constexpr const char* whole_source = "source";
 
-// One entry point of one file with one keyword set for one target.
+// The result of one entry point of one file with one keyword set for one target.
 struct VariantRecord {
-  std::string technique;  // its name; empty for a user's file
+  std::string technique;  // the technique's name; empty for a user's file
   std::string file;
   std::string shader;  // ShaderLab name, "Universal Render Pipeline/Lit"; empty outside ShaderLab
   std::string pass;    // "ForwardLit", or "0.2" (subshader.pass, from 0) where a pass has no name
@@ -37,49 +37,50 @@ struct VariantRecord {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::string reason;        // why it is absent or unchecked
   bool cached = false;       // the result is from an earlier run
-  std::string reproduction;  // a file with the text that crashed or hung a compiler; empty without
+  std::string reproduction;  // a file with the text that crashed or hung a compiler; else empty
   std::string module;        // identifies the SPIR-V: records of equal module and target are checked once
-  std::size_t place = 0;     // of the variant in the order of the whole request, including other shards
+  std::size_t place = 0;     // place of the variant in the order of the whole request, including other shards
 };
 
-// For one error, a minimal set of keywords that is sufficient for it (minimal_keywords.h).
+// A minimal set of keywords that is sufficient for one error (minimal_keywords.h).
 struct MinimalKeywords {
   hlsl::Diagnostic error;
-  std::vector<std::string> keywords;  // none: every variant has it
+  std::vector<std::string> keywords;  // if empty, every variant has it
 };
 
 struct ValidationReport {
-  std::vector<VariantRecord> records;         // in the order of the request, whatever the number of jobs
-  std::size_t unique = 0;                     // distinct pairs of SPIR-V module and target among them
-  double seconds = 0.0;                       // of a merged report: of all machines together
-  std::map<std::string, std::string> checks;  // target -> what has checked it
+  std::vector<VariantRecord> records;  // records in the order of the request, whatever the number of jobs
+  std::size_t unique = 0;              // distinct pairs of SPIR-V module and target among them
+  double seconds = 0.0;                // of a merged report: the sum over all machines
+  std::map<std::string, std::string> checks;  // target -> description of its check
   std::map<std::string, std::string> rules;   // lint rule -> what it finds, in one sentence
-  std::vector<MinimalKeywords> minimal;       // of the errors, where that was asked for
+  std::vector<MinimalKeywords> minimal;       // minimal keywords of the errors, if they were requested
   unsigned shard = 1;                         // this report is shard `shard` of `shards`, from 1
   unsigned shards = 1;                        // 1: the whole run
-  std::string fingerprint;  // of the request without its shard: only reports that share it can be merged
+  std::string fingerprint;  // hash of the request without its shard: only reports that share it can be merged
 
   std::size_t count(VariantStatus status) const;
 };
 
-const char* status_name(VariantStatus status);  // as the enumerator is spelt
+const char* status_name(VariantStatus status);  // the name of the enumerator
 std::optional<VariantStatus> find_status(std::string_view name);
 
-// text: for people. json: everything, and the input of read_report_json(). sarif: SARIF 2.1.0, for code
-// scanning. junit: JUnit XML, for test reports. github: workflow commands that GitHub shows as annotations.
+// `text` is for people. `json` has everything, and is the input of read_report_json(). `sarif` is SARIF
+// 2.1.0, for code scanning. `junit` is JUnit XML, for test reports. `github` has workflow commands that
+// GitHub shows as annotations.
 enum class ReportForm { text, json, sarif, junit, github };
 
 inline constexpr ReportForm all_report_forms[] = {ReportForm::text, ReportForm::json, ReportForm::sarif,
                                                   ReportForm::junit, ReportForm::github};
 
-const char* form_name(ReportForm form);  // as the enumerator is spelt
+const char* form_name(ReportForm form);  // the name of the enumerator
 std::optional<ReportForm> find_report_form(std::string_view name);
 
 struct ReportStyle {
   bool colour = false;   // text: ANSI colours
   bool verbose = false;  // text: every note
-  // sarif, junit, github: files below root are named relative to it; relative names start from `folder`. Both
-  // absolute, or empty: names are not changed.
+  // In sarif, junit and github, files below `root` are named relative to it, and relative names start from
+  // `folder`. Both are absolute, or empty: then names are not changed.
   std::filesystem::path root;
   std::filesystem::path folder;
 };

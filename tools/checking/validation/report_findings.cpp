@@ -15,7 +15,8 @@ namespace penumbra::validation {
 
 namespace {
 
-// A diagnostic about text that SPIRV-Cross emitted: gl_check() gives the target instead of a file.
+// Returns whether a diagnostic is about text that SPIRV-Cross emitted: gl_check() gives the target instead of
+// a file.
 bool in_emitted_text(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
   return diagnostic.file == record.target;
 }
@@ -62,7 +63,7 @@ struct Candidate {
   }
 };
 
-// By program, then in the order of their first records.
+// Returns the variants by program, then in the order of their first records.
 std::vector<std::size_t> variants_with(const Finding& finding, const Variants& variants) {
   std::set<std::pair<std::size_t, std::size_t>> found;
   for (const std::size_t record : finding.records) {
@@ -91,7 +92,7 @@ std::vector<Candidate> candidates(const std::vector<std::size_t>& having, const 
   return all;
 }
 
-// How many candidates have each keyword, among those that have the finding and among the others.
+// The numbers of candidates that have each keyword, among those that have the finding and among the others.
 using Counts = std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>;
 
 Counts count_keywords(const std::vector<Candidate>& all) {
@@ -104,8 +105,9 @@ Counts count_keywords(const std::vector<Candidate>& all) {
   return counts;
 }
 
-// Which of the others each keyword tells apart from those that have the finding: those without it, of a
-// keyword that all of these have; those with it, of one that none has.
+// The candidates without the finding that each keyword distinguishes from those with it. A keyword that all
+// of those have distinguishes the candidates without it; a keyword that none of those has distinguishes the
+// candidates with it.
 class Distinction {
  public:
   Distinction(const std::vector<Candidate>& all, const std::vector<std::uint32_t>& with,
@@ -121,10 +123,10 @@ class Distinction {
     }
   }
 
-  // Whether all keywords together tell all others apart.
+  // Returns whether all keywords together distinguish all candidates without the finding.
   bool complete() const { return complete_; }
 
-  // Whether they do so without this one, which then no longer counts.
+  // Returns whether they do so without this keyword, which then no longer counts.
   bool drop(std::uint32_t keyword) {
     const std::vector<std::size_t>& apart = apart_[keyword];
     if (std::any_of(apart.begin(), apart.end(), [this](std::size_t i) { return reasons_[i] == 1; }))
@@ -139,7 +141,7 @@ class Distinction {
     ++reasons_[candidate];
   }
 
-  std::vector<std::size_t> reasons_;  // by candidate
+  std::vector<std::size_t> reasons_;  // the number of distinguishing keywords for each candidate
   std::map<std::uint32_t, std::vector<std::size_t>> apart_;
   bool complete_ = true;
 };
@@ -149,8 +151,8 @@ void drop_needless(Distinction& distinction, std::vector<std::uint32_t>& keyword
     if (distinction.drop(keywords[i])) keywords.erase(keywords.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-// Which keywords tell the variants apart is asked of few variants that are told from few, or from a moderate
-// multiple: so the work grows with the report, and not with the product of its findings and its variants.
+// Distinguishing keywords are sought for few variants among few, or among a moderate multiple. So the work
+// grows with the report, and not with the product of its findings and its variants.
 bool can_be_told_apart(const KeywordFold& fold) {
   constexpr std::size_t kFew = 1024;
   constexpr std::size_t kMultiple = 256;
@@ -180,7 +182,7 @@ std::string keyword_list(const std::vector<std::string>& keywords) {
 
 }  // namespace
 
-// A location that can be opened: a line of emitted text cannot.
+// The location must be one that can be opened: a line of emitted text cannot.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
   if (in_emitted_text(diagnostic, record)) {
     diagnostic.message = "the generated text is rejected: " + diagnostic.message;
@@ -196,7 +198,8 @@ std::vector<Finding> findings(const ValidationReport& report) {
   Folder folder;
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
-    // Their reason is reported instead; the error is reported at "spirv" or cannot be determined here.
+    // The reason of such records is reported instead; the error is reported at "spirv" or cannot be
+    // determined here.
     const bool told_otherwise =
         record.status == VariantStatus::absent || record.status == VariantStatus::unchecked;
     bool has_error = false;
@@ -259,8 +262,9 @@ std::string program_title(const VariantRecord& record) {
   if (!record.pass.empty()) text += "pass " + record.pass + (record.shader.empty() ? ", " : " of ");
   if (!record.shader.empty()) text += record.shader + ", ";
   if (!record.entry.empty()) return visible(text + hlsl::stage_name(record.stage) + " entry " + record.entry);
-  return visible(text.empty() ? record.file
-                              : text.substr(0, text.size() - 2));  // of a file or pass as a whole
+  return visible(text.empty()
+                     ? record.file
+                     : text.substr(0, text.size() - 2));  // the record is of a file or pass as a whole
 }
 
 std::string program_titles(const Finding& finding, const ValidationReport& report, const Variants& variants) {
@@ -302,7 +306,8 @@ std::string totals_line(const ValidationReport& report, const Variants& variants
   std::set<std::size_t> compiled;
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
-    if (record.target == whole_source && record.status == VariantStatus::passed) continue;  // a message alone
+    // The record has only a message.
+    if (record.target == whole_source && record.status == VariantStatus::passed) continue;
     ++results;
     cached += record.cached ? 1 : 0;
     compiled.insert(variants.of_record(i));

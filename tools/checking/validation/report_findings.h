@@ -14,17 +14,17 @@ namespace penumbra::validation {
 struct Finding {
   hlsl::Diagnostic diagnostic;
   std::string rule;  // the lint rule, or the kind of a compiler's message: "hlsl", "spirv", ...
-  std::vector<std::size_t> records;  // indices of those that have it, in their order
+  std::vector<std::size_t> records;  // indices of the records that have it, in their order
 };
 
-// The diagnostic as reported in a finding: at a location that can be opened.
+// Returns the diagnostic as reported in a finding: at a location that can be opened.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record);
 
-// In the order of their first record. Omits a driver's warnings about generated text; a failed record without
-// a message has a finding that says so.
+// Returns the findings in the order of their first record. Omits a driver's warnings about generated text; a
+// failed record without a message has a finding that says so.
 std::vector<Finding> findings(const ValidationReport& report);
 
-// One entry point with one keyword set, for all targets: a variant from the user's point of view.
+// An entry point with one keyword set, for all targets: a variant from the user's point of view.
 struct Variant {
   std::size_t program = 0;            // the entry point: variants of equal program differ in keywords alone
   std::vector<std::string> keywords;  // sorted
@@ -38,14 +38,14 @@ class Variants {
   std::size_t of_record(std::size_t record) const { return of_record_[record]; }
   const Variant& operator[](std::size_t index) const { return variants_[index]; }
   const std::vector<std::size_t>& of_program(std::size_t program) const { return of_program_[program]; }
-  // Of a variant's keywords, rising: their places among all keywords by name.
+  // Returns the numbers of a variant's keywords in the list of all keywords by name, rising.
   const std::vector<std::uint32_t>& keyword_numbers(std::size_t variant) const { return numbers_[variant]; }
   const std::string& keyword(std::uint32_t number) const { return keywords_[number]; }
 
  private:
   std::vector<Variant> variants_;
-  std::vector<std::vector<std::uint32_t>> numbers_;  // by variant
-  std::vector<std::string> keywords_;                // all, by name
+  std::vector<std::vector<std::uint32_t>> numbers_;  // one for each variant
+  std::vector<std::string> keywords_;                // all keywords, by name
   std::vector<std::size_t> of_record_;
   std::vector<std::vector<std::size_t>> of_program_;
 };
@@ -54,36 +54,38 @@ class Variants {
 struct KeywordFold {
   std::size_t in = 0;  // variants that have the finding
   std::size_t of = 0;  // variants of the same programs
-  // Of several that are not far fewer than the others; of one, the example says all.
-  std::vector<std::string> with;     // keywords of all that have it, where not all have them
-  std::vector<std::string> without;  // only where `exact`: keywords that none of them has
+  // These are set where several variants have the finding and are not far fewer than the others; for one
+  // variant the example is enough.
+  std::vector<std::string> with;     // keywords of all that have it, unless all variants have them
+  std::vector<std::string> without;  // only if `exact`: keywords that none of them has
   bool exact = false;  // the variants with `with` and without `without` are exactly those that have it
   std::vector<std::string> example;  // the smallest keyword set that has it
 };
 
 KeywordFold fold_keywords(const Finding& finding, const Variants& variants);
 
-// "ForwardLit of Custom/Water, fragment entry Frag": the title of a record's program without its file.
+// Returns the title of a record's program without its file: "ForwardLit of Custom/Water, fragment entry
+// Frag".
 std::string program_title(const VariantRecord& record);
 
-// The entry point that has the finding, and how many others do.
+// Returns the entry point that has the finding, and how many others do.
 std::string program_titles(const Finding& finding, const ValidationReport& report, const Variants& variants);
 
-// "4 of 6 variants, always with A": the sentence for a fold, in all report formats; empty if there is only
-// one variant, without keywords.
+// Returns the sentence for a fold, in all report formats: "4 of 6 variants, always with A". It is empty if
+// there is only one variant, without keywords.
 std::string fold_sentence(const KeywordFold& fold);
 
-// The targets of the records, each once, in order.
+// Returns the targets of the records, each once, in order.
 std::vector<std::string> targets_of(const Finding& finding, const ValidationReport& report);
 
-// "240 variants for 5 targets: 1200 results (31 unique, 0 cached), 3 failed, ..., 12.3 s".
+// Returns "240 variants for 5 targets: 1200 results (31 unique, 0 cached), 3 failed, ..., 12.3 s".
 std::string totals_line(const ValidationReport& report, const Variants& variants);
 
 std::string counted(std::size_t count, const std::string& thing);  // "1 variant", "2 variants"
 
 std::string joined(const std::vector<std::string>& parts, const char* separator);
 
-// The first of them and how many more there are: "A B C and 4 more".
+// Returns the first of them and how many more there are: "A B C and 4 more".
 std::string shortened(const std::vector<std::string>& parts, const char* separator, std::size_t most);
 
 }  // namespace penumbra::validation

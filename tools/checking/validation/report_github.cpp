@@ -1,9 +1,9 @@
 // Workflow commands of GitHub Actions: ::error file=,line=,col=,title=::message (docs.github.com, "Workflow
-// commands for GitHub Actions"). One per finding: GitHub shows ten of a severity per step. The last line is
-// the totals, for the log.
+// commands for GitHub Actions"). There is one per finding, because GitHub shows ten of a severity per step.
+// The last line is the totals, for the log.
 //
-// Escaped as the toolkit's command.ts does: % CR LF in messages, and also : , in properties; and control
-// characters, which GitHub then shows as %1B.
+// Text is escaped as the toolkit's command.ts does it: % CR LF in messages, and also : , in properties; and
+// control characters, which GitHub then shows as %1B.
 #include <algorithm>
 
 #include "input/visible_text.h"
@@ -71,7 +71,7 @@ std::string report_github(const ValidationReport& report, const ReportStyle& sty
   shown.erase(
       std::remove_if(shown.begin(), shown.end(), [](const Finding& finding) { return !is_shown(finding); }),
       shown.end());
-  // Errors first: those beyond the tenth are not shown.
+  // Errors come first: those beyond the tenth are not shown.
   std::stable_sort(shown.begin(), shown.end(), [](const Finding& a, const Finding& b) {
     return a.diagnostic.severity > b.diagnostic.severity;
   });

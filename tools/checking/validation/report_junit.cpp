@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_cases = 5000;  // GitLab's test report page shows some thousands
 
-// Control characters, and those that turn the direction of text, as escapes; the noncharacters that XML 1.0
+// Escapes control characters, and those that turn the direction of text. The noncharacters that XML 1.0
 // cannot represent (2.2) become U+FFFD; pugixml escapes the rest.
 std::string xml_text(std::string_view text) {
   const std::string valid = valid_utf8(text);
@@ -34,7 +34,7 @@ std::string xml_text(std::string_view text) {
   return out;
 }
 
-// pugixml signals that memory has run out by an empty handle.
+// pugixml returns an empty handle when memory has run out.
 template <typename Handle>
 Handle made(Handle handle) {
   if (!handle) throw std::bad_alloc();
@@ -63,7 +63,7 @@ struct TextWriter final : pugi::xml_writer {
 
 struct TestCase {
   std::string name;
-  std::vector<std::size_t> records;  // one, or all of an entry point for a target
+  std::vector<std::size_t> records;  // one record, or all of an entry point for a target
 };
 
 struct Suite {
@@ -157,7 +157,8 @@ class JunitReport {
     }
   }
 
-  // Each message once, with how many of the folded variants have it. False when none has failed.
+  // Adds each message once, with the number of folded variants that have it. Returns false when none has
+  // failed.
   bool add_failure(pugi::xml_node element, const TestCase& test) const {
     std::vector<std::pair<const hlsl::Diagnostic*, std::size_t>> told;
     std::map<std::string, std::size_t> index;
@@ -191,7 +192,8 @@ class JunitReport {
     std::string reason;
     for (const std::size_t i : test.records) {
       const VariantRecord& record = report_.records[i];
-      if (record.status == VariantStatus::passed) return {};  // combined: some were tried, and passed
+      // A combined case: some variants were tried, and passed.
+      if (record.status == VariantStatus::passed) return {};
       if (!reason.empty()) continue;
       reason = status_name(record.status);
       reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to generate it from"

@@ -71,7 +71,7 @@ void check_overlap(const std::vector<NamedReport>& reports) {
     }
 }
 
-// "GL 4.5 here; GL 4.6 there" where machines differ.
+// Where machines differ, the check reads "GL 4.5 here; GL 4.6 there".
 void add_checks(const std::map<std::string, std::string>& from, std::map<std::string, std::string>& to) {
   for (const auto& [target, check] : from) {
     std::string& known = to[target];
@@ -83,7 +83,7 @@ void add_checks(const std::map<std::string, std::string>& from, std::map<std::st
   }
 }
 
-// Pairs of module and target that an earlier shard has already counted.
+// Counts the pairs of module and target that an earlier shard has already counted.
 std::size_t met_again(const ValidationReport& report, std::set<std::pair<std::string, std::string>>& known) {
   std::set<std::pair<std::string, std::string>> own;
   for (const VariantRecord& record : report.records)

@@ -14,14 +14,14 @@ namespace penumbra::validation {
 ValidationReport read_report_json(const std::filesystem::path& file);
 
 struct NamedReport {
-  std::string name;  // for messages: the file it was read from
+  std::string name;  // the file that it was read from, for messages
   ValidationReport report;
 };
 
-// Records are in the order of the request, as in the run without shards; counts are recomputed, seconds are
-// added up, "unique" counts a module once that occurs in several shards if records name it. Throws InputError
-// unless each shard of one request is given exactly once and no two contain the same record. A report of a
-// whole run is returned unchanged.
+// Records are in the order of the request, as in the run without shards. Counts are recomputed and seconds
+// are added up; "unique" counts a module once that occurs in several shards if records name it. Throws
+// InputError unless each shard of one request is given exactly once and no two contain the same record. A
+// report of a whole run is returned unchanged.
 ValidationReport merge_reports(std::vector<NamedReport> reports);
 
 }  // namespace penumbra::validation

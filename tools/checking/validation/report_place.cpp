@@ -14,7 +14,8 @@ bool continues(char c) {
   return (static_cast<std::uint8_t>(c) & 0xC0U) == 0x80U;
 }
 
-// Bytes of the well-formed sequence that starts the text (Unicode 15, table 3-7); 0 where there is none.
+// Returns the bytes of the well-formed sequence that starts the text (Unicode 15, table 3-7), or 0 where
+// there is none.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);

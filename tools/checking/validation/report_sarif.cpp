@@ -1,6 +1,6 @@
-// SARIF 2.1.0 (OASIS Standard, section numbers below), one result per finding: one per variant would be too
-// many for code scanning. URIs are relative to %SRCROOT% (3.14.14), so that the log is the same on every
-// machine.
+// SARIF 2.1.0 (OASIS Standard, section numbers below). There is one result per finding: one per variant would
+// be too many for code scanning. URIs are relative to %SRCROOT% (3.14.14), so that the log is the same on
+// every machine.
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ std::string describe(const std::string& rule, const ValidationReport& report) {
   return "Finds what Unity's own compilers reject or what costs speed: " + rule;
 }
 
-// FNV-1a, 64 bits, 16 digits: stable across machines and versions of this program.
+// FNV-1a with 64 bits and 16 digits is stable across machines and versions of this program.
 std::string digest(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3U;
@@ -81,7 +81,8 @@ class SarifLog {
     return json;
   }
 
-  // Plain text in complete sentences, which can be read on its own in a list and in an annotation.
+  // The message is plain text in complete sentences, which can be read on its own in a list and in an
+  // annotation.
   std::string message(const Finding& finding, const KeywordFold& fold) const {
     std::string text = finding.diagnostic.message + " (" + program_titles(finding, report_, variants_);
     if (const std::string sentence = fold_sentence(fold); !sentence.empty()) text += ", " + sentence;
@@ -105,7 +106,7 @@ class SarifLog {
     return {{"physicalLocation", std::move(place)}};
   }
 
-  // 3.4.4: only a relative reference has a base.
+  // Only a relative reference has a base (3.4.4).
   static Json artifact_location(const std::string& file) {
     Json json{{"uri", uri_of(file)}};
     if (!std::filesystem::path(file).is_absolute()) json["uriBaseId"] = source_root;
@@ -124,7 +125,8 @@ class SarifLog {
     return at->second;
   }
 
-  // 3.27.17: does not change when lines move. Equal findings of one file are distinguished by their number.
+  // The fingerprint (3.27.17) does not change when lines move. Equal findings of one file are distinguished
+  // by their number.
   std::string fingerprint(const Finding& finding) {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
     const std::string code = digest(finding.rule + '\n' + relative_file(diagnostic.file, style_) + '\n' +
@@ -132,7 +134,7 @@ class SarifLog {
     return code + ":" + std::to_string(++fingerprints_[code]);
   }
 
-  // 3.20: results that could not be determined concern the run, not the shader.
+  // Results that could not be determined concern the run (3.20), not the shader.
   Json invocation() const {
     Json json{{"executionSuccessful", true}};
     std::set<std::string> reasons;

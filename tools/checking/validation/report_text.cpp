@@ -24,7 +24,7 @@ std::string painted(const std::string& text, const char* colour, const ReportSty
   return style.colour ? colour + text + plain : text;
 }
 
-// The source line and its caret.
+// Returns the source line and its caret.
 std::string excerpt(const hlsl::Diagnostic& diagnostic) {
   const std::string text =
       hlsl::format({{}, 1, diagnostic.column, hlsl::Severity::note, {}, diagnostic.source_line, {}});
@@ -32,7 +32,7 @@ std::string excerpt(const hlsl::Diagnostic& diagnostic) {
   return end_of_headline == std::string::npos ? "" : text.substr(end_of_headline);
 }
 
-// As a compiler prints it, so that editors find the place: file:line:column: severity: message [rule].
+// The line is that of a compiler, so that editors find the place: file:line:column: severity: message [rule].
 std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& style) {
   hlsl::Diagnostic place = diagnostic;
   place.source_line.clear();
@@ -62,7 +62,7 @@ class TextReport {
   }
 
  private:
-  // Notes about decisions, such as which of two overloads was kept, are for a closer look.
+  // Notes about decisions, such as which of two overloads was kept, are shown only on request.
   bool is_folded(const Finding& finding) const {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
     return !style_.verbose && diagnostic.severity == hlsl::Severity::note && diagnostic.rule.empty() &&
@@ -109,7 +109,7 @@ class TextReport {
     std::vector<std::string> targets;
   };
 
-  // Records of one status, grouped by owner and by reason, in order of appearance.
+  // Lists the records of one status, grouped by owner and by reason, in order of appearance.
   template <typename Title>
   std::string by_reason(VariantStatus status, const Title& line_of) const {
     std::vector<std::pair<std::string, std::string>> order;

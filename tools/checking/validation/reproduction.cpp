@@ -39,7 +39,7 @@ std::string name_of(const CompileUnit& unit, const std::string& content) {
   return stem + "-" + platform::ContentHash().update(content).hex().substr(0, 16) + ".hlsl";
 }
 
-// What --target names to see it again.
+// Returns the value of --target with which the crash occurs again.
 std::string target_of(const CompileUnit& unit, const Crash& crash) {
   return compiled_by_fxc(unit) ? unit.targets.front() : crash.target;
 }

@@ -9,9 +9,9 @@
 namespace penumbra::validation {
 
 struct Crash {
-  std::string target;   // in which it occurred
+  std::string target;   // the target in which it occurred
   std::string failure;  // "crashed with SIGSEGV", or the limit
-  std::string text;     // what the parser reads; empty if preprocessing crashes
+  std::string text;     // the text that the parser reads; empty if preprocessing crashes
 };
 
 // Writes the text with a comment that describes the failure and how to reproduce it. Returns the file's path;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Files that #include_with_pragmas names.
+// Finds the files that #include_with_pragmas names.
 variants::FindIncluded finder(project::IncludeRoots roots, const std::string& file) {
   roots.own.push_back(project::own_tree(file));
   roots.main_folder = fs::path(file).parent_path();
@@ -38,8 +38,8 @@ std::string pass_label(const shaderlab::Program& program) {
   return std::to_string(program.sub_shader_index) + "." + std::to_string(std::max(0, program.pass_index));
 }
 
-// The includes that Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html); the
-// program keeps its line numbers.
+// Adds the includes that Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html);
+// the program keeps its line numbers.
 std::string with_implicit_includes(const std::string& text, const std::string& file) {
   return "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n#line 1 \"" + file +
          "\"\n" + text;
@@ -56,7 +56,7 @@ hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
           {}};
 }
 
-// "Both vertex and fragment programs must be present in a shader snippet": Unity omits the pass.
+// Unity omits a pass with one stage: "Both vertex and fragment programs must be present in a shader snippet".
 std::optional<hlsl::Diagnostic> missing_stage(const SourceProgram& program) {
   const auto has = [&](hlsl::Stage stage) {
     return std::any_of(program.entries.begin(), program.entries.end(),
@@ -86,7 +86,7 @@ bool has_attribute(const shaderlab::Property& property, const char* name) {
                      [name](const shaderlab::Attribute& attribute) { return attribute.name.text == name; });
 }
 
-// The material's properties: per-renderer ones come from a MaterialPropertyBlock.
+// These are the material's properties: per-renderer ones come from a MaterialPropertyBlock.
 std::vector<lint::NamedPlace> numbers_of(const shaderlab::Shader& shader) {
   std::vector<lint::NamedPlace> numbers;
   for (const shaderlab::Property& property : shader.properties)
@@ -105,13 +105,13 @@ std::vector<lint::NamedPlace> declared_keywords(const variants::Pragmas& pragmas
   return declared;
 }
 
-// The variants, of `count`, in a sample of `most`: the first, the last, and evenly spaced between.
+// Returns a sample of `most` of the `count` variants: the first, the last, and evenly spaced ones between.
 std::vector<std::uint64_t> sampled(std::uint64_t count, std::uint64_t most) {
   std::vector<std::uint64_t> indices;
   const std::uint64_t taken = most == 0 ? count : std::min(count, most);
   for (std::uint64_t i = 0; i < taken; ++i) {
     const bool all = taken == count || taken == 1;
-    // Quotient and remainder separately: count * i may overflow.
+    // Quotient and remainder are multiplied separately, because count * i may overflow.
     const std::uint64_t steps = all ? 1 : taken - 1;
     const std::uint64_t reach = count - 1;
     indices.push_back(all ? i : reach / steps * i + reach % steps * i / steps);
@@ -131,7 +131,7 @@ std::string uniforms_of(const std::vector<variants::DynamicKeyword>& keywords) {
   return text;
 }
 
-// The location of a message about the entry point as a whole.
+// Returns the location of a message about the entry point as a whole.
 hlsl::TokenPlace place_of_entry(const variants::Pragmas& pragmas, const std::string& entry,
                                 hlsl::Stage stage) {
   for (const variants::EntryPoint& found : pragmas.entry_points)
@@ -164,7 +164,7 @@ void ShaderSources::add(const project::ShaderFile& file) {
   }
 }
 
-// Diagnostics of a file as a whole: it fails when one of them is an error.
+// Records diagnostics of a file as a whole: it fails when one of them is an error.
 void ShaderSources::say(const std::string& file, const std::string& shader, const std::string& pass,
                         std::vector<hlsl::Diagnostic> diagnostics) {
   if (diagnostics.empty()) return;
@@ -353,7 +353,7 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
     unit.compile.defines.emplace_back(name, value);
   unit.compile.defines.insert(unit.compile.defines.end(), options_.defines.begin(), options_.defines.end());
-  // instancing_options procedural:NAME, which the instancing library calls by this macro.
+  // With instancing_options procedural:NAME, the instancing library calls NAME by this macro.
   if (!program.pragmas.procedural_function.empty())
     unit.compile.defines.emplace_back("UNITY_INSTANCING_PROCEDURAL_FUNC",
                                       program.pragmas.procedural_function);

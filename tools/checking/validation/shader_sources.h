@@ -28,12 +28,12 @@ struct SourceOptions {
   std::vector<PlatformTargets> platforms;
   variants::Narrowing narrowing;
   project::IncludeRoots roots;
-  std::vector<std::pair<std::string, std::string>> defines;  // for every variant
-  // For .hlsl files: entry points given by the user. Keyword pragmas of the file apply.
+  std::vector<std::pair<std::string, std::string>> defines;  // defined for every variant
+  // The entry points that the user gives for .hlsl files. Keyword pragmas of the file apply.
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
-  // At most this many variants per entry point, spaced evenly; 0: all.
+  // The largest number of variants per entry point, spaced evenly; 0 means all.
   std::uint64_t sample = 0;
-  std::vector<variants::Keywords> keyword_sets;  // for .hlsl files, instead of those of their pragmas
+  std::vector<variants::Keywords> keyword_sets;  // for .hlsl files, in place of those of their pragmas
   LintOrder lint;                                // the shader target is each variant's own
 };
 
@@ -44,11 +44,11 @@ struct SourceProgram {
   std::string shader;  // see VariantRecord
   std::string pass;
   int sub_shader = 0;
-  int line = 0;  // of HLSLPROGRAM; 0 where the file is one program
+  int line = 0;  // line of HLSLPROGRAM; 0 where the file is one program
   int column = 0;
-  bool is_pass = false;                      // of a .shader: it must have a vertex and a fragment stage
-  bool scriptable_pipeline = false;          // as in ProgramToLint
-  std::vector<lint::NamedPlace> properties;  // likewise
+  bool is_pass = false;              // a pass of a .shader, which must have a vertex and a fragment stage
+  bool scriptable_pipeline = false;  // as in ProgramToLint
+  std::vector<lint::NamedPlace> properties;  // as in ProgramToLint
   std::string text;                          // lines and columns are the file's own
   std::vector<std::string> targets;
   variants::Platform platform;
@@ -56,7 +56,7 @@ struct SourceProgram {
   variants::Pragmas pragmas;
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
   std::vector<variants::Kernel> kernels;
-  std::vector<variants::Keywords> keyword_sets;  // instead of the space, if not empty
+  std::vector<variants::Keywords> keyword_sets;  // if not empty, these replace the space
   std::shared_ptr<const variants::KeywordSpace> space;
 };
 
@@ -68,18 +68,20 @@ class ShaderSources {
   void add(const project::ShaderFile& file);
 
   const std::vector<SourceProgram>& programs() const { return programs_; }
-  // Files, programs and passes that are not compiled, and why: a syntax error, a surface shader, GLSL.
+  // Returns the files, programs and passes that are not compiled, and why: a syntax error, a surface shader,
+  // GLSL.
   const std::vector<VariantRecord>& records() const { return records_; }
-  // Whether programs() declare every keyword of the files: false if a file or its pragmas could not be
-  // parsed.
+  // Returns whether programs() declare every keyword of the files: false if a file or its pragmas could not
+  // be parsed.
   bool knows_keywords() const { return knows_keywords_; }
 
   variants::Plan plan() const;
-  // Of the same programs, with these clauses beside the narrowing.
+  // Returns a plan for the same programs, with these clauses beside the narrowing.
   variants::Plan plan(const std::vector<variants::Clause>& more) const;
   std::string refusal(std::uint64_t limit) const;  // empty while the count is within the limit
   std::vector<CompileUnit> units() const;
-  // Of one of programs(), the entry point at `index`: its entries, then its kernels.
+  // Returns the unit of the entry point at `index` of one of programs(): its entries come first, then its
+  // kernels.
   CompileUnit entry_unit(const SourceProgram& program, std::size_t index,
                          const variants::Keywords& keywords) const;
   std::vector<ProgramToLint> to_lint() const;  // each program once, whatever the graphics APIs
@@ -93,7 +95,7 @@ class ShaderSources {
            std::vector<hlsl::Diagnostic> diagnostics);
   void leave_unchecked(const SourceProgram& program, const std::string& reason);
   using Spaces = std::vector<std::shared_ptr<const variants::KeywordSpace>>;
-  Spaces spaces() const;  // of programs()
+  Spaces spaces() const;  // the spaces of programs()
   std::vector<variants::PlannedProgram> planned(const Spaces& spaces) const;
   CompileUnit unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,
                    const variants::Keywords& keywords) const;

@@ -17,7 +17,7 @@
 
 namespace penumbra::validation {
 
-// The hash of the text as a compiler reads it: byte order mark and line endings make no difference.
+// Returns the hash of the text as a compiler reads it: byte order mark and line endings make no difference.
 std::string source_hash(std::string_view normalised_text);
 
 // The current state of files, each read once: a run sees one state of every file. Not thread-safe.

@@ -12,7 +12,7 @@ namespace penumbra::validation {
 
 namespace {
 
-// Of the renderer feature.
+// the renderer feature's shader
 constexpr const char* screen_shader = "Shaders/PenumbraShadows.shader";
 constexpr const char* screen_pass = "Resolve";
 
@@ -100,7 +100,7 @@ std::vector<SourceVariant> technique_variants(const ValidationRequest& request,
   return variants;
 }
 
-// One for each version of Vulkan that the request's targets are for.
+// Adds one for each version of Vulkan that the request's targets are for.
 void add_for_targets(const ValidationRequest& request, SourceVariant variant,
                      std::vector<SourceVariant>& variants) {
   for (auto& [vulkan, targets] : by_vulkan_version(request.targets)) {

@@ -13,7 +13,7 @@ struct SourceVariant {
   CompileUnit unit;
 };
 
-// Of the techniques and of the files.
+// Returns the sources of the techniques and of the files.
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
 
 }  // namespace penumbra::validation

@@ -13,7 +13,7 @@
 
 namespace penumbra::validation {
 
-std::vector<std::string> spirv_targets();  // their names
+std::vector<std::string> spirv_targets();  // the names of these targets
 std::optional<shaders::VulkanVersion> spirv_target(std::string_view target);
 inline bool is_spirv_target(std::string_view target) {
   return spirv_target(target).has_value();
@@ -21,12 +21,13 @@ inline bool is_spirv_target(std::string_view target) {
 
 inline constexpr std::string_view fxc_target = "d3d11";
 
-// A target that the text itself is compiled for; the others are made from a module.
+// Returns whether the text itself is compiled for a target; the others are made from a module.
 inline bool is_compiled_target(std::string_view target) {
   return target == fxc_target || is_spirv_target(target);
 }
 
-// A compilation serves one version, or FXC: the targets of each, in the order they were given.
+// Returns the targets of each compilation, in the order in which they were given. A compilation serves one
+// version, or FXC.
 std::vector<std::pair<shaders::VulkanVersion, std::vector<std::string>>> by_vulkan_version(
     const std::vector<std::string>& targets);
 

@@ -29,7 +29,7 @@ constexpr std::array order{Stage::vertex, Stage::hull, Stage::domain, Stage::geo
 // The variants of one program, by stage.
 using Stages = std::map<Stage, std::vector<std::size_t>>;
 
-// Of a vertex and a fragment program, or of two other stages one after the other.
+// A vertex and a fragment program, or two other stages one after the other.
 struct Neighbours {
   const std::vector<std::size_t>* before = nullptr;
   const std::vector<std::size_t>* after = nullptr;
@@ -60,7 +60,7 @@ Names common(const Names& a, const Names& b) {
   return both;
 }
 
-using StagePair = std::pair<std::size_t, std::size_t>;  // before, after
+using StagePair = std::pair<std::size_t, std::size_t>;  // the stage before and the stage after
 using StagePairs = std::vector<StagePair>;
 
 // A keyword that both stages have is on in both or in neither. Where stage-specific keywords become those of
@@ -78,7 +78,7 @@ void add_pairs(const std::vector<CompileUnit>& units, const Neighbours& stages, 
         pairs.emplace_back(fits, after);
 }
 
-// By CompileUnit::program.
+// Returns the variants by CompileUnit::program.
 std::map<int, Stages> programs_of(const std::vector<CompileUnit>& units) {
   std::map<int, Stages> programs;
   for (std::size_t i = 0; i < units.size(); ++i)
@@ -90,12 +90,12 @@ bool is_system_value(const SignatureElement& element) {
   return element.semantic.starts_with("SV_");
 }
 
-// Values of the rasteriser by their names of Direct3D 9, which Unity's compilers still take.
+// These are values of the rasteriser by their names in Direct3D 9, which Unity's compilers still take.
 bool is_generated(const SignatureElement& element, Stage stage) {
   return stage == Stage::fragment && (element.semantic == "VFACE0" || element.semantic == "VPOS0");
 }
 
-// "TEXCOORD3", the second of TEXCOORD2.
+// Returns "TEXCOORD3" for the second of TEXCOORD2.
 std::string semantic_of(const SignatureElement& element, int number) {
   const std::size_t digits = element.semantic.find_last_not_of("0123456789") + 1;
   const std::string index = element.semantic.substr(digits);
@@ -128,7 +128,7 @@ std::string program_name(const CompileUnit& unit) {
   return std::string("the ") + hlsl::stage_name(unit.compile.stage) + " program '" + unit.compile.entry + "'";
 }
 
-// " with A B": the keywords that the other stage does not have.
+// Returns " with A B": the keywords that the other stage does not have.
 std::string own_keywords(const CompileUnit& unit, const CompileUnit& other) {
   std::string own;
   for (const std::string& keyword : unit.keywords)
@@ -137,7 +137,7 @@ std::string own_keywords(const CompileUnit& unit, const CompileUnit& other) {
   return own.empty() ? " without further keywords" : own;
 }
 
-// Why the value of the stage before is not what the input is declared as; empty if it is.
+// Says why the value of the stage before is not what the input is declared as; empty if it is.
 std::string mismatch(const SignatureElement& input, const SignatureElement& written, int number,
                      const std::string& writer, Stage reader) {
   const bool typed = input.type != SignatureType::other && written.type != SignatureType::other;
@@ -160,7 +160,7 @@ class Linkage {
  public:
   explicit Linkage(const std::vector<CompileUnit>& units) : units_(units) {}
 
-  // `before`: every variant of the stage before that it may run with.
+  // `before` has every variant of the stage before that it may run with.
   void check(const std::vector<const UnitResult*>& before, UnitResult& after) {
     const CompileUnit& reader = units_[after.unit];
     std::vector<Misfit> misfits;
@@ -176,7 +176,7 @@ class Linkage {
     }
   }
 
-  // Of the stage before the fragment program.
+  // Checks the stage before the fragment program.
   void check_position(UnitResult& result) {
     const CompileUnit& unit = units_[result.unit];
     const Signature& signature = signature_of(result);
@@ -206,7 +206,7 @@ class Linkage {
            "', which " + writer + " does not write";
   }
 
-  // The first of each input.
+  // Adds the first misfit of each input.
   void add_misfits(const UnitResult& before, const UnitResult& after, std::vector<Misfit>& misfits) {
     const std::pair signatures(before.signature.get(), after.signature.get());
     if (fitting_.count(signatures) != 0) return;
@@ -228,7 +228,7 @@ class Linkage {
     if (fits) fitting_.insert(signatures);
   }
 
-  // Without a line, at the #pragma that names the entry point.
+  // Without a line, the message is at the #pragma that names the entry point.
   void add(UnitResult& result, const std::string& file, int line, const std::string& word,
            const std::string& message) {
     const CompileUnit& unit = units_[result.unit];

@@ -1,9 +1,9 @@
-// Whether the stages of a program fit: each is compiled alone, so no compiler compares them.
+// A check that the stages of a program fit: each is compiled alone, so no compiler compares them.
 //
-// Based on the rules of Direct3D 11's runtime for signatures (D3D11.3 functional specification, 5.4 "Linkage
-// between stages"): a stage reads only semantics that the stage before it writes, of the same type and with
-// no more components, and the last stage before the rasteriser writes SV_Position. That the registers of both
-// signatures are the same is not checked.
+// It is based on the rules of Direct3D 11's runtime for signatures (D3D11.3 functional specification, 5.4
+// "Linkage between stages"): a stage reads only semantics that the stage before it writes, of the same type
+// and with no more components, and the last stage before the rasteriser writes SV_Position. It does not check
+// that the registers of both signatures are the same.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Checks a module for one target: emitted by SPIRV-Cross and, if requested, compiled and linked by this
-// machine's driver. Internal to this folder.
+// A check of a module for one target: SPIRV-Cross emits its text and, if requested, this machine's driver
+// compiles and links it. Internal to this folder.
 #pragma once
 
 #include <string>
@@ -11,23 +11,23 @@
 
 namespace penumbra::validation {
 
-// Why the target has no shaders of this stage; empty if it has.
+// Says why the target has no shaders of this stage; empty if it has.
 std::string why_absent(hlsl::Stage stage, const std::string& target);
 
-// Nothing for "spirv", because an existing module has passed, and for a stage that is absent. Throws
+// Does nothing for "spirv", because an existing module has passed, and for a stage that is absent. Throws
 // EnvironmentError if GL is needed and missing.
 std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver);
 
-// The driver, or FXC, that checks the target; empty where none does. Throws EnvironmentError as above, and
-// where FXC is wanted and missing.
+// Returns the driver, or FXC, that checks the target; empty where none does. Throws EnvironmentError as
+// above, and where FXC is wanted and missing.
 std::string checking_driver(const std::string& target);
 
 // Opens the drivers of these targets on this thread, so that checking them later opens no file. The driver's
 // disk cache is disabled.
 void open_drivers(const std::vector<std::string>& targets);
 
-// What checks the target, for reports: "compiled and linked by OpenGL driver ..." and similar.
+// Describes for reports how the target is checked: "compiled and linked by OpenGL driver ..." and similar.
 std::string checked_by(const std::string& target);
 
 }  // namespace penumbra::validation

@@ -1,4 +1,4 @@
-// One unit of validation and its result: the messages to and from workers, and the cache entries.
+// A unit of validation and its result: the messages to and from workers, and the cache entries.
 //
 // The encoded forms are specific to this build: both ends are the same program, and the cache's keys contain
 // the identity of the build. Decoding rejects truncated and damaged data.
@@ -22,69 +22,68 @@ namespace penumbra::validation {
 // The lint options of a unit (lint/module_rules.h).
 struct LintOrder {
   bool wanted = false;
-  int shader_target = 0;              // ten times `#pragma target`; 0: none was given
+  int shader_target = 0;              // ten times `#pragma target`; 0 if none was given
   std::vector<std::string> left_out;  // rules
 };
 
-// One entry point of one file with one keyword set. Everything except the request, the targets and the lint
+// An entry point of one file with one keyword set. Everything except the request, the targets and the lint
 // options is for the report only: results do not depend on it.
 struct CompileUnit {
   std::string technique;
   std::string file;
   std::string shader;
   std::string pass;
-  int sub_shader = 0;  // of a .shader, from 0
+  int sub_shader = 0;  // number in a .shader, from 0
   std::vector<std::string> keywords;
   shaders::CompileRequest compile;
   std::vector<std::string> targets;  // "spirv" and names of shaders::Target
   LintOrder lint;
-  // Equal for the stages of one program, which are compared (stage_linkage.h); -1: of none. Not sent to
-  // workers.
+  // It is equal for the stages of one program, which are compared (stage_linkage.h); -1 means no program. It
+  // is not sent to workers.
   int program = -1;
-  bool stage_keywords = true;  // as variants::keeps_stage_keywords(); not sent either
+  bool stage_keywords = true;  // see variants::keeps_stage_keywords(); not sent either
 };
 
 // Adds everything that distinguishes the unit from others of its file: technique, shader, pass, entry point,
 // stage, keywords.
 void add_names(platform::ContentHash& hash, const CompileUnit& unit);
-// The same for all stages of a variant: without entry point and stage.
+// Adds the same for all stages of a variant: without entry point and stage.
 void add_variant_names(platform::ContentHash& hash, const CompileUnit& unit);
 
 struct TargetResult {
   VariantStatus status = VariantStatus::passed;  // passed, failed, unreached or unchecked
   std::vector<hlsl::Diagnostic> diagnostics;
-  std::string reproduction;  // a file with the text that crashed or hung a compiler; empty without
+  std::string reproduction;  // a file with the text that crashed or hung a compiler; else empty
 };
 
 struct UnitResult {
   std::size_t unit = 0;               // its place among the units of the run
-  std::vector<TargetResult> targets;  // in the order of CompileUnit::targets
+  std::vector<TargetResult> targets;  // results in the order of CompileUnit::targets
   std::string text_key;    // equal for units with the same text for the parser; empty if there is no text
-  std::string module_key;  // of the SPIR-V; empty when there is none
-  // The include that only the Unity editor has, for want of which every target is unchecked; empty without.
+  std::string module_key;  // key of the SPIR-V; empty when there is none
+  // The include that only the Unity editor has, for lack of which every target is unchecked; else empty.
   std::string missing_editor_include;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   bool cached = false;                              // the answer is of an earlier run
-  // Its constant buffers, as decode_buffers() takes them; null when it was not linted.
+  // The unit's constant buffers, as decode_buffers() takes them; null when it was not linted.
   std::shared_ptr<const std::string> buffers;
-  std::shared_ptr<const std::string>
-      signature;  // as decode_signature() takes it; null when there is no module
+  std::shared_ptr<const std::string> signature;  // for decode_signature(); null when there is no module
 };
 
-// What became of one text, up to valid SPIR-V.
+// The result of compiling one text, up to valid SPIR-V.
 struct CompileAnswer {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<shaders::TargetDiagnostics> of_targets;
   std::string module_key;              // empty when there is no SPIR-V
-  std::string missing_editor_include;  // as in shaders::PreprocessedSource
-  // The files that the messages quote, and those that silence a lint rule, with the hash of what they held.
+  std::string missing_editor_include;  // see shaders::PreprocessedSource
+  // The files that the messages quote, and those that silence a lint rule, with the hash of their contents.
   // Comments are not part of a text key: a cached result is used only if these are the same.
   std::vector<std::pair<std::string, std::string>> quoted;
-  std::shared_ptr<const std::string> buffers;    // as in UnitResult
-  std::shared_ptr<const std::string> signature;  // likewise
+  std::shared_ptr<const std::string> buffers;    // see UnitResult
+  std::shared_ptr<const std::string> signature;  // see UnitResult
 };
 
-// What became of one module in every target but "spirv", in the order of CompileUnit::targets.
+// The results of one module in every target but "spirv", in the order of CompileUnit::targets.
 using EmittedAnswer = std::vector<std::vector<hlsl::Diagnostic>>;
 
 std::string encode(const shaders::CompileRequest& request);

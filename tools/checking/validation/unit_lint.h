@@ -16,11 +16,11 @@
 
 namespace penumbra::validation {
 
-// Equal modules are looked at once. Not for several threads at once.
+// Equal modules are examined once. An object is not for several threads at once.
 class LintedModules {
  public:
-  // `compiled` with its unoptimised module; `of_text`: what was found in its text. Findings of rules that are
-  // left out are not among the messages.
+  // `compiled` is the result with its unoptimised module, and `of_text` has the findings in its text.
+  // Findings of rules that are left out are not among the messages.
   std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled,
                                          std::vector<lint::Finding> of_text);
 
@@ -32,12 +32,12 @@ class LintedModules {
 // that FXC compiles, and out of those that Unity compiles by DXC.
 void leave_to_compilers(std::vector<CompileUnit>& units);
 
-bool holds_suppression(std::string_view source);  // a comment that silences a rule, or seems to
+bool holds_suppression(std::string_view source);  // true for a comment that silences a rule, or seems to
 
 std::string encode(const std::vector<lint::ConstantBuffer>& buffers);
 std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view bytes);
 
-// A finding as a message of a report; nothing when its rule is left out.
+// Returns a finding as a message of a report; nothing when its rule is left out.
 std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrder& order);
 
 }  // namespace penumbra::validation

@@ -12,7 +12,8 @@ using platform::ByteWriter;
 
 namespace {
 
-// Nothing, or the result of `decode`; puts the reader into its error state if the text cannot be decoded.
+// Reads nothing, or the result of `decode`; puts the reader into its error state if the text cannot be
+// decoded.
 template <typename Value, typename Decode>
 std::optional<Value> read_optional(ByteReader& in, const Decode& decode) {
   if (!in.flag()) return std::nullopt;
@@ -27,7 +28,7 @@ void write_optional(ByteWriter& out, const std::optional<Value>& value) {
   if (value) out.text(encode(*value));
 }
 
-// A key becomes the name of a file.
+// The key is checked, because it becomes the name of a file.
 EntryToKeep read_entry(ByteReader& in) {
   EntryToKeep entry;
   const std::uint64_t kind = in.number();

@@ -1,8 +1,8 @@
 // The messages to and from a unit's worker.
 //
-// Units of one run share answers: once the text is there the worker asks whether another unit has the same,
-// and once the module is there whether another has that. The run, which knows all that are at work, answers
-// "mine" to the first alone; the others leave their answer to it.
+// Units of one run share answers. Once the text is there, the worker asks whether another unit has the same
+// text, and once the module is there, whether another has the same module. The run, which knows all units at
+// work, answers "mine" to the first alone; the others leave the answer to it.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,9 @@ struct UnitJob {
   CompileUnit unit;
   AnswerContext context;
   std::vector<std::string> given_up;      // targets in which it has crashed or hung before
-  Sharing sharing = Sharing::everything;  // with what this worker has compiled before
-  bool text_only = false;  // only what the parser would read, for a file that reproduces a crash
+  Sharing sharing = Sharing::everything;  // shared with what this worker has compiled before
+  // Returns only the text that the parser would read, for a file that reproduces a crash.
+  bool text_only = false;
 };
 
 struct EntryToKeep {
@@ -35,14 +36,14 @@ struct EntryToKeep {
 
 struct UnitReply {
   std::string text_key;                  // empty when there is no text; then `compile` says why
-  std::optional<CompileAnswer> compile;  // nothing when another unit with this text has it
-  std::optional<EmittedAnswer> emitted;  // nothing without a module, or when another unit with it has it
+  std::optional<CompileAnswer> compile;  // empty when another unit with this text has it
+  std::optional<EmittedAnswer> emitted;  // empty without a module, or when another unit with it has it
   std::vector<std::filesystem::path> dependencies;
   bool compile_cached = false;
   bool emitted_cached = false;
-  std::string text;                  // when that was asked for
+  std::string text;                  // set if text_only was requested
   std::uint64_t damaged = 0;         // cache entries that were met
-  std::vector<EntryToKeep> to_keep;  // in the cache: a worker changes no file
+  std::vector<EntryToKeep> to_keep;  // entries for the cache: a worker changes no file
 };
 
 std::string encode(const UnitJob& job);
@@ -56,8 +57,8 @@ inline constexpr char question_module = 'm';
 inline constexpr std::string_view answer_mine = "mine";
 inline constexpr std::string_view answer_known = "known";
 
-// The notes while the text is made, while it is compiled, and while it is linted; after that each target's
-// name.
+// These notes are set while the text is made, while it is compiled, and while it is linted; after that, each
+// target's name is.
 inline constexpr std::string_view note_text = "text";
 inline constexpr std::string_view note_compile = "spirv";
 inline constexpr std::string_view note_lint = "lint";

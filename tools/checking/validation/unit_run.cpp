@@ -30,21 +30,22 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
   return context;
 }
 
-// The arguments of serve_units(): a worker opens its drivers before it drops the privileges that opening them
-// needs.
+// Returns the arguments of serve_units(): a worker opens its drivers before it drops the privileges that
+// opening them needs.
 std::vector<std::string> with_drivers(std::vector<std::string> arguments, const AnswerContext& context) {
   for (const auto& [target, driver] : context.drivers)
     if (!driver.empty()) arguments.push_back(target);
   return arguments;
 }
 
-// The target that reports the compilation's diagnostics.
+// Returns the index of the target that reports the compilation's diagnostics.
 std::size_t speaks_for_compile(const CompileUnit& unit) {
   const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_compiled_target);
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
 }
 
-// The errors that have lines of the source, while those in emitted text have none; null without such errors.
+// Returns the errors that have lines of the source, where those in emitted text have none; null without such
+// errors.
 const std::vector<hlsl::Diagnostic>* errors_in_source(const CompileAnswer& answer,
                                                       const std::string& target) {
   const auto found = std::find_if(answer.of_targets.begin(), answer.of_targets.end(),
@@ -135,7 +136,7 @@ void UnitRun::keep(UnitReply& reply) {
     cache_.store(name_of(entry.kind), entry.key, entry.content);
 }
 
-// Variants have few different layouts and signatures.
+// Buffers and signatures are shared, because variants have few different ones.
 void UnitRun::share_texts(UnitReply& reply) {
   if (!reply.compile) return;
   for (std::shared_ptr<const std::string>* text : {&reply.compile->buffers, &reply.compile->signature})
@@ -155,7 +156,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   if (failure.limited) message += "; " + failure.way_out;  // a crash keeps the text that it failed on
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
   states_[place].failures[target] = {std::move(message), {}};
-  if (has_no_text) {  // a second attempt would end in the same way, and take as long
+  if (has_no_text) {  // A second attempt would end in the same way, and take as long.
     states_[place].failures[target].reproduction =
         write_reproduction(keep_folder(), unit(place), {target, outcome.failure, {}});
     return say_done();
@@ -164,7 +165,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   send_first(place);
 }
 
-// Its text exists, or producing it crashes as well. After a crash in one target, the others are still
+// The unit's text exists, or producing it crashes as well. After a crash in one target, the others are still
 // checked.
 void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outcome) {
   State& state = states_[place];
@@ -235,7 +236,7 @@ UnitResult UnitRun::result_of(std::size_t place, const ComputedNow& now) const {
   return result;
 }
 
-// Reported by one target; without a module the others are unreached.
+// One target reports the diagnostics; without a module the others are unreached.
 void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const {
   const std::size_t speaker = speaks_for_compile(unit);
   if (compiled.reply.compile) {

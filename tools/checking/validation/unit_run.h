@@ -1,5 +1,5 @@
-// The state of a run: which units wait, which are known, who has the answer that others share. Internal to
-// this folder.
+// The state of a run: the units that wait, those whose results are known, and the unit whose answer others
+// share. Internal to this folder.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,11 @@ namespace penumbra::validation {
 
 class UnitRun final : public platform::WorkSource {
  public:
-  // Both outlive the run. Throws EnvironmentError when a target's driver is not there.
+  // Units and options must outlive the run. Throws EnvironmentError when a target's driver is not there.
   UnitRun(const std::vector<CompileUnit>& units, const EngineOptions& options);
 
-  void recall();  // from the cache
-  void work();    // what is left
+  void recall();  // takes results from the cache
+  void work();    // computes the rest
   EngineRun take() const;
   std::uint64_t written() const { return cache_.bytes_written(); }
 
@@ -38,12 +38,12 @@ class UnitRun final : public platform::WorkSource {
     std::string message;
     std::string reproduction;
   };
-  // What is known of one unit so far.
+  // The state of one unit so far.
   struct State {
     UnitReply reply;
-    std::map<std::string, Failure> failures;  // by target: crashes, hangs, memory
-    std::optional<Crash> reproducing;         // the text of this one is being made
-    bool sent_again = false;                  // after a worker was ended from outside
+    std::map<std::string, Failure> failures;  // failures by target: crashes, hangs, memory
+    std::optional<Crash> reproducing;         // set while the text of this unit is being made
+    bool sent_again = false;                  // true after a worker was ended from outside
   };
 
   const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
@@ -71,13 +71,13 @@ class UnitRun final : public platform::WorkSource {
 
   const std::vector<CompileUnit>& units_;
   const EngineOptions& options_;
-  std::filesystem::path keep_folder_;  // empty until something is to be kept
+  std::filesystem::path keep_folder_;  // empty until a file is to be kept
   AnswerContext context_;
   std::vector<std::size_t> own_;  // the shard's; a place is an index of this
   std::vector<State> states_;
   WaitingUnits waiting_;
   std::map<std::string, std::size_t> texts_;    // shared_key() -> the place whose answer it is
-  std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
+  std::map<std::string, std::size_t> modules_;  // emitted key -> the place whose answer it is
   std::map<std::string, std::shared_ptr<const std::string>> shared_texts_;
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;

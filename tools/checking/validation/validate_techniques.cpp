@@ -34,7 +34,7 @@ void judge(VariantRecord& record, const techniques::Technique* technique) {
   }
 }
 
-// "file:line:column" of a manifest.
+// Returns a diagnostic at "file:line:column" of a manifest.
 hlsl::Diagnostic diagnostic_at(const std::string& where, std::string message) {
   hlsl::Diagnostic diagnostic{where, 0, 0, hlsl::Severity::error, std::move(message), {}};
   const std::size_t column = where.rfind(':');
@@ -92,7 +92,7 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
   }
 }
 
-// The request without the shard: equal for all shards of one run.
+// Hashes the request without the shard, so that the hash is equal for all shards of one run.
 std::string fingerprint_of(const ValidationRequest& request, const std::vector<CompileUnit>& units) {
   platform::ContentHash hash;
   for (const CompileUnit& unit : units) hash.update(encode(unit));

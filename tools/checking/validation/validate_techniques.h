@@ -1,8 +1,9 @@
 // Compiles every technique with every keyword set, and files of a user's own, for every target.
 //
 // A variant is one entry point of one file with one keyword set for one target. "spirv" means compiled by
-// glslang and valid for SPIRV-Tools; essl310 and glsl450 mean emitted by SPIRV-Cross and compiled and linked
-// by this machine's GL driver; msl23 and hlsl50 mean emitted only: no Metal or Direct3D compiler stands here.
+// glslang and valid for SPIRV-Tools. essl310 and glsl450 mean emitted by SPIRV-Cross and compiled and linked
+// by this machine's GL driver. msl23 and hlsl50 mean emitted only, because no Metal or Direct3D compiler is
+// available here.
 #pragma once
 
 #include <cstddef>
@@ -34,11 +35,11 @@ struct ValidationRequest {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
-  std::vector<CompileUnit> units;       // besides: what ShaderSources made of shader files
-  std::vector<VariantRecord> records;   // besides: what it said before anything was compiled
-  std::vector<ProgramToLint> programs;  // besides: what ShaderSources knows of their shaders
-  LintOrder lint;                       // of techniques and files; units have their own
-  bool minimise = false;                // the keywords of what fails
+  std::vector<CompileUnit> units;       // further units, which ShaderSources made of shader files
+  std::vector<VariantRecord> records;   // further records, from before the compilation of those files
+  std::vector<ProgramToLint> programs;  // the shaders of those files
+  LintOrder lint;                       // for techniques and files; units have their own
+  bool minimise = false;                // finds the minimal keywords of what fails
   EngineOptions engine;
 };
 

@@ -1,4 +1,4 @@
-// How many variants programs have, as `penumbra validate --count` says it.
+// The numbers of variants that programs have, as `penumbra validate --count` prints them.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace penumbra::validation {
 
 struct VariantCounts {
   variants::Plan plan;
-  std::optional<variants::Plan> what_if;  // of the same programs
-  std::string condition;                  // as it was asked for: "-_FOAM"
+  std::optional<variants::Plan> what_if;  // the plan of the same programs
+  std::string condition;                  // the condition as given: "-_FOAM"
 };
 
-// {programs: [{file, shader, pass, api, stages: [{stage, variants, what_if}]}], variants, what_if,
-// condition}: what_if and condition where they were asked for, shader and pass where there is one. A count of
+// Returns {programs: [{file, shader, pass, api, stages: [{stage, variants, what_if}]}], variants, what_if,
+// condition}: what_if and condition if they were requested, shader and pass where there is one. A count of
 // 2^64 - 1 stands for that or more.
 std::string counts_json(const ShaderSources& sources, const VariantCounts& counts);
 

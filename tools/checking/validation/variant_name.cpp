@@ -14,7 +14,7 @@ namespace {
 
 struct NamedEntry {
   const SourceProgram* program = nullptr;
-  std::size_t index = 0;  // as ShaderSources::entry_unit() takes it
+  std::size_t index = 0;  // the index for ShaderSources::entry_unit()
   std::string function;
   std::string title;  // "Forward/Frag"
 };
@@ -23,7 +23,7 @@ bool makes_spirv(const SourceProgram& program) {
   return std::any_of(program.targets.begin(), program.targets.end(), is_spirv_target);
 }
 
-// One for each graphics API, those for SPIR-V first.
+// Returns one entry for each graphics API, those for SPIR-V first.
 std::vector<NamedEntry> all_entries(const ShaderSources& sources) {
   std::vector<NamedEntry> entries;
   const auto add = [&entries](const SourceProgram& program, const std::string& function, std::size_t index) {
@@ -40,7 +40,7 @@ std::vector<NamedEntry> all_entries(const ShaderSources& sources) {
   return entries;
 }
 
-// Of one entry point for several graphics APIs, the first.
+// Returns the first of an entry point's entries for several graphics APIs.
 std::vector<NamedEntry> fitting(const std::vector<NamedEntry>& entries, const VariantName& name) {
   std::vector<NamedEntry> list;
   for (const NamedEntry& entry : entries) {
