@@ -98,7 +98,7 @@ bool has_bytecode(const CostReport& report) {
 
 }  // namespace
 
-// Those of the families that both have; without any, all.
+// Returns the compilers of the families that both have; without any, of all.
 std::string compilers_of(const CostReport& report, const CostReport& other) {
   std::string names;
   if (has_radv(report) && has_radv(other)) names = report.driver + " and " + report.compiler;
@@ -115,7 +115,7 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
   const std::vector<KeyedVariant> variants_now = keyed_variants(report);
   const std::map<Key, const CostRow*> before = rows_by_key(variants_before);
   const std::map<Key, const CostRow*> now = rows_by_key(variants_now);
-  // Variants of one module were also in one module before: such a pair of rows is reported once.
+  // Variants of one module were also in one module before, so such a pair of rows is reported once.
   std::set<std::pair<const CostRow*, const CostRow*>> met;
   for (const auto& [key, row, variant] : variants_now) {
     if (!within(extent.families, row->family)) continue;

@@ -31,7 +31,7 @@ struct BaselineComparison {
 struct ComparedExtent {
   std::vector<std::string> families;
   std::vector<std::string> techniques;
-  std::vector<std::string> files;  // a user's own; without techniques, these alone are expected
+  std::vector<std::string> files;  // a user's own files; without techniques, only their rows are expected
 };
 
 // A figure is worse when it is larger (occupancy: smaller) than before by more than tolerance_percent; rows
@@ -43,7 +43,7 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
 // Throws EnvironmentError if the driver or the SPIR-V compiler differs: figures of different compilers are
 // not comparable. `file` names the baseline.
 void require_same_compilers(const CostReport& ours, const CostReport& baseline, const std::string& file);
-// "radv Mesa 22.3.6 and glslang 12", and FXC where both reports have its bytecode.
+// Returns "radv Mesa 22.3.6 and glslang 12", and FXC where both reports have its bytecode.
 std::string compilers_of(const CostReport& report, const CostReport& other);
 
 std::string comparison_text(const BaselineComparison& comparison);

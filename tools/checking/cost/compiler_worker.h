@@ -8,7 +8,7 @@ namespace penumbra::cost {
 
 inline constexpr const char* compiler_worker_mode = "cost-compiler";
 
-int serve_compiler(
-    const std::vector<std::string>& arguments);  // behind the mode; the exit code of the process
+// `arguments` are those behind the mode; returns the exit code of the process.
+int serve_compiler(const std::vector<std::string>& arguments);
 
 }  // namespace penumbra::cost

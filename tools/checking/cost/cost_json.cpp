@@ -116,7 +116,7 @@ CostRow read_row(JsonObject json) {
 
 }  // namespace
 
-// One line per row: a change of one shader changes one line.
+// The JSON has one line per row, so that a change of one shader changes one line.
 std::string cost_json(const CostReport& report) {
   std::vector<Json> families;
   for (const RadvFamily& family : report.families)

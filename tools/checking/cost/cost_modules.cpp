@@ -13,7 +13,7 @@
 namespace penumbra::cost {
 namespace {
 
-// What `penumbra validate` calls it.
+// Returns the name that `penumbra validate` gives the target.
 std::string target_of(Compiler compiler) {
   return std::string(compiler == Compiler::fxc ? validation::fxc_target
                                                : validation::spirv_targets().front());
@@ -35,7 +35,7 @@ struct Source {
   CostVariant variant;
 };
 
-// Without the folder in which the package is installed.
+// The path is relative to the folder in which the package is installed.
 std::string file_in_package(const techniques::Technique& technique, const std::string& program) {
   for (const techniques::GraphPass& pass : technique.graph.passes)
     if (!program.empty() && pass.program == program) return pass.file;
@@ -72,9 +72,9 @@ std::vector<hlsl::Diagnostic> errors_of(std::vector<hlsl::Diagnostic> said) {
   return said;
 }
 
-// As `penumbra validate` compiles the file for Vulkan or Direct3D 11: with its pragmas and Unity's macros.
-// Without keyword sets a program of a .shader or .compute is its first variant, the one with the fewest
-// keywords.
+// The file is compiled as `penumbra validate` compiles it for Vulkan or Direct3D 11: with its pragmas and
+// Unity's macros. Without keyword sets, a program of a .shader or .compute is its first variant, the one with
+// the fewest keywords.
 void add_file(const CostRequest& request, const ShaderFile& shader, Compiler compiler,
               std::vector<Source>& sources, std::vector<hlsl::Diagnostic>& said) {
   validation::SourceOptions options;

@@ -13,15 +13,16 @@ struct CostModule {
   std::string entry;
   hlsl::Stage stage = hlsl::Stage::fragment;
   std::vector<CostVariant> variants;
-  CompiledModule compiled;  // without diagnostics
+  CompiledModule compiled;  // the module without diagnostics
 };
 
 struct CostModules {
-  std::vector<CostModule> modules;  // in the order of the request, by their first variant
+  std::vector<CostModule> modules;  // modules in the order of the request, by their first variant
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// Of `more` what was not said yet: two variants, or two compilers, may refuse a file for the same reason.
+// Adds those of `more` that are not there yet: two variants, or two compilers, may refuse a file for the same
+// reason.
 void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more);
 
 CostModules compile_modules(const CostRequest& request, Compiler compiler);

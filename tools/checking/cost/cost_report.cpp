@@ -11,7 +11,7 @@
 namespace penumbra::cost {
 namespace {
 
-// "+DARK +FOG", a set of keywords: names alone, which compute nothing.
+// A set of keywords, such as "+DARK +FOG", consists of names alone, which compute nothing.
 bool is_keyword_set(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
@@ -30,7 +30,7 @@ std::string csv_cell(const std::string& any_text) {
   return quoted + "\"";
 }
 
-// Columns as wide as their widest cell; the first is left-aligned, the others are right-aligned.
+// Each column is as wide as its widest cell; the first is left-aligned, the others are right-aligned.
 std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& line : lines) {
@@ -47,7 +47,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   return text;
 }
 
-// The techniques that "(and 3 more)" omits.
+// Lists the techniques that "(and 3 more)" omits.
 std::string shared_modules(const CostReport& report) {
   std::set<std::string> said;
   std::string text;

@@ -1,10 +1,10 @@
-// What shaders cost, row by row: one row per GPU family and distinct module.
+// The costs of shaders, row by row: one row per GPU family and distinct module.
 //
-// As JSON: {"command", "driver", "compiler", "families": [{name, device, driver}], "rows": [{family, file,
+// The JSON is {"command", "driver", "compiler", "families": [{name, device, driver}], "rows": [{family, file,
 // entry, stage, variants: [{technique, keywords}], spirv: {instructions, alu, texture, memory, control},
 // subgroup_size, figures: {...}, statistics: {driver's name: value}} or, without figures, {..., failure}]}.
-// Rows of Direct3D's bytecode have no `spirv`. The same shaders, families and driver give the same bytes: no
-// time, path of a machine or hash is in it.
+// Rows of Direct3D's bytecode have no `spirv`. The same shaders, families and driver give the same bytes: it
+// contains no time, path of a machine or hash.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace penumbra::cost {
 
-// One of the variants that compile to a module.
+// A variant that compiles to a module.
 struct CostVariant {
   std::string technique;  // empty for a user's file
   std::vector<std::string> keywords;
@@ -30,13 +30,13 @@ struct CostRow {
   std::string file;
   std::string entry;
   std::string stage;
-  std::vector<CostVariant> variants;  // all that compile to this one module
+  std::vector<CostVariant> variants;  // all variants that compile to this one module
   SpirvCounts spirv;                  // 0 for Direct3D's bytecode
   Measurement measured;
 };
 
 struct CostReport {
-  std::string command;   // that reproduces it
+  std::string command;   // the command that reproduces the report
   std::string driver;    // the GPU compiler, with its version; FXC where there is no other family
   std::string compiler;  // shaders::compiler_version(), which made the SPIR-V; FXC where there is none
   std::vector<RadvFamily> families;
@@ -45,19 +45,20 @@ struct CostReport {
   std::size_t failures() const;
 };
 
-// The compiler of a family's rows is returned; without an entry for it, the report's driver.
+// Returns the compiler of a family's rows; without an entry for it, the report's driver.
 const std::string& driver_of(const CostReport& report, const std::string& family);
 
-// "tent-5 +UNITY_REVERSED_Z", "box-3 (and 3 more)", "My.hlsl Main +A"
+// Returns "tent-5 +UNITY_REVERSED_Z", "box-3 (and 3 more)", "My.hlsl Main +A".
 std::string row_name(const CostRow& row);
 
 std::string cost_json(const CostReport& report);
-// One line a row, figures only. A text that a spreadsheet would take for a formula (=, +, - or @ first)
-// begins with an apostrophe; sets of keywords ("+A +B") stay as they are.
+// The CSV has one line a row, figures only. A text that a spreadsheet would take for a formula (=, +, - or @
+// first) begins with an apostrophe; sets of keywords ("+A +B") stay as they are.
 std::string cost_csv(const CostReport& report);
-std::string cost_table(const CostReport& report);  // for a terminal: a table a family, then the failures
+// For a terminal: a table for each family, then the failures.
+std::string cost_table(const CostReport& report);
 
-// Of a file that cost_json() wrote; throws InputError with file:line:column.
+// Reads a file that cost_json() wrote; throws InputError with file:line:column.
 CostReport read_cost_report(const std::filesystem::path& file);
 
 }  // namespace penumbra::cost

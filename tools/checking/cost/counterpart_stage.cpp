@@ -36,7 +36,8 @@ std::string name_of(const StageLocation& at) {
   return "at" + std::to_string(at.location);
 }
 
-// "[[vk::location(L)]] TYPE NAME : SEMANTIC": HLSL requires a semantic although only the location matters.
+// Returns "[[vk::location(L)]] TYPE NAME : SEMANTIC": HLSL requires a semantic although only the location
+// matters.
 std::string declaration(const StageLocation& at, std::size_t location, const std::string& semantic) {
   const char* flat = at.type == ScalarType::float32 ? "" : "nointerpolation ";
   return "[[vk::location(" + std::to_string(location) + ")]] " + flat + type_of(at) + " " + name_of(at) +

@@ -13,8 +13,8 @@
 
 namespace penumbra::cost {
 
-// HLSL with entry point Main. Throws std::invalid_argument when the words are no SPIR-V module or its
-// interface is one that shaders::pipeline_interface() refuses.
+// Returns HLSL with the entry point Main. Throws std::invalid_argument when the words are no SPIR-V module or
+// its interface is one that shaders::pipeline_interface() refuses.
 std::string vertex_stage_for(const std::vector<std::uint32_t>& fragment, const std::string& entry);
 std::string fragment_stage_for(const std::vector<std::uint32_t>& vertex, const std::string& entry);
 

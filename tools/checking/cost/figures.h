@@ -1,8 +1,8 @@
 // The figures of a compiled shader, by names of our own. They mean the same on every AMD family.
 //
 // Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties) or of FXC's
-// (fxc/bytecode.h), taken over as it is, or counted in the bytecode; what does not give one leaves it empty.
-// Documentation~/cost.md says what each means.
+// (fxc/bytecode.h), without change, or is counted in the bytecode. A figure that is not available stays
+// empty. Documentation~/cost.md says what each means.
 #pragma once
 
 #include <cstdint>
@@ -27,23 +27,23 @@ struct Figures {
   Figure inverse_throughput_cycles;  // busy cycles per 64 lanes, estimated
   Figure lds_bytes;                  // shared memory of a workgroup
   Figure scratch_bytes;              // private memory of a subgroup
-  Figure arithmetic;                 // of Direct3D's bytecode: instructions on numbers,
-  Figure textures;                   // that sample, gather or load,
-  Figure branches;                   // of dynamic flow control;
+  Figure arithmetic;                 // Direct3D's bytecode: instructions on numbers,
+  Figure textures;                   // instructions that sample, gather or load,
+  Figure branches;                   // instructions of dynamic flow control;
   Figure temporaries;                // registers of four components
 
   bool operator==(const Figures&) const = default;
 };
 
 struct FigureName {
-  const char* key;          // in JSON and CSV
-  const char* heading;      // of a table's column
-  const char* driver_name;  // of the driver's statistic
+  const char* key;          // key in JSON and CSV
+  const char* heading;      // heading of a table's column
+  const char* driver_name;  // name of the driver's statistic
   Figure Figures::*value;
   bool more_is_better = false;
 };
 
-std::span<const FigureName> figure_names();  // in the order of tables
+std::span<const FigureName> figure_names();  // figures in the order of tables
 
 struct DriverStatistic {
   std::string name;  // the driver's own

@@ -42,13 +42,14 @@ bool is_direct3d(const std::string& family) {
   return family == direct3d_family.name;
 }
 
-// The rows of RADV's families, in the order of the request.
+// Returns the rows of RADV's families, in the order of the request.
 std::vector<CostRow> measured_by_radv(const CostRequest& request, const std::vector<std::string>& families,
                                       const std::vector<CostModule>& modules) {
   std::vector<CostRow> rows;
   for (const std::string& family : families)
     for (CostRow& row : empty_rows(family, modules)) rows.push_back(std::move(row));
-  // Modules of one family by the batch: the driver takes longer to start than most of them to compile.
+  // Modules of one family run in batches, because the driver takes longer to start than most of them to
+  // compile.
   const std::size_t largest = std::clamp<std::size_t>(rows.size() / request.jobs, 1, kLargestBatch);
   std::vector<std::vector<std::size_t>> batches;
   for (std::size_t i = 0; i < rows.size(); ++i) {

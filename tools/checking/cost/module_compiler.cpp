@@ -17,7 +17,7 @@
 namespace penumbra::cost {
 namespace {
 
-constexpr const char* fxc_argument = "fxc";  // behind the worker's mode: it compiles by FXC, too
+constexpr const char* fxc_argument = "fxc";  // follows the worker's mode: the worker compiles by FXC, too
 
 CompiledModule compiled_by_glslang(const shaders::CompileRequest& request) {
   CompiledModule module;
@@ -28,7 +28,7 @@ CompiledModule compiled_by_glslang(const shaders::CompileRequest& request) {
   return module;
 }
 
-// Of each thread. In a process it starts before that is confined.
+// Each thread has one. In a process it starts before that is confined.
 thread_local std::unique_ptr<fxc::Judge> judge;
 
 fxc::Verdict verdict_on(const fxc::Program& program) {
@@ -77,7 +77,7 @@ std::string compile_message(const std::string& message, platform::WorkerLink&) {
 
 class Requests final : public platform::WorkSource {
  public:
-  // Each once: techniques share the programs of their passes.
+  // Each request is made once, because techniques share the programs of their passes.
   Requests(const std::vector<shaders::CompileRequest>& requests, Compiler compiler) : requests_(requests) {
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -112,7 +112,7 @@ class Requests final : public platform::WorkSource {
                                             {}});
   }
 
-  // Of all requests.
+  // Returns the modules of all requests.
   std::vector<CompiledModule> modules() const {
     std::vector<CompiledModule> all;
     for (const std::size_t number : order_of_) all.push_back(modules_[number]);
@@ -122,7 +122,7 @@ class Requests final : public platform::WorkSource {
  private:
   struct Order {
     const std::string* message = nullptr;
-    std::size_t request = 0;  // the first of those that are the same
+    std::size_t request = 0;  // the first of equal requests
   };
 
   const std::vector<shaders::CompileRequest>& requests_;

@@ -17,18 +17,18 @@ namespace penumbra::cost {
 enum class Compiler : std::uint64_t { glslang, fxc };
 
 struct CompiledModule {
-  std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error, or of FXC
+  std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error, or for FXC
   SpirvCounts counts;
-  std::string bytecode;          // FXC's; empty when a diagnostic is an error, or of glslang
-  fxc::BytecodeCost direct3d{};  // of the bytecode
+  std::string bytecode;          // FXC's; empty when a diagnostic is an error, or for glslang
+  fxc::BytecodeCost direct3d{};  // cost of the bytecode
   std::vector<hlsl::Diagnostic> diagnostics;
 
   bool is_compiled() const { return !spirv.empty() || !bytecode.empty(); }
 };
 
-// One module per request, in order. A request that crashes its worker gets a diagnostic. Without arguments in
-// `pool`, threads do the work. Throws InputError for a file that cannot be read, EnvironmentError,
-// platform::Interrupted.
+// Returns one module per request, in order. A request that crashes its worker gets a diagnostic. Without
+// arguments in `pool`, threads do the work. Throws InputError for a file that cannot be read,
+// EnvironmentError, platform::Interrupted.
 std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileRequest>& requests,
                                         Compiler compiler, const platform::WorkerPool& pool);
 

@@ -46,7 +46,7 @@ std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-// Why the worker sent no response.
+// Says why the worker sent no response.
 std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv) {
   const bool out_of_processor_time = result.exit_code == 128 + platform::signal_of_processor_time;
   if (result.timed_out || out_of_processor_time)
@@ -61,7 +61,7 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
   return reason;
 }
 
-// As read_request() of radv_worker.cpp reads it: a line of JSON, then the module's words.
+// The format is that of read_request() in radv_worker.cpp: a line of JSON, then the module's words.
 void append_request(std::string& input, const ModuleToMeasure& module) {
   const nlohmann::json head{
       {"stage", hlsl::stage_name(module.stage)}, {"entry", module.entry}, {"words", module.spirv.size()}};
@@ -70,7 +70,7 @@ void append_request(std::string& input, const ModuleToMeasure& module) {
                module.spirv.size() * sizeof(std::uint32_t));
 }
 
-// The lines of its output that are responses, up to the first that is none.
+// Returns the lines of its output that are responses, up to the first that is none.
 std::vector<nlohmann::json> answers_in(const std::string& output) {
   std::vector<nlohmann::json> answers;
   for (std::size_t at = 0, end = 0; (end = output.find('\n', at)) != std::string::npos; at = end + 1) {
@@ -110,7 +110,8 @@ Measurement read_measurement(const nlohmann::json& answer) {
   }
 }
 
-// Those of the first modules, at least of one: of the last one of them the worker may have failed.
+// Returns the measurements of the first modules, at least of one. The worker may have failed at the last of
+// them.
 std::vector<Measurement> measured_by_one_worker(const NullRadv& radv,
                                                 std::span<const ModuleToMeasure> modules) {
   platform::ChildCommand command = worker_command(radv);

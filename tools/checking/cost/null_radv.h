@@ -1,8 +1,8 @@
 // Figures of a shader from Mesa's AMD Vulkan driver, RADV, compiled offline for a GPU that is not present.
 //
 // With RADV_FORCE_FAMILY set, RADV offers a device without hardware, whose pipelines are compiled by its real
-// compiler (ACO). Each call runs a separate process: the variable applies to a whole process, and a driver
-// that crashes, hangs or is killed costs one result; what comes after it is measured in a new process.
+// compiler (ACO). Each call runs a separate process, because the variable applies to a whole process. If a
+// driver crashes, hangs or is killed, one result is lost; the shaders after it are measured in a new process.
 // Variables that change RADV's code generation are cleared there, so the figures depend only on shader,
 // family and Mesa version.
 //
@@ -23,15 +23,15 @@
 namespace penumbra::cost {
 
 struct NullRadv {
-  std::string family;            // as RADV_FORCE_FAMILY takes it, for example navi21
+  std::string family;            // value of RADV_FORCE_FAMILY, for example navi21
   std::filesystem::path worker;  // the program whose "cost-worker" runs run_radv_worker(): penumbra itself
-  std::chrono::milliseconds time_limit{60'000};  // of one shader
+  std::chrono::milliseconds time_limit{60'000};  // limit for one shader
 };
 
 struct RadvFamily {
-  std::string name;    // as asked for
-  std::string device;  // as the driver calls it
-  std::string driver;  // with its version, for example "radv Mesa 22.3.6"
+  std::string name;    // the requested name
+  std::string device;  // the driver's name of the device
+  std::string driver;  // driver and version, for example "radv Mesa 22.3.6"
 };
 
 // Throws InputError suggesting the nearest family if the driver does not know the name, EnvironmentError if
@@ -45,14 +45,15 @@ struct ModuleToMeasure {
 };
 
 struct Measurement {
-  std::string failure;                      // why there are no figures; empty when there are
+  std::string failure;                      // why there are no figures; else empty
   std::uint32_t subgroup_size = 0;          // lanes the driver chose
   std::vector<DriverStatistic> statistics;  // all of the driver's, in its order
   Figures figures;
 };
 
-// One for each module, in order. Does not throw for an invalid shader or a driver's crash: that is a failure
-// with its reason. Throws EnvironmentError if the worker cannot be started, platform::Interrupted.
+// Returns one measurement for each module, in order. Does not throw for an invalid shader or a driver's
+// crash: the result is then a failure with its reason. Throws EnvironmentError if the worker cannot be
+// started, platform::Interrupted.
 std::vector<Measurement> measure(const NullRadv& radv, std::span<const ModuleToMeasure> modules);
 
 }  // namespace penumbra::cost

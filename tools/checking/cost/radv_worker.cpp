@@ -26,7 +26,7 @@ struct Request {
   std::vector<std::uint32_t> words;
 };
 
-// Nothing at the end of the input.
+// Returns nothing at the end of the input.
 std::optional<Request> read_request(std::istream& input) {
   std::string line;
   if (!std::getline(input, line)) return std::nullopt;
@@ -109,7 +109,7 @@ void run_radv_worker(unsigned seconds, std::istream& input, std::ostream& output
   platform::close_descriptors_from(3);
   platform::limit_processor_time(seconds);
   try {
-    // The only device of this driver under RADV_FORCE_FAMILY; all its devices have RADV in their names.
+    // The driver has only this device under RADV_FORCE_FAMILY; all its devices have RADV in their names.
     const gpu::StatisticsDevice device("RADV");
     platform::confine_process(kMemory);
     write_line(output, {{"device", device.info().name}, {"driver", device.info().driver}});

@@ -8,12 +8,13 @@
 
 namespace penumbra::cost {
 
-std::vector<std::string> technique_names(const CostRow& row);  // each once, in order; none of a user's file
-std::string keywords_text(const CostRow& row);                 // " +A +B or none", or nothing
-std::string figure_text(const Figure& figure);                 // "-" when the driver gave none
+std::vector<std::string> technique_names(const CostRow& row);  // each once, in order; empty for a user's file
+std::string keywords_text(const CostRow& row);                 // " +A +B or none", or empty
+std::string figure_text(const Figure& figure);                 // "-" if the driver gave no figure
 
-// The columns of a family's table: every figure but those that are 0 in all its rows, the lanes of a subgroup
-// and the counts of SPIR-V. absent_figures() names those that are 0 in all tables ("" when there are none).
+// Returns the columns of a family's table: every figure but those that are 0 in all its rows, the lanes of a
+// subgroup and the counts of SPIR-V. absent_figures() names those that are 0 in all tables ("" when there are
+// none).
 std::vector<std::string> column_heads(const CostReport& report, const std::string& family);
 std::vector<std::string> column_cells(const CostReport& report, const CostRow& row);
 std::string absent_figures(const CostReport& report);

@@ -1,4 +1,4 @@
-// The same task for every index of a list, on several threads.
+// Threads that run the same task for every index of a list.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 
 namespace penumbra::lint {
 
-// Of a legalised module.
+// `linted` is a legalised module.
 std::vector<Finding> arithmetic_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -10,7 +10,7 @@ namespace penumbra::lint {
 
 namespace {
 
-// Callees before callers. With recursion, which HLSL forbids, some call has no known effect.
+// Callees come before callers. With recursion, which HLSL forbids, some call has no known effect.
 std::vector<const spirv::Function*> callees_first(const spirv::Code& code) {
   std::vector<const spirv::Function*> order;
   std::set<spirv::Id> seen;
@@ -40,8 +40,8 @@ std::vector<const spirv::Function*> callees_first(const spirv::Code& code) {
   return order;
 }
 
-// Which parameters are out: SPIR-V does not record it, but a caller passes an uninitialised copy for an out
-// parameter.
+// Returns which parameters are out: SPIR-V does not record it, but a caller passes an uninitialised copy for
+// an out parameter.
 std::map<spirv::Id, std::vector<bool>> out_parameters(const spirv::Code& code) {
   std::set<spirv::Id> stored;
   for (const spirv::Instruction& instruction : code.instructions()) {

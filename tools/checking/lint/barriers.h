@@ -9,7 +9,7 @@
 
 namespace penumbra::lint {
 
-// Of a legalised compute shader.
+// `linted` is a legalised compute shader.
 std::vector<Finding> barrier_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -39,12 +39,12 @@ class ComponentLayout {
 
   std::size_t count(spirv::Id type);
 
-  // The part of `whole` that one more index selects.
+  // Returns the part of `whole` that one more index selects.
   Part select(const Part& whole, spirv::Id index_constant);
   Part select_literal(const Part& whole, std::uint32_t index);
 
-  // The largest part that is missing whole, the first of several; its path is ".uv.x" or "[2].color", and
-  // empty when it is all of the type.
+  // The largest part that is missing as a whole, the first of several. Its path is ".uv.x" or "[2].color",
+  // and empty when it is all of the type.
   struct Missing {
     std::string path;
     std::size_t first = 0;
@@ -56,7 +56,7 @@ class ComponentLayout {
   std::size_t uncapped(spirv::Id type);
   struct Parts {
     std::size_t number = 0;
-    spirv::Id type = 0;  // of every part; of structs see member
+    spirv::Id type = 0;  // type of every part; for structs see `member`
   };
   Parts parts(spirv::Id type) const;
   std::string step(spirv::Id type, std::size_t index) const;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int deepest_type = 64;
 
-// Bytes from a member's start to its end, padding after the last element left out. `matrix_stride` is the
-// member's own decoration.
+// Returns the bytes from a member's start to its end, without padding after the last element. `matrix_stride`
+// is the member's own decoration.
 std::uint64_t size_of(const spirv::Code& code, spirv::Id type, std::uint32_t matrix_stride, bool row_major,
                       int depth) {
   const spirv::Instruction* of = code.definition(type);

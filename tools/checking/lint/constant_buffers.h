@@ -9,7 +9,7 @@
 
 namespace penumbra::lint {
 
-// Of the block's struct type.
+// `block_type` is the block's struct type.
 ConstantBuffer constant_buffer(const spirv::Code& code, spirv::Id block_type);
 
 }  // namespace penumbra::lint

@@ -8,7 +8,7 @@ namespace penumbra::lint {
 
 namespace {
 
-// The targets a terminator can reach.
+// Returns the targets that a terminator can reach.
 std::vector<spirv::Id> targets(const spirv::Code& code, const spirv::Instruction& end) {
   switch (end.op) {
     case spv::OpBranch:
@@ -38,7 +38,7 @@ std::size_t nearer(const std::vector<std::size_t>& dominator, const std::vector<
   return a;
 }
 
-// Where execution continues after the innermost condition or loop around a node.
+// Returns the node at which execution continues after the innermost condition or loop around a node.
 std::size_t end_of_construct(const ControlFlow& flow, std::size_t node) {
   for (std::size_t at = node;; at = flow.dominator[at]) {
     const std::size_t merge = flow.merge[at];
@@ -47,7 +47,7 @@ std::size_t end_of_construct(const ControlFlow& flow, std::size_t node) {
   }
 }
 
-// The graph with one added exit, a successor of every end and, for infinite loops, of their headers.
+// Returns the graph with one added exit, a successor of every end and, for infinite loops, of their headers.
 Graph with_exit(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow) {
   Graph graph = flow.successors;
   const std::size_t exit = graph.size();

@@ -1,9 +1,9 @@
 // The control-flow graph of a SPIR-V function, its dominators and control dependence. Internal to this
 // folder.
 //
-// Nodes are the indices of Function::blocks. Branches on a constant have one successor. Dominators after
-// Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001); control dependence after Ferrante,
-// Ottenstein and Warren, "The Program Dependence Graph and Its Use in Optimization" (1987).
+// Nodes are the indices of Function::blocks. Branches on a constant have one successor. Dominators follow
+// Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001); control dependence follows
+// Ferrante, Ottenstein and Warren, "The Program Dependence Graph and Its Use in Optimization" (1987).
 #pragma once
 
 #include <cstddef>
@@ -24,30 +24,31 @@ constexpr std::size_t most_blocks = 4'000;
 struct ControlFlow {
   Graph successors;
   Graph predecessors;
-  std::vector<std::size_t> order;      // reachable nodes in reverse postorder, the entry first
-  std::vector<std::size_t> dominator;  // immediate; of the entry itself; no_node where unreachable
-  std::vector<std::size_t> merge;      // by node: the merge block it declares, or no_node
-  std::vector<std::size_t> depth;      // in the dominator tree
+  std::vector<std::size_t> order;  // reachable nodes in reverse postorder, the entry first
+  // Immediate dominators; the entry's is itself; no_node where unreachable.
+  std::vector<std::size_t> dominator;
+  std::vector<std::size_t> merge;  // for each node: the merge block that it declares, or no_node
+  std::vector<std::size_t> depth;  // depth in the dominator tree
 
   bool reachable(std::size_t node) const { return dominator[node] != no_node; }
   bool dominates(std::size_t above, std::size_t below) const;
-  // Whether the header declares a merge block, and the node is in the condition or loop before it.
+  // Returns whether the header declares a merge block, and the node is in the condition or loop before it.
   bool encloses(std::size_t header, std::size_t node) const;
 };
 
 ControlFlow control_flow(const spirv::Code& code, const spirv::Function& function);
 
-// The last instruction of a block.
+// Returns the last instruction of a block.
 const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block);
-// OpSelectionMerge or OpLoopMerge of a block that has one.
+// Returns OpSelectionMerge or OpLoopMerge of a block that has one.
 const spirv::Instruction& merge_instruction(const spirv::Code& code, const spirv::Block& block);
 
 Graph reversed(const Graph& graph);
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);
 std::vector<std::size_t> immediate_dominators(const Graph& graph, std::size_t entry);
 
-// For every node the branches on which it is directly control-dependent: one successor always leads to it,
-// another need not. `discard` is not an exit: Direct3D and Vulkan's demotion keep the invocation for
+// Returns for every node the branches on which it is directly control-dependent: one successor always leads
+// to it, another need not. `discard` is not an exit: Direct3D and Vulkan's demotion keep the invocation for
 // derivatives, so a block that ends in OpKill counts as continuing where its condition ends.
 Graph control_dependence(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow);
 

@@ -100,13 +100,13 @@ bool Divergence::input_varies(spirv::Id variable) const {
   return !of_primitive && !code_.decoration(variable, spv::DecorationFlat);
 }
 
-// As opposed to memory that all threads see.
+// Returns whether the variable is a thread's own, as opposed to memory that all threads see.
 bool Divergence::is_own_memory(spirv::Id variable) const {
   const std::optional<spv::StorageClass> storage = code_.storage_class(code_.definition(variable)->type);
   return storage == spv::StorageClassFunction || storage == spv::StorageClassPrivate;
 }
 
-// Paths that join here carry different values, and a divergent condition decides which path a pixel took.
+// Paths that join here have different values, and a divergent condition decides which path a pixel took.
 bool Divergence::phi_varies(const spirv::Instruction& phi, std::size_t node) const {
   bool same = true;
   for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2) {
@@ -148,7 +148,7 @@ void Divergence::mark_control() {
   }
 }
 
-// Variables that remain in memory after conversion to SSA: arrays with dynamic indices.
+// These variables remain in memory after conversion to SSA: arrays with dynamic indices.
 bool Divergence::mark_stores() {
   bool changed = false;
   for (const std::size_t node : flow_.order) {

@@ -1,12 +1,12 @@
-// Divergence analysis: which values of a shader differ between the pixels of a quad, or the threads of a
-// group, and which blocks are in divergent control flow. Internal to this folder.
+// Divergence analysis: the values of a shader that differ between the pixels of a quad, or the threads of a
+// group, and the blocks in divergent control flow. Internal to this folder.
 //
-// After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): values are
+// Source: Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011). Values are
 // divergent at their sources (interpolated inputs, atomics, calls that could not be inlined), if they depend
 // on divergent values (data dependence), if a divergent branch controls them (sync dependence), and after a
 // loop with a divergent number of iterations (temporal divergence). Flat inputs are uniform within a quad,
-// which lies in one primitive (SPIR-V specification, "derivative group"). In a group of threads what all of
-// them read at one place of shared memory, a buffer or texture is uniform, as for Direct3D's compiler:
+// which lies in one primitive (SPIR-V specification, "derivative group"). In a group of threads, a value that
+// all of them read at one place of shared memory, a buffer or texture is uniform, as for Direct3D's compiler:
 // published shaders leave loops by such values.
 #pragma once
 
@@ -20,19 +20,22 @@
 
 namespace penumbra::lint {
 
-enum class Together { quad, group };  // what runs together: of a fragment or of a compute shader
+// The invocations that run together: a fragment's quad or a compute shader's group.
+enum class Together { quad, group };
 
 class Divergence {
  public:
-  // For a function of a legalised module. `function` must have at most most_blocks blocks.
+  // `function` is one of a legalised module and must have at most most_blocks blocks.
   Divergence(const spirv::Code& code, const spirv::Function& function, Together together);
 
   bool varies(spirv::Id value) const { return value < varies_.size() && varies_[value]; }
 
-  // Branches on varying conditions that decide whether a node runs, directly or through other branches.
+  // Returns the branches on varying conditions that decide whether a node runs, directly or through other
+  // branches.
   std::vector<std::size_t> varying_branches_over(std::size_t node) const;
 
-  // The header of the innermost loop that has both nodes and that `branch` may leave; no_node for none.
+  // Returns the header of the innermost loop that has both nodes and that `branch` may leave; no_node for
+  // none.
   std::size_t loop_left_by(std::size_t branch, std::size_t node) const;
 
   const ControlFlow& flow() const { return flow_; }
@@ -63,14 +66,14 @@ class Divergence {
   ControlFlow flow_;
   Graph depends_;  // control dependence, direct
   std::vector<Loop> loops_;
-  std::vector<std::size_t> node_of_;  // by id: where its value is defined
-  std::vector<bool> varies_;          // by id; for a variable: its contents
-  std::vector<bool> branch_varies_;   // by node: ends in a branch on a varying value
-  std::vector<bool> runs_apart_;      // by node: some varying branch decides whether it runs
+  std::vector<std::size_t> node_of_;  // for each id: the node that defines its value
+  std::vector<bool> varies_;          // for each id; for a variable it means its contents
+  std::vector<bool> branch_varies_;   // for each node: it ends in a branch on a varying value
+  std::vector<bool> runs_apart_;      // for each node: some varying branch decides whether it runs
 };
 
-// Of the condition on which the block branches, for messages: " at line 12", " at Other.hlsl:12", seen from
-// that place; empty if it is not known.
+// Returns the place of the condition on which the block branches, for messages: " at line 12", " at
+// Other.hlsl:12", seen from that place; empty if it is not known.
 std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
                                spirv::Place from);
 

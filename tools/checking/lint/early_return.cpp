@@ -11,7 +11,7 @@ namespace penumbra::lint {
 
 namespace {
 
-// The most components of a result that FXC chooses without a branch.
+// The largest number of components of a result that FXC chooses without a branch.
 constexpr std::size_t most_chosen = 16;
 
 bool reads_texture(const spirv::Instruction& instruction, const std::set<spirv::Id>& readers) {
@@ -20,7 +20,7 @@ bool reads_texture(const spirv::Instruction& instruction, const std::set<spirv::
          instruction.op != spv::OpImageWrite && instruction.op != spv::OpImage;
 }
 
-// Functions that read a texture, by themselves or by a call: FXC inlines all of them.
+// Returns the functions that read a texture, by themselves or by a call: FXC inlines all of them.
 std::set<spirv::Id> texture_readers(const spirv::Code& code) {
   std::set<spirv::Id> readers;
   for (std::size_t before = 1; before != readers.size();) {
@@ -43,11 +43,11 @@ class ReturnsOf {
         readers_(readers),
         flow_(control_flow(linted.code, function)) {}
 
-  // `large`: what the function returns makes every condition around a return a branch.
+  // `large` means that the size of the function's result makes every condition around a return a branch.
   std::vector<Finding> findings(bool large) const {
     std::vector<Finding> findings;
     std::set<std::size_t>
-        setting;  // conditions around returns that FXC chooses: the result is set behind them
+        setting;  // conditions around returns that FXC turns into a choice: the result is set behind them
     for (const std::size_t node : flow_.order) {
       const spirv::Instruction& end = terminator(linted_.code, function_.blocks[node]);
       if (end.op != spv::OpReturnValue) continue;
@@ -60,7 +60,7 @@ class ReturnsOf {
   }
 
  private:
-  // The innermost; the function's first block without one.
+  // Returns the innermost condition; without one, the function's first block.
   std::size_t condition_around(std::size_t node) const {
     std::size_t at = node;
     while (flow_.dominator[at] != at) {
@@ -78,8 +78,8 @@ class ReturnsOf {
     return false;
   }
 
-  // A condition around the return, from the innermost to the outermost, that FXC makes a branch, with code
-  // behind it and outside of loops.
+  // Returns whether FXC makes a branch of a condition around the return, from the innermost to the outermost,
+  // with code behind it and outside of loops.
   bool is_early(std::size_t returns, bool large) const {
     bool early = false;
     for (std::size_t at = returns; flow_.dominator[at] != at;) {
@@ -133,7 +133,7 @@ class ReturnsOf {
   const ControlFlow flow_;
 };
 
-// In a helper function of one return there is none that is early.
+// A helper function of one return has none that is early.
 bool has_several_returns(const spirv::Code& code, const spirv::Function& function) {
   if (function.id == code.entry_function() || code.name(function.id).starts_with('@') ||
       function.blocks.size() > most_blocks)

@@ -1,5 +1,5 @@
-// Rule early-return: a function that returns from within a condition, of which FXC says that its result may
-// be uninitialised (X4000) and which it may then refuse (X8000). Internal to this folder.
+// Rule early-return: a function returns from within a condition. FXC then says that its result may be
+// uninitialised (X4000), and may refuse it (X8000). Internal to this folder.
 //
 // FXC makes a branch of a condition with [branch], of one with texture reads, and of one whose function
 // returns more than 16 components; it turns others into a choice of values, where nothing is left
@@ -14,7 +14,7 @@
 
 namespace penumbra::lint {
 
-// Of a module before inlining.
+// `linted` is a module before inlining.
 std::vector<Finding> early_return_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

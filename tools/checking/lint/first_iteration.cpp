@@ -17,7 +17,7 @@ double as_unsigned(double value) {
   return value < 0 ? value + 4294967296.0 : value;
 }
 
-// Values of a loop's condition before its first iteration, as far as they are constant.
+// The values of a loop's condition before its first iteration, as far as they are constant.
 class FirstRound {
  public:
   FirstRound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
@@ -112,7 +112,8 @@ class FirstRound {
     return Target{chain->operands[0], component};
   }
 
-  // Whether an instruction writes to the given part; nothing if it writes to an unknown part of the variable.
+  // The answer to whether an instruction writes to the given part; `unknown` if it writes to an unknown part
+  // of the variable.
   enum class Writes { no, yes, unknown };
   Writes writes(const spirv::Instruction& instruction, const Target& asked) const {
     const auto names = [&](spirv::Id id) {
@@ -129,7 +130,7 @@ class FirstRound {
     return !written->component || written->component == asked.component ? Writes::yes : Writes::no;
   }
 
-  // The value that the last store before the loop wrote to a variable.
+  // Returns the value that the last store before the loop wrote to a variable.
   std::optional<double> stored(spirv::Id pointer, int depth) const {
     const std::optional<Target> asked = target(pointer);
     if (!asked) return std::nullopt;
@@ -151,7 +152,7 @@ class FirstRound {
     return std::nullopt;
   }
 
-  // One component of a vector that is composed of parts.
+  // Returns one component of a vector that is composed of parts.
   std::optional<double> component(spirv::Id vector, std::int64_t index, int depth) const {
     const spirv::Instruction* of = code_.definition(vector);
     const bool composite =
@@ -174,7 +175,7 @@ class FirstRound {
   std::size_t before_;
 };
 
-// The block of a loop with the loop condition: the header, or its successor.
+// Returns the block of a loop with the loop condition: the header, or its successor.
 std::size_t test_of(const ControlFlow& flow, std::size_t header) {
   if (flow.successors[header].size() != 1) return header;
   const std::size_t next = flow.successors[header].front();

@@ -14,7 +14,7 @@
 namespace penumbra::lint {
 
 struct Paths {
-  std::vector<std::size_t> block;  // by node; two nodes may refer to one block
+  std::vector<std::size_t> block;  // block of each node; two nodes may have one block
   Graph successors;
   Graph predecessors;
   std::vector<std::size_t> order;  // reachable nodes, reverse postorder

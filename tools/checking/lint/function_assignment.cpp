@@ -18,8 +18,8 @@ constexpr std::size_t most_work = 64'000'000;
 // A value with unassigned components, and the variable from which it was read.
 struct PartlySet {
   Components set;
-  std::size_t variable = no_node;  // the local it was loaded from, or
-  Part part;                       // of that local, or of what the function returned
+  std::size_t variable = no_node;  // the local variable it was loaded from, or
+  Part part;                       // part of that local variable, or of what the function returned
   spirv::Id callee = 0;            // the function that returned it
 };
 
@@ -69,7 +69,8 @@ class FunctionAssignment {
   AssignmentFindings findings;
 
  private:
-  // Greatest fixed point: start from "everything is set" and remove components until nothing changes.
+  // Computes the greatest fixed point: it starts from "everything is set" and removes components until
+  // nothing changes.
   void settle() {
     at_end_.assign(paths_.block.size(), Components(memory_.components(), true));
     for (bool changed = true; changed;) {
@@ -150,7 +151,7 @@ class FunctionAssignment {
     return parameter >= 0 && !is_out_[static_cast<std::size_t>(parameter)];
   }
 
-  // Only copied for the call that follows, so not a read yet: the callee's effect has its reads.
+  // A value that is only copied for the call that follows is not read yet: the callee's effect has its reads.
   bool only_for_calls(spirv::Id value) const {
     const auto& users = memory_.uses(value);
     return !users.empty() && std::all_of(users.begin(), users.end(), [&](const spirv::Instruction* user) {
@@ -177,7 +178,7 @@ class FunctionAssignment {
     read(from->variable, from->part, set, wanted(instruction, set.size()), instruction.place, 0);
   }
 
-  // The components of a loaded vector that anything uses.
+  // Returns the components of a loaded vector that anything uses.
   Components wanted(const spirv::Instruction& loaded, std::size_t count) const {
     if (code_.op(loaded.type) != spv::OpTypeVector) return Components(count, true);
     Components used(count, false);
@@ -313,7 +314,7 @@ class FunctionAssignment {
       state_[first + i] = state_[first + i] || effect.set[i];
   }
 
-  // The variable of which glslang's argument copy has the value; the argument itself if it is not such a
+  // Returns the variable whose value glslang's argument copy has; the argument itself if it is not such a
   // copy.
   LocalPointer source_of(const LocalPointer& argument) const {
     const LocalVariable& copy = memory_.variables()[argument.variable];

@@ -14,7 +14,7 @@ struct FunctionResult {
   FunctionEffect effect;
 };
 
-// `is_out` by parameter; a call of a function without a known effect assigns and reads nothing.
+// `is_out` is indexed by parameter; a call of a function without a known effect assigns and reads nothing.
 FunctionResult function_assignment(const spirv::Code& code, const spirv::Function& function,
                                    const std::vector<bool>& is_out,
                                    const std::map<spirv::Id, FunctionEffect>& effects);

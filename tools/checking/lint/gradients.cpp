@@ -97,7 +97,7 @@ std::vector<Finding> gradient_findings(const LintedCode& linted) {
   return findings;
 }
 
-// `[unroll(8)]`, which is a bound: in the loop's line, or the one before it.
+// The attribute `[unroll(8)]` is a bound; it stands in the loop's line, or the one before it.
 bool names_bound(const LintedCode& linted, const spirv::Place& place) {
   for (int line = place.line; line > 0 && line > place.line - 2; --line) {
     std::string words = linted.sources.line(linted.code.file_name(place.file), line);

@@ -14,10 +14,10 @@
 
 namespace penumbra::lint {
 
-// Of a legalised fragment shader.
+// `linted` is a legalised fragment shader.
 std::vector<Finding> gradient_findings(const LintedCode& linted);
 
-// Loops marked [unroll] without a constant bound; any stage, legalised.
+// Finds loops marked [unroll] without a constant bound, in any legalised stage.
 std::vector<Finding> unroll_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -10,8 +10,8 @@ namespace penumbra::lint {
 
 namespace {
 
-// A store through an index into a vector or matrix that is not a constant, of something that the shader
-// declares.
+// Returns whether the instruction stores through an index that is not a constant into a vector or matrix that
+// the shader declares.
 bool writes_by_index(const spirv::Code& code, const spirv::Instruction& instruction) {
   const spirv::Instruction* chain =
       instruction.op == spv::OpStore ? code.definition(instruction.operands[0]) : nullptr;
@@ -55,8 +55,8 @@ class WritesOf {
     }
   }
 
-  // A jump to the loop's next iteration that some condition guards which ends before the write, of which the
-  // compiler does not know whether it is taken.
+  // Returns whether a jump to the loop's next iteration, guarded by a condition that ends before the write,
+  // may skip it: the compiler does not know whether the jump is taken.
   bool may_be_skipped(std::size_t write, std::size_t loop) const {
     const spirv::Id next = merge_of(loop).operands[1];
     return std::any_of(flow_.order.begin(), flow_.order.end(), [&](std::size_t node) {

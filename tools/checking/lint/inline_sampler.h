@@ -10,7 +10,7 @@
 
 namespace penumbra::lint {
 
-// The name holds a filter mode and a wrap mode.
+// Returns whether the name holds a filter mode and a wrap mode.
 bool is_inline_sampler(std::string_view name);
 
 }  // namespace penumbra::lint

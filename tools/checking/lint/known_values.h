@@ -1,8 +1,8 @@
-// Whether a compiler that inlines functions and unrolls loops knows a value. Internal to this folder.
+// A test whether a compiler that inlines functions and unrolls loops knows a value. Internal to this folder.
 //
-// It knows what is computed from constants alone, loop counters among them. Where a value is known decides
-// what FXC makes of conditions: it removes those that it knows. Only data flow is followed, so "known" may be
-// wrong where a branch on something unknown chooses among constants.
+// Such a compiler knows values that are computed from constants alone, loop counters among them. It decides
+// what FXC makes of conditions: FXC removes those that it knows. Only data flow is followed, so "known" may
+// be wrong where a branch on something unknown chooses among constants.
 #pragma once
 
 #include <map>
@@ -12,12 +12,12 @@
 
 namespace penumbra::lint {
 
-// The variable or parameter of which a pointer is a part.
+// Returns the variable or parameter that a pointer points into.
 spirv::Id base_of(const spirv::Code& code, spirv::Id pointer);
 
 class KnownValues {
  public:
-  // Of a module before inlining, which must outlive this object.
+  // `code` is a module before inlining, which must outlive this object.
   explicit KnownValues(const spirv::Code& code);
 
   bool known(spirv::Id value) const;
@@ -26,7 +26,7 @@ class KnownValues {
   bool comes_from_outside(const spirv::Instruction& definition) const;
 
   const spirv::Code& code_;
-  // By variable or parameter: the values that are stored to it, and the arguments of calls.
+  // The values that are stored to each variable or parameter, and the arguments of calls.
   std::map<spirv::Id, std::vector<spirv::Id>> stored_;
   std::map<spirv::Id, std::vector<spirv::Id>> given_;
 };

@@ -14,10 +14,10 @@ namespace penumbra::lint {
 
 struct LocalVariable {
   spirv::Id id = 0;
-  spirv::Id type = 0;     // of what it holds
+  spirv::Id type = 0;     // type of its contents
   std::size_t first = 0;  // its first component in the list of all of them
   std::size_t count = 0;
-  int parameter = -1;  // its position when it is one
+  int parameter = -1;  // its position if it is a parameter
   bool initialised = false;
   bool copy_for_call = false;  // glslang's "param": a copy of an argument for the duration of a call
   Components stored;           // components that something in the function stores to
@@ -36,7 +36,7 @@ class LocalMemory {
   std::size_t components() const { return components_; }
   const LocalPointer* pointer(spirv::Id id) const;
 
-  // Instructions of the function that use a value, by its id.
+  // Returns the instructions of the function that use a value, by its id.
   const std::vector<const spirv::Instruction*>& uses(spirv::Id value) const;
 
  private:

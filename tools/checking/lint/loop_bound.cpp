@@ -34,7 +34,7 @@ bool has_constant_bound(const spirv::Code& code, const spirv::Function& function
     if (!body[node]) continue;
     const spirv::Instruction& end = terminator(code, function.blocks[node]);
     if (end.op != spv::OpBranchConditional) continue;
-    // `if (c) break;` branches to a separate block, which is not part of the loop either.
+    // In `if (c) break;` the branch goes to a separate block, which is not part of the loop either.
     const bool leaves = std::any_of(flow.successors[node].begin(), flow.successors[node].end(),
                                     [&](std::size_t to) { return !body[to]; });
     if (leaves && compares_with_constant(code, end.operands[0], 0)) return true;
@@ -42,7 +42,7 @@ bool has_constant_bound(const spirv::Code& code, const spirv::Function& function
   return false;
 }
 
-// Natural loop: the nodes that reach a back edge without passing the header.
+// The nodes of a natural loop reach a back edge without passing the header.
 std::vector<bool> loop_body(const ControlFlow& flow, std::size_t header) {
   std::vector<std::size_t> waiting;
   for (const std::size_t from : flow.predecessors[header])

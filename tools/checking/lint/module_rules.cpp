@@ -40,7 +40,7 @@ bool is_small(const spirv::Code& code) {
   return blocks <= most_blocks;
 }
 
-// `known`: the legalised words, if available.
+// `known` has the legalised words, if available.
 std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
                                         const spirv::Module& known) {
   std::vector<Finding> findings;
@@ -66,7 +66,7 @@ void sort_and_unify(std::vector<Finding>& findings) {
   findings.erase(last, findings.end());
 }
 
-// The module without OpLine and OpNoLine.
+// Returns the module without OpLine and OpNoLine.
 spirv::Module without_lines(const spirv::Module& words) {
   return spirv::with_instructions(words, [](spirv::Words instruction) {
     const spv::Op op = spirv::opcode(instruction);

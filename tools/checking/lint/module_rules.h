@@ -22,18 +22,18 @@ struct ModuleToLint {
   std::vector<std::uint32_t> spirv;  // unoptimised, with debug lines
   hlsl::Stage stage = hlsl::Stage::fragment;
   std::string file;           // the main file, for findings with no line
-  hlsl::SourceFiles sources;  // as CompileResult has them
-  // Ten times `#pragma target` (25, 30, 35, 45, 50); 0: none was given.
+  hlsl::SourceFiles sources;  // see CompileResult::sources
+  // The shader target is ten times `#pragma target` (25, 30, 35, 45, 50); 0 if none was given.
   int shader_target = 0;
-  // The legalised SPIR-V, if the compiler has produced it: a faster check whether there is anything to
-  // report. Empty: not available.
+  // The legalised SPIR-V, if the compiler has produced it: with it, a check whether there is anything to
+  // report is faster. It is empty if not available.
   std::vector<std::uint32_t> legalised{};
 };
 
 std::vector<Finding> lint_module(const ModuleToLint& module);
 
-// The two steps: the findings of the module, equal for equal modules, and their filtering by the comments in
-// the texts.
+// These are the two steps: the findings of the module, equal for equal modules, and their filtering by the
+// comments in the texts.
 std::vector<Finding> module_findings(const ModuleToLint& module);
 std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
 

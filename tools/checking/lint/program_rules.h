@@ -29,11 +29,11 @@ struct ConstantBuffer {
   std::vector<ConstantBufferMember> members;
 };
 
-// All constant buffers that an unoptimised module declares, used or not. Throws std::invalid_argument for
-// words that are not SPIR-V.
+// Returns all constant buffers that an unoptimised module declares, used or not. Throws std::invalid_argument
+// for words that are not SPIR-V.
 std::vector<ConstantBuffer> constant_buffers(const std::vector<std::uint32_t>& spirv);
 
-// One compiled stage of one pass.
+// A compiled stage of a pass.
 struct PassStage {
   std::string pass;  // its name, for messages
   hlsl::Stage stage = hlsl::Stage::fragment;
@@ -45,10 +45,10 @@ struct NamedPlace {
   std::string name;
   int line = 0;
   int column = 0;
-  std::string file{};  // empty: the shader's own
+  std::string file{};  // if empty, the shader's own file
 };
 
-// One SubShader.
+// A SubShader.
 struct ShaderToLint {
   std::string file;
   std::vector<NamedPlace> properties;  // numbers, colours, vectors of the Properties block; no textures
@@ -61,9 +61,10 @@ std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader);
 
 // The result of preprocessing or compiling one variant.
 struct VariantText {
-  std::vector<std::string> keywords;  // those that are on
+  std::vector<std::string> keywords;  // the keywords that are on
   std::string hash;                   // equal for equal results
-  std::string source{};  // the entry point and the graphics API: only variants of one are compared
+  // The entry point and the graphics API: only variants of the same source are compared.
+  std::string source{};
 };
 
 struct ProgramKeywords {

@@ -26,7 +26,7 @@ constexpr hlsl::NameSet reserved("pass", "technique", "technique10", "technique1
 // FXC reads these in upper and lower case.
 constexpr hlsl::NameSet reserved_in_any_case("pass", "technique", "asm", "decl");
 
-// Words of statements, behind which a name is used.
+// These words begin statements, and a name behind them is used, not declared.
 constexpr hlsl::NameSet statements("return", "else", "do", "case");
 constexpr hlsl::NameSet kinds_with_members("struct", "class", "cbuffer", "tbuffer", "interface");
 
@@ -39,7 +39,7 @@ bool is_reserved(std::string_view word) {
   return reserved_in_any_case.contains(lower);
 }
 
-// `Texture2D<float4>` before the name: few tokens, which no expression has.
+// A template such as `Texture2D<float4>` before the name has few tokens, which no expression has.
 template <typename Tokens>
 bool ends_template(const Tokens& tokens, std::size_t close) {
   constexpr std::size_t longest = 6;
@@ -48,7 +48,8 @@ bool ends_template(const Tokens& tokens, std::size_t close) {
   return false;
 }
 
-// A type stands before the name, or another name of the declaration, and behind it what may follow there.
+// A declared name has a type or another name of the declaration before it, and a token that may follow there
+// behind it.
 template <typename Tokens>
 bool is_declared(const Tokens& tokens, std::size_t at) {
   if (at == 0 || at + 1 == tokens.size()) return false;

@@ -12,8 +12,8 @@
 
 namespace penumbra::lint {
 
-// `expanded`: without comments and macros, with #line directives (hlsl/tokens.h); lines before the first that
-// names a file are in `main_file`. One finding for each place.
+// `expanded` is without comments and macros, with #line directives (hlsl/tokens.h); lines before the first
+// that names a file are in `main_file`. There is one finding for each place.
 std::vector<Finding> reserved_name_findings(const std::string& expanded, const std::string& main_file,
                                             const hlsl::SourceFiles& sources);
 

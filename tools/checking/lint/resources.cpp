@@ -12,7 +12,7 @@ namespace penumbra::lint {
 
 namespace {
 
-// d3d11.h
+// The limits are those of d3d11.h.
 constexpr std::size_t most_samplers = 16;          // D3D11_COMMONSHADER_SAMPLER_SLOT_COUNT
 constexpr std::size_t most_textures = 128;         // D3D11_COMMONSHADER_INPUT_RESOURCE_SLOT_COUNT
 constexpr std::size_t most_constant_buffers = 14;  // D3D11_COMMONSHADER_CONSTANT_BUFFER_API_SLOT_COUNT
@@ -25,11 +25,11 @@ enum class Kind { sampler, texture, constant_buffer, writable, other };
 struct Used {
   Kind kind = Kind::other;
   spirv::Id variable = 0;
-  spirv::Id type = 0;  // without arrays
+  spirv::Id type = 0;  // type without arrays
   std::size_t slots = 1;
 };
 
-// Strips arrays: an array takes a slot for every element.
+// Strips arrays, because an array takes a slot for every element.
 Used described(const spirv::Code& code, const spirv::Instruction& variable) {
   Used used{Kind::other, variable.result, code.pointee(variable.type), 1};
   const spirv::Instruction* type = code.definition(used.type);
@@ -91,8 +91,8 @@ void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used
   }
 }
 
-// glslang's buffer for the counter of an AppendStructuredBuffer or similar: in Direct3D it is part of the
-// buffer.
+// Returns whether the name is that of glslang's buffer for the counter of an AppendStructuredBuffer or
+// similar: in Direct3D it is part of the buffer.
 bool is_counter(const std::string& name) {
   return name.ends_with("@count");
 }
@@ -126,7 +126,7 @@ void check_sizes(const LintedCode& linted, const std::vector<Used>& used, std::v
   }
 }
 
-// The number of scalar components of a value between stages, and of registers without packing.
+// The number of scalar components of a value between stages, and the number of registers without packing.
 struct Footprint {
   std::size_t components = 0;
   std::size_t registers = 0;

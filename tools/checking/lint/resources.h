@@ -14,7 +14,7 @@
 
 namespace penumbra::lint {
 
-// Of a legalised module. shader_target: ten times `#pragma target`, 0 for none.
+// `linted` is a legalised module. shader_target is ten times `#pragma target`, and 0 for none.
 std::vector<Finding> resource_findings(const LintedCode& linted, hlsl::Stage stage, int shader_target);
 
 }  // namespace penumbra::lint

@@ -13,12 +13,12 @@ namespace penumbra::lint {
 struct RuleInfo {
   std::string name;                                   // kebab-case, as suppressions and reports spell it
   hlsl::Severity severity = hlsl::Severity::warning;  // the highest that it reports
-  std::string summary;                                // one sentence
+  std::string summary;                                // the description, one sentence
   std::string source;                                 // the page or section that documents it
-  bool of_fxc = false;  // stands in for FXC, which says the same of what it compiles
+  bool of_fxc = false;                                // replaces FXC's own message for what FXC compiles
 };
 
-// In the order of the documentation.
+// The rules are in the order of the documentation.
 const std::vector<RuleInfo>& rules();
 const RuleInfo* find_rule(const std::string& name);
 

@@ -28,7 +28,7 @@ std::string stage_of(const PassStage& stage) {
   return text + ")";
 }
 
-// The buffer that contains a property, if it is not UnityPerMaterial.
+// Reports the buffer that contains a property, if it is not UnityPerMaterial.
 std::optional<Finding> misplaced(const ShaderToLint& shader, const NamedPlace& property) {
   for (const PassStage& stage : shader.stages)
     for (const ConstantBuffer& buffer : stage.buffers) {

@@ -16,7 +16,7 @@ constexpr std::string_view mark = "penumbra-lint:";
 
 struct Comment {
   int line = 0;
-  bool alone = false;  // only white space before it
+  bool alone = false;  // true if only white space stands before it
   bool whole_file = false;
   struct Name {
     std::string text;
@@ -39,7 +39,7 @@ void skip_blanks(std::string_view& rest) {
   while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
 }
 
-// The suppression comment of a line, without names if there is none.
+// Returns the suppression comment of a line, without names if there is none.
 Comment comment_of(std::string_view line, int number) {
   Comment comment;
   comment.line = number;

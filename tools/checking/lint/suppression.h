@@ -3,7 +3,7 @@
 //   // penumbra-lint: disable=rule-name[,rule-name...]        this line, or the next one if it has no code
 //   // penumbra-lint: disable-file=rule-name[,rule-name...]   this file
 //
-// Read from the original texts, before any preprocessing.
+// They are read from the original texts, before any preprocessing.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@
 
 namespace penumbra::lint {
 
-// The findings that no comment at their location suppresses. A finding without a line is suppressed only by
-// disable-file.
+// Returns the findings that no comment at their location suppresses. A finding without a line is suppressed
+// only by disable-file.
 std::vector<Finding> without_suppressed(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
 
-// Comments that name an unknown rule: a suppression without effect looks like one that works.
+// Reports comments that name an unknown rule: a suppression without effect looks like one that works.
 std::vector<Finding> unknown_suppressions(const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

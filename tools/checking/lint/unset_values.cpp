@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_listed = 4;
 
-// "Fill(f1;f1;" -> "Fill"; glslang puts '@' before the shader's own entry function.
+// Turns "Fill(f1;f1;" into "Fill"; glslang puts '@' before the shader's own entry function.
 std::string plain_name(const std::string& name) {
   const std::string cut = name.substr(0, name.find('('));
   return !cut.empty() && cut.front() == '@' ? cut.substr(1) : cut;
@@ -23,7 +23,7 @@ bool is_entry(const LintedCode& linted, const spirv::Function& function) {
   return linted.code.name(function.id).rfind('@', 0) == 0;
 }
 
-// "'o.uv', 'o.fog.x' and 3 more"; for an empty `base` only the members.
+// Returns "'o.uv', 'o.fog.x' and 3 more"; for an empty `base` only the members.
 std::string missing(ComponentLayout& layout, const std::string& base, spirv::Id type, Components set) {
   std::string list;
   std::size_t listed = 0;

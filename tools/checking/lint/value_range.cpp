@@ -17,7 +17,7 @@ Range hull(const Range& a, const Range& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-// 0 times infinity is 0, because infinite bounds are not attained.
+// The product of 0 and infinity is 0, because infinite bounds are not attained.
 double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
@@ -140,8 +140,8 @@ std::uint32_t ValueRanges::components(spirv::Id value) const {
   return type != nullptr && type->op == spv::OpTypeVector ? type->operands[1] : 1;
 }
 
-// An integer that is not negative: a constant, or a loop counter that starts at such a constant and
-// increases.
+// Returns whether an integer cannot be negative: a constant, or a loop counter that starts at such a constant
+// and increases.
 bool ValueRanges::counts_up(spirv::Id integer) const {
   const std::optional<std::int64_t> number = code_.integer(integer);
   if (number) return *number >= 0;

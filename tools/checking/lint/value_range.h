@@ -1,8 +1,8 @@
 // Interval analysis: the range of a floating-point value, from the instructions that compute it. Internal to
 // this folder.
 //
-// Interval arithmetic without NaN, as compilers with fast math assume, which Direct3D's and Unity's are. A
-// vector has one range for all its components. Loop-carried values are unknown.
+// The interval arithmetic is without NaN, as compilers with fast math assume, which Direct3D's and Unity's
+// are. A vector has one range for all its components. Loop-carried values are unknown.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ class ValueRanges {
 
   Range of(spirv::Id value);
 
-  // The value of a constant whose components are all equal.
+  // Returns the value of a constant whose components are all equal.
   std::optional<double> constant(spirv::Id value) const;
 
  private:

@@ -19,7 +19,8 @@ struct Explanation {
 // It runs in a worker process if the options name one. Throws EnvironmentError if it is not available.
 Explanation explain(const CompileUnit& unit, const EngineOptions& options);
 
-// "/* 12 */ code" and a comment where the file changes. `main_file` names what stands before any #line.
+// Returns "/* 12 */ code", with a comment where the file changes. `main_file` names what stands before any
+// #line.
 std::string with_origins(const std::string& preprocessed, const std::string& main_file);
 
 }  // namespace penumbra::validation

@@ -262,9 +262,8 @@ std::string program_title(const VariantRecord& record) {
   if (!record.pass.empty()) text += "pass " + record.pass + (record.shader.empty() ? ", " : " of ");
   if (!record.shader.empty()) text += record.shader + ", ";
   if (!record.entry.empty()) return visible(text + hlsl::stage_name(record.stage) + " entry " + record.entry);
-  return visible(text.empty()
-                     ? record.file
-                     : text.substr(0, text.size() - 2));  // the record is of a file or pass as a whole
+  // The record is of a file or a pass as a whole.
+  return visible(text.empty() ? record.file : text.substr(0, text.size() - 2));
 }
 
 std::string program_titles(const Finding& finding, const ValidationReport& report, const Variants& variants) {
