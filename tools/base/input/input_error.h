@@ -8,8 +8,8 @@
 
 namespace penumbra {
 
-// where: "file", "file:line" or "file:line:column", or empty if the input has no location. what() is "where:
-// problem" followed, if there is a way out, by "\n  way out", with control characters escaped
+// `where` is "file", "file:line" or "file:line:column", or empty if the input has no location. what() is
+// "where: problem" followed, if there is a way out, by "\n  way out", with control characters escaped
 // (visible_text.h), because all three may contain text of untrusted files. The way out may have several
 // lines.
 class InputError : public std::runtime_error {
@@ -19,7 +19,7 @@ class InputError : public std::runtime_error {
                            (way_out.empty() ? "" : "\n  " + visible_lines(way_out))) {}
 };
 
-// A missing device, package root or program: exit code 3.
+// Thrown for a missing device, package root or program: exit code 3.
 class EnvironmentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

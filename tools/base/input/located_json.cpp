@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// How far the parser has read, shared by every copy of the iterator it reads through.
+// The position that the parser has reached, shared by every copy of the iterator it reads through.
 struct ReadSoFar {
   int line = 1;
   int column = 0;
@@ -55,7 +55,7 @@ class CountingIterator {
   ReadSoFar* place_;
 };
 
-// Does not own memory: the library's destructor allocates, and ends the program if that fails.
+// The document does not own memory: the library's destructor allocates, and ends the program if that fails.
 void release(json& value) noexcept {
   for (json& element : value) {
     if (element.is_structured()) release(element);

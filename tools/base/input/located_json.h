@@ -1,4 +1,4 @@
-// JSON values with the line and column they were read from, so that "unknown key" points at the key.
+// JSON values with the line and column at which they were read, so that "unknown key" points at the key.
 #pragma once
 
 #include <cstdint>
@@ -18,25 +18,26 @@ class LocatedJson {
  public:
   using Pointer = nlohmann::json::json_pointer;
 
-  // Where a value (in objects: its key) was read; `number` counts values in the order of the text.
+  // The place at which a value (in objects: its key) was read; `number` counts values in the order of the
+  // text.
   struct Place {
     int line = 1;
     int column = 1;
     std::uint32_t number = 0;
   };
-  // Keyed by the number of the container and the key or index in it, so that the size of an entry does not
+  // The key is the number of the container and the key or index in it, so that the size of an entry does not
   // depend on its depth.
   using Places = std::map<std::pair<std::uint32_t, std::string>, Place>;
 
-  // Throws InputError: unreadable, longer than read_text_file() reads, empty, not JSON (with line and
-  // column), duplicate key, nested deeper than 200 levels.
+  // Throws InputError for a file that is unreadable, longer than read_text_file() reads, empty, not JSON
+  // (with line and column), has a duplicate key, or is nested deeper than 200 levels.
   static LocatedJson read(const std::filesystem::path& file);
-  static LocatedJson read_found(const std::filesystem::path& file);  // as read_found_text_file()
+  static LocatedJson read_found(const std::filesystem::path& file);  // reads as read_found_text_file()
   static LocatedJson parse(std::string_view text, const std::string& name);
 
   const nlohmann::json& value() const { return *value_; }
   const nlohmann::json& at(const Pointer& pointer) const { return value_->at(pointer); }
-  std::string where(const Pointer& pointer) const;  // "name:line:column" of the value (of its key in objects)
+  std::string where(const Pointer& pointer) const;  // "name:line:column" of the value; in objects, of its key
 
  private:
   std::optional<Place> place_of(const Pointer& pointer) const;
@@ -47,7 +48,7 @@ class LocatedJson {
   Places places_;
 };
 
-// One object of a LocatedJson, read field by field. Every accessor throws InputError at the value's location
+// An object of a LocatedJson, read field by field. Every accessor throws InputError at the value's location
 // if the type is wrong; finish() throws for keys that were not read, suggesting the nearest one that was.
 class JsonObject {
  public:
@@ -58,11 +59,11 @@ class JsonObject {
   int integer(const std::string& key, int fallback);
   bool boolean(const std::string& key, bool fallback);
   std::string text(const std::string& key, const std::string& fallback);
-  std::vector<double> numbers(const std::string& key, std::size_t count);  // exactly count finite numbers
-  std::vector<std::string> texts(const std::string& key);                  // array of strings; absent: empty
-  JsonObject object(const std::string& key);                               // absent: an empty object
-  std::vector<JsonObject> objects(const std::string& key);                 // array of objects; absent: empty
-  std::vector<std::string> keys() const;                                   // all keys, not in file order
+  std::vector<double> numbers(const std::string& key, std::size_t count);  // exactly `count` finite numbers
+  std::vector<std::string> texts(const std::string& key);   // array of strings; empty if absent
+  JsonObject object(const std::string& key);                // an empty object if absent
+  std::vector<JsonObject> objects(const std::string& key);  // array of objects; empty if absent
+  std::vector<std::string> keys() const;                    // all keys, not in file order
   void finish() const;
 
   std::string where(const std::string& key) const;

@@ -21,7 +21,7 @@ std::size_t only_position(const std::string& text, const std::string& marker, st
   return first;
 }
 
-// Nothing can be escaped in code: the beginning of a comment is split.
+// Nothing can be escaped in code, so the beginning of a comment is split.
 std::string harmless_code(std::string_view text) {
   std::string safe;
   for (const char c : in_one_line(text)) {
@@ -35,8 +35,8 @@ bool is_letter_or_digit(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// Whether a '_' stands there that could end an emphasis: behind it no word goes on. Those that begin one, as
-// in names of keywords, are read as they are where none can end it.
+// Returns whether the '_' at this place could end an emphasis: no word continues behind it. Those that begin
+// one, as in names of keywords, are read as they are where none can end it.
 bool ends_emphasis(const std::string& line, std::size_t at) {
   return line[at] == '_' && (at + 1 == line.size() || !is_letter_or_digit(line[at + 1]));
 }
@@ -64,7 +64,7 @@ std::string markdown_cell(std::string_view text) {
     else if (c == '&')
       safe += "&amp;";
     else if (c == '@')
-      safe += "&#64;";  // GitHub would notify whom it names
+      safe += "&#64;";  // GitHub would notify the person of that name
     else if (c == ':' && line.compare(at, 3, "://") == 0)
       safe += "&#58;";  // an address is a link
     else

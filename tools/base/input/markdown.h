@@ -1,4 +1,4 @@
-// Markdown files of which the program generates parts; the rest is written by people.
+// Markdown files of which the program generates parts; people write the rest.
 #pragma once
 
 #include <string>
@@ -6,21 +6,23 @@
 
 namespace penumbra {
 
-// Text for a table's cell: a bar would end the cell, a line break the table, and HTML, links, emphasis,
-// names of people and code would be interpreted. What does not stay in a line (text_line.h) becomes a space.
+// Returns text for a table's cell: a bar would end the cell, a line break the table, and HTML, links,
+// emphasis, names of people and code would be interpreted. A character that does not stay in a line
+// (text_line.h) becomes a space.
 std::string markdown_cell(std::string_view text);
 
-// The same as code within a line, which may be that of a table; and as a block of code in its fence. Neither
-// ends before its text does, and no comment begins in it.
+// These return the same as code within a line, which may be that of a table, and as a block of code in its
+// fence. Neither ends before its text does, and no comment begins in it.
 std::string markdown_code(std::string_view text);
 std::string markdown_code_block(std::string_view language, std::string_view text);
 
-// "<!-- NAME:begin -->" and "<!-- NAME:end -->", which enclose the block NAME.
+// These return "<!-- NAME:begin -->" and "<!-- NAME:end -->", which enclose the block NAME.
 std::string block_begin(std::string_view name);
 std::string block_end(std::string_view name);
 
-// The text with the contents between the markers of `name` replaced by the block; the rest is unchanged.
-// Throws InputError naming `file` if a marker is missing or duplicated, or the end precedes the beginning.
+// Returns the text with the contents between the markers of `name` replaced by the block; the rest is
+// unchanged. Throws InputError naming `file` if a marker is missing or duplicated, or the end precedes the
+// beginning.
 std::string replace_block(const std::string& text, std::string_view name, const std::string& block,
                           const std::string& file);
 

@@ -16,7 +16,8 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost one.
+// Returns the optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours
+// cost one.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -40,14 +41,14 @@ bool word_starts_at(const std::string& name, std::size_t at) {
   return at == 0 || std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0;
 }
 
-// Where in the name a word begins with the given text; npos where none does.
+// Returns the place in the name at which a word begins with the given text; npos if none does.
 std::size_t word_beginning_with(const std::string& name, const std::string& given) {
   std::size_t at = name.find(given);
   while (at != std::string::npos && !word_starts_at(name, at)) at = name.find(given, at + 1);
   return at;
 }
 
-// The known name that contains the given one.
+// Returns the known name that contains the given one.
 std::string longer_name(const std::string& given, const std::vector<std::string>& known) {
   if (given.size() < 3) return {};
   std::string first_word;

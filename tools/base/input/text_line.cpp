@@ -7,7 +7,7 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
-// 0 for a byte that begins no character.
+// Returns 0 for a byte that begins no character.
 std::size_t character_bytes(std::string_view text, std::size_t at) {
   const unsigned char first = byte_at(text, at);
   if (first < 0x80) return 1;

@@ -24,7 +24,7 @@ std::string unicode_escape(std::uint32_t character) {
   return text;
 }
 
-// "::" at the begin of a line and "##[" anywhere are commands to GitHub Actions.
+// GitHub Actions take "::" at the beginning of a line and "##[" anywhere for commands.
 bool begins_command(std::string_view text, std::size_t at) {
   if (text[at] == '[') return at >= 2 && text[at - 1] == '#' && text[at - 2] == '#';
   return text.substr(at, 2) == "::" && text.substr(0, at).find_first_not_of(" \t") == std::string_view::npos;
@@ -52,7 +52,7 @@ std::string escaped(std::string_view text, bool keep_tabs) {
   return out;
 }
 
-// Both cut between the characters of UTF-8.
+// Both functions cut between the characters of UTF-8.
 bool is_inside_character(std::string_view text, std::size_t at) {
   return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80;
 }

@@ -7,10 +7,10 @@
 
 namespace penumbra {
 
-// What does not stay in a line (text_line.h) is written as escapes: "\n" as \n, others as \x1B or \u202E. So
-// are the first ':' of a text that begins with
-// "::", and the '[' of "##[", which GitHub Actions take for commands. The rest is unchanged. The middle of a
-// text of more than 4,000 bytes is removed: a key or a name may have megabytes.
+// A character that does not stay in a line (text_line.h) is written as an escape: "\n" as \n, others as \x1B
+// or \u202E. So are the first ':' of a text that begins with "::", and the '[' of "##[", which GitHub Actions
+// take for commands. The rest is unchanged. The middle of a text of more than 4,000 bytes is removed: a key
+// or a name may have megabytes.
 std::string visible(std::string_view text);
 
 std::string visible_line(std::string_view text);   // the same for a source line, whose tabs are kept

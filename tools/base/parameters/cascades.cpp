@@ -68,7 +68,8 @@ void place_depth(const ShadowSettings& settings, const LightBounds* casters, dou
   box.far_depth = centre + radius;
   box.near_depth = centre - radius - settings.near_plane_offset_metres;
   if (settings.depth_range_metres) {
-    // Longer than the sphere: reach toward the light, where casters are. Shorter: keep the sphere's middle.
+    // A range longer than the sphere reaches toward the light, where casters are; a shorter one keeps the
+    // sphere's middle.
     const double range = *settings.depth_range_metres;
     box.far_depth = centre + std::min(radius, 0.5 * range);
     box.near_depth = box.far_depth - range;
@@ -117,8 +118,9 @@ void place_matrices(const LightAxes& axes, const TileBox& box, const CascadeSet&
                            ? from_rows({per_half, 0, 0, 0}, {0, per_half, 0, 0}, {0, 0, -1 / range, 0})
                            : from_rows({per_half, 0, 0, 0}, {0, per_half, 0, 0}, {0, 0, -2 / range, -1});
 
-  // tile = 0.5 + (x - eye) / (2 h), atlas = offset + scale * tile; depth grows away from the light or, when
-  // reversed, toward it. Written out so that no product of matrices rounds in between.
+  // The formulas are tile = 0.5 + (x - eye) / (2 h) and atlas = offset + scale * tile; depth grows away from
+  // the light or, when reversed, toward it. They are written out so that no product of matrices rounds in
+  // between.
   const glm::dvec2 scale(cascade.offset_scale.z, cascade.offset_scale.w);
   const glm::dvec2 offset(cascade.offset_scale.x, cascade.offset_scale.y);
   const glm::dvec2 uv = scale * (0.5 * per_half);

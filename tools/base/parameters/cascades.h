@@ -31,7 +31,7 @@ struct Camera {
 };
 
 struct Light {
-  glm::dvec3 direction{0.3, -0.8, 0.5};    // the way the light travels; any length but zero
+  glm::dvec3 direction{0.3, -0.8, 0.5};    // the direction in which the light travels; any length but zero
   double angular_diameter_degrees = 0.53;  // full angle of the disc, 0 (point) .. 30; the sun's is 0.53
 };
 
@@ -54,11 +54,12 @@ struct CasterBias {
 
 struct ShadowSettings {
   double distance_metres = 50.0;
-  int cascades = 1;                // 1 .. 4
-  std::array<double, 3> splits{};  // fractions of the distance where cascades 0..2 end; all zero:
-                                   // URP's own for this number of cascades (effective_splits)
-  int resolution = 2048;           // width of the atlas in texels; the tile follows as in URP
-  double depth_bias = 1.0;         // URP's unitless settings
+  int cascades = 1;  // 1 .. 4
+  // Fractions of the distance where cascades 0..2 end; if all are zero, URP's own for this number of cascades
+  // (effective_splits).
+  std::array<double, 3> splits{};
+  int resolution = 2048;    // width of the atlas in texels; the tile follows as in URP
+  double depth_bias = 1.0;  // URP's unitless settings
   double normal_bias = 1.0;
   SoftQuality soft_quality = SoftQuality::medium;
   bool reversed_z = true;
@@ -71,12 +72,12 @@ struct ShadowSettings {
       0.2;  // corresponds to Unity's Light.shadowNearPlane; added in front of the sphere
 };
 
-// One tile of the atlas. Matrices of URP's meaning: world_to_shadow maps world space to atlas UV (x, y) and
-// to the depth the map stores (z, already reversed when reversed_z), in [0, 1].
+// A tile of the atlas. The matrices have URP's meaning: world_to_shadow maps world space to atlas UV (x, y)
+// and to the depth that the map stores (z, already reversed when reversed_z), in [0, 1].
 struct Cascade {
   int index = 0;
   glm::dmat4 view{1.0};
-  glm::dmat4 projection{1.0};  // in the set's clip_depth, not reversed (as Unity's CPU-side matrices)
+  glm::dmat4 projection{1.0};  // for the set's clip_depth, not reversed (as Unity's CPU-side matrices)
   glm::dmat4 world_to_shadow{1.0};
   glm::dvec4 offset_scale{0.0, 0.0, 1.0, 1.0};  // tile rectangle in atlas UV: x, y, width, height
   glm::dvec4 split_sphere{0.0};                 // world centre, radius in metres
@@ -85,7 +86,7 @@ struct Cascade {
   double depth_to_radial = 0.0;  // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
   std::optional<double> radial_to_depth{};  // inverse; absent at angular diameter 0
   // HDRP's tan(a/2) |m00 / m22| of the device projection (depth 0 .. 1): twice the geometric value, whatever
-  // clip_depth is emitted. Of a projection to -1 .. 1 the same ratio happens to be the geometric value.
+  // clip_depth is emitted. For a projection to -1 .. 1 the same ratio happens to be the geometric value.
   double depth_to_radial_hdrp = 0.0;
   double texel_size_metres = 0.0;
   double max_penumbra_texels = 0.0;  // radius for the whole depth range of the tile
@@ -97,15 +98,15 @@ struct CascadeSet {
   bool reversed_z = true;
   ClipDepth clip_depth = ClipDepth::zero_to_one;
   double angular_diameter_degrees = 0.53;
-  glm::dvec3 light_direction{0.0, -1.0, 0.0};  // unit, the way the light travels
+  glm::dvec3 light_direction{0.0, -1.0, 0.0};  // unit, the direction in which the light travels
   int atlas_width = 0;
   int atlas_height = 0;  // half the width with two cascades, as URP allocates it
   int tile_resolution = 0;
-  std::string depth_range_source;  // says which input fixed the depth range
+  std::string depth_range_source;  // names the input that fixed the depth range
   std::vector<Cascade> cascades;
 };
 
-// The splits in use: the given ones, or URP's defaults 0.25 | 0.1, 0.3 | 0.067, 0.2, 0.467.
+// Returns the splits in use: the given ones, or URP's defaults 0.25 | 0.1, 0.3 | 0.067, 0.2, 0.467.
 std::array<double, 3> effective_splits(const ShadowSettings& settings);
 
 // Snapping to texels rounds half up, but with round numbers halves are common, and rounding noise would
@@ -114,15 +115,16 @@ std::array<double, 3> effective_splits(const ShadowSettings& settings);
 inline constexpr double kSnapTieTexels = 0.000618034;
 inline constexpr double kSnapMarginTexels = 0.501;
 
-// URP's soft kernel radius in texels, by which GetShadowBias widens both biases: 1 (off), 1.5, 2.5, 3.5.
+// Returns URP's soft kernel radius in texels, by which GetShadowBias widens both biases: 1 (off), 1.5, 2.5,
+// 3.5.
 double kernel_radius_texels(SoftQuality quality);
 
-// GetShadowBias itself: depth and normal bias in metres, at most 0, of a light whose orthographic projection
-// (any clip depth) shows 2 / m00 metres across one tile.
+// Returns the result of GetShadowBias: depth and normal bias in metres, at most 0, of a light whose
+// orthographic projection (any clip depth) shows 2 / m00 metres across one tile.
 glm::dvec2 bias_of_projection(const glm::dmat4& projection, int tile_resolution,
                               const ShadowSettings& settings);
 
-// URP's atlas: tiles in two columns, row by row; the height halves with two cascades.
+// URP's atlas has tiles in two columns, row by row; the height halves with two cascades.
 struct AtlasLayout {
   int width = 0;
   int height = 0;
@@ -134,7 +136,7 @@ glm::dvec4 tile_rectangle(const AtlasLayout& layout, int cascade);  // x, y, wid
 // Fills every figure that follows from world_to_shadow and offset_scale: from uv_per_metre to the biases.
 void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascade& cascade);
 
-// The name of a value that overflows a float or is NaN; empty if there is none.
+// Returns the name of a value that overflows a float or is NaN; empty if there is none.
 std::string why_not_emittable(const Cascade& cascade);
 
 // The fit, per cascade: the smallest sphere around the camera's sub-frustum (its radius does not change when

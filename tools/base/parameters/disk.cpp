@@ -10,7 +10,8 @@ namespace penumbra::parameters {
 
 namespace {
 
-// In long double, so that the float is the same whichever mathematics library rounds the last double bit.
+// The points are computed in long double, so that the float is the same whichever mathematics library rounds
+// the last double bit.
 DiskPoints golden_spiral(int count, bool scaled) {
   const long double golden_angle = std::numbers::pi_v<long double> * (3.0L - std::sqrt(5.0L));
   DiskPoints points;

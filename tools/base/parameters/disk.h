@@ -26,7 +26,7 @@ using DiskPoints = std::vector<glm::vec2>;
 DiskPoints fibonacci_directions(int count);
 DiskPoints vogel_disk(int count);  // = the Fibonacci directions under the uniform law
 
-// The checked-in set of that size; empty for a size that is not in kPoissonSizes.
+// Returns the checked-in set of that size; empty for a size that is not in kPoissonSizes.
 DiskPoints poisson_disk(int count);
 
 }  // namespace penumbra::parameters

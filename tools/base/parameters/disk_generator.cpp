@@ -19,12 +19,12 @@ constexpr double kStepSize = 0.3;
 
 using Points = std::vector<glm::dvec2>;
 
-// PCG-XSH-RR 64/32 (O'Neill 2014).
+// The generator is PCG-XSH-RR 64/32 (O'Neill 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed * 2 + 1) { next(); }
 
-  // Uniform in [-1, 1), on a grid of 2^-31.
+  // Returns a uniform number in [-1, 1), on a grid of 2^-31.
   double signed_unit() { return static_cast<double>(next()) * (1.0 / 2147483648.0) - 1.0; }
 
  private:
@@ -70,7 +70,7 @@ Points throw_darts(int count, Random& random) {
   return points;
 }
 
-// N times the gradient of the error's bracket in disk_quality.h.
+// Returns N times the gradient of the error's bracket in disk_quality.h.
 Points gradient(const Points& points) {
   const double weight = 1.0 / static_cast<double>(points.size());
   Points result;
@@ -105,8 +105,8 @@ void descend(Points& points) {
   }
 }
 
-// Greedy order: appending p to a prefix of n changes the error's bracket, times (n + 1)^2, by
-// (n + 1) (G + g(p)) - (B + sum |p - q|), where G and B are the prefix's own sums.
+// The order is greedy: appending p to a prefix of n changes the error's bracket, times (n + 1)^2, by (n + 1)
+// (G + g(p)) - (B + sum |p - q|), where G and B are the prefix's own sums.
 DiskPoints ordered(const DiskPoints& rounded) {
   Points points(rounded.begin(), rounded.end());
   std::vector<double> to_prefix(points.size(), 0.0);

@@ -26,8 +26,8 @@ double radial_deviation(std::span<const glm::dvec2> points) {
   return worst;
 }
 
-// Only boxes whose sides touch points (or 1) can be extreme: open ones for too few points, closed for too
-// many.
+// A box can be extreme only if its sides touch points (or 1): an open one for too few points, a closed one
+// for too many.
 double star_discrepancy(std::span<const glm::dvec2> points) {
   std::vector<glm::dvec2> square;
   std::vector<double> xs{1.0};

@@ -40,7 +40,7 @@ struct DiskDistance {
 };
 DiskDistance distance_to_disk(double radius_squared);
 
-// Where the inverse concentric map takes a point of the disk: [0, 1]^2.
+// Returns the point in [0, 1]^2 to which the inverse concentric map takes a point of the disk.
 glm::dvec2 square_from_disk(const glm::dvec2& point);
 
 }  // namespace penumbra::parameters

@@ -28,7 +28,7 @@ Floats one(double value) {
   return {static_cast<float>(value)};
 }
 
-// Every value of a cascade, once: JSON keys, source names and descriptions all come from this list.
+// The list has every value of a cascade once: JSON keys, source names and descriptions all come from it.
 struct Figure {
   const char* key;
   const char* name;
@@ -99,7 +99,7 @@ std::string json_cascade(const Cascade& cascade, const CascadeErrors& errors) {
   return text;
 }
 
-// One row of the table a person reads.
+// A row of the table for people.
 struct TableRow {
   const char* label;
   std::function<std::string(const Cascade&)> text;

@@ -11,7 +11,7 @@
 
 namespace penumbra::parameters {
 
-// errors: verify_fit's or verify_dump's answer, one list per cascade.
+// `errors` is the result of verify_fit() or verify_dump(), one list per cascade.
 std::string constants_table(const CascadeSet& set, const std::vector<CascadeErrors>& errors);
 std::string constants_json(const CascadeSet& set, const std::vector<CascadeErrors>& errors);
 std::string constants_source(const CascadeSet& set, Language language);

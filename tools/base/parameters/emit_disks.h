@@ -22,8 +22,8 @@ struct DiskSet {
   std::vector<Disk> disks;  // Fibonacci 1 .. 64, then Vogel, then Poisson
 };
 
-// generate: make the Poisson disks anew instead of taking the checked-in ones; before_start as for
-// generate_poisson_disk.
+// If `generate` is true, the Poisson disks are made anew instead of taking the checked-in ones; before_start
+// is that of generate_poisson_disk().
 DiskSet disk_set(bool generate, const std::function<void()>& before_start = {});
 
 std::string disks_table(const DiskSet& set);

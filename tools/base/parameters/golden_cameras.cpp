@@ -32,7 +32,7 @@ glm::dmat4 as_floats(const glm::dmat4& matrix) {
   return rounded;
 }
 
-// World to view as Unity has it: the camera looks down -z.
+// Returns Unity's matrix from world to view: the camera looks down -z.
 glm::dmat4 look(const glm::dvec3& position, const glm::dvec3& direction) {
   const glm::dvec3 forward = glm::normalize(direction);
   const glm::dvec3 hint = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
@@ -42,7 +42,7 @@ glm::dmat4 look(const glm::dvec3& position, const glm::dvec3& direction) {
                         {-forward, glm::dot(forward, position)}, {0, 0, 0, 1}));
 }
 
-// Clip depth 1 at the near plane and 0 at the far plane.
+// The projection gives clip depth 1 at the near plane and 0 at the far plane.
 glm::dmat4 reversed_projection(const Lens& lens) {
   const double x = 1.0 / (lens.tan_half_y * lens.aspect);
   const double y = 1.0 / lens.tan_half_y;
@@ -52,7 +52,8 @@ glm::dmat4 reversed_projection(const Lens& lens) {
     return rows({x, 0, 0, lens.shift_x}, {0, y, 0, lens.shift_y}, {0, 0, 1 / range, 1 + n / range},
                 {0, 0, 0, 1});
   }
-  // z = (n z + n f) / (f - n) of view depth z < 0; at an infinite far plane n alone.
+  // With view depth z < 0, depth is (n z + n f) / (f - n) before the division; at an infinite far plane it is
+  // n alone.
   const double per_far = std::isinf(lens.far_plane) ? 0.0 : n / (lens.far_plane - n);
   return rows({x, 0, lens.shift_x, 0}, {0, y, lens.shift_y, 0}, {0, 0, per_far, n + n * per_far},
               {0, 0, -1, 0});

@@ -16,8 +16,8 @@ struct GoldenCamera {
   ScreenConventions conventions;
 };
 
-// Off-centre, oblique, orthographic, reversed, flipped, far from the origin, with near planes close to 0 and
-// far planes at infinity; then `random` cameras of every kind mixed.
+// Returns cameras that are off-centre, oblique, orthographic, reversed, flipped or far from the origin, with
+// near planes close to 0 and far planes at infinity; then `random` cameras of every kind mixed.
 std::vector<GoldenCamera> golden_cameras(int random, SetupGenerator& generator);
 
 }  // namespace penumbra::parameters

@@ -20,7 +20,8 @@ struct GoldenCascade {
   SoftQuality quality = SoftQuality::medium;
 };
 
-// Scales of every size a float has, no angle and the widest, sheared, far away; then `random` fits.
+// Returns cascades with scales of every size a float has, no angle and the widest, sheared, far away; then
+// `random` fits.
 std::vector<GoldenCascade> golden_cascades(int random, SetupGenerator& generator);
 
 }  // namespace penumbra::parameters

@@ -8,12 +8,13 @@
 
 namespace penumbra::parameters {
 
-// Every range's both outsides, and the angles at which another of them decides; then `random` ones in range.
+// Returns settings outside of both ends of every range, and the angles at which another of them decides; then
+// `random` ones in range.
 std::vector<SoftShadowParameters> golden_settings(int random, SetupGenerator& generator);
 
 SoftShadowParameters random_settings(SetupGenerator& generator);
 
-// The nearest float, of one number and of every field.
+// These return the nearest float, of one number and of every field.
 double as_float(double value);
 SoftShadowParameters as_floats(SoftShadowParameters parameters);
 

@@ -35,7 +35,7 @@ std::string numbers(const glm::dmat4& row_major_of) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-// One JSON object on one line, key by key.
+// A JSON object on one line, key by key.
 class Record {
  public:
   Record& add(const char* key, const std::string& json) {

@@ -10,7 +10,7 @@
 
 namespace penumbra::parameters {
 
-// JSON with one list for each kind: angles, atlases, cascades, projections (bias), uniforms, cameras. Each
+// The JSON has one list for each kind: angles, atlases, cascades, projections (bias), uniforms, cameras. Each
 // has its awkward cases and, where cases are random, `count` of them. The same count and seed give the same
 // bytes.
 std::string golden_vectors_json(int count, std::uint32_t seed);

@@ -6,7 +6,7 @@
 
 namespace penumbra::parameters {
 
-// `degrees`: the full angle, from one side to the other.
+// `degrees` is the full angle, from one side to the other.
 template <typename Real = double>
 Real tan_half(Real degrees) {
   return std::tan(degrees * std::numbers::pi_v<Real> / 360);

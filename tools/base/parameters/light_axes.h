@@ -7,8 +7,8 @@
 
 namespace penumbra::parameters {
 
-// Right, up and forward (the way the light travels) as Unity's transforms have them: cross(right, up) =
-// forward.
+// The axes are right, up and forward (the direction in which the light travels), as Unity's transforms have
+// them: cross(right, up) = forward.
 struct LightAxes {
   glm::dvec3 right;
   glm::dvec3 up;
@@ -24,7 +24,8 @@ struct LightAxes {
 
 inline LightAxes axes_of(const glm::dvec3& direction) {
   const glm::dvec3 forward = glm::normalize(direction);
-  // World up, but for a light within 8 degrees of the vertical: there the cross product loses its digits.
+  // The hint is world up, except for a light within 8 degrees of the vertical: there the cross product loses
+  // its digits.
   const glm::dvec3 hint = std::abs(forward.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   const glm::dvec3 right = glm::normalize(glm::cross(hint, forward));
   return {right, glm::cross(forward, right), forward};

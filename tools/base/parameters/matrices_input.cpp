@@ -93,7 +93,7 @@ class CascadeReader {
     cascade.world_to_shadow = given;
   }
 
-  // Equal within float rounding of products whose terms are as long as the eye is far.
+  // The matrices are equal within float rounding of products whose terms are as long as the eye is far.
   static bool agree(const glm::dmat4& a, const glm::dmat4& b) {
     for (int row = 0; row < 3; ++row) {
       const double scale = glm::length(matrix_row(b, row));
@@ -135,7 +135,8 @@ class CascadeReader {
                                  std::acos(cosine) * 57.29577951308232));
   }
 
-  // A view and a projection that give this shadow matrix: the eye in the middle of the near plane.
+  // Derives a view and a projection that give this shadow matrix, with the eye in the middle of the near
+  // plane.
   void derive_pair(Cascade& cascade) const {
     const glm::dmat4& m = cascade.world_to_shadow;
     const double sign = set_.reversed_z ? -1.0 : 1.0;
@@ -157,7 +158,7 @@ class CascadeReader {
     cascade.projection[3][2] = unit ? 0.0 : -1.0;
   }
 
-  // Given, or the sphere that the tile is wide: its centre and half its side.
+  // The sphere is given, or is the one that is as wide as the tile: its centre and half its side.
   void read_sphere(JsonObject& object, Cascade& cascade) const {
     if (!object.has("split_sphere")) {
       const glm::dvec4 tile = cascade.offset_scale;
@@ -222,8 +223,8 @@ std::optional<glm::dvec3> read_direction(JsonObject& root) {
 
 glm::dmat4 shadow_transform(const glm::dmat4& view, const glm::dmat4& projection, ClipDepth clip_depth,
                             bool reversed_z, const glm::dvec4& offset_scale) {
-  // Unity's projections are -1 .. 1: bring the others there, negate the depth row if the device reverses, and
-  // map x, y and z alike to 0 .. 1. With depth 0 .. 1 that is z or 1 - z.
+  // Unity's projections are -1 .. 1. Others are first mapped to that range, the depth row is negated if the
+  // device reverses, and x, y and z alike are mapped to 0 .. 1. With depth 0 .. 1 that is z or 1 - z.
   glm::dmat4 clip = projection;
   if (clip_depth == ClipDepth::zero_to_one) {
     for (int column = 0; column < 4; ++column) clip[column][2] = 2.0 * clip[column][2] - clip[column][3];

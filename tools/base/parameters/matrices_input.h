@@ -31,7 +31,7 @@ struct MatricesDump {
 
 MatricesDump read_matrices(const LocatedJson& document);
 
-// The shadow matrix as URP's GetShadowTransform and ApplySliceTransform build it.
+// Returns the shadow matrix as URP's GetShadowTransform and ApplySliceTransform build it.
 glm::dmat4 shadow_transform(const glm::dmat4& view, const glm::dmat4& projection, ClipDepth clip_depth,
                             bool reversed_z, const glm::dvec4& offset_scale);
 

@@ -1,5 +1,5 @@
-// Checks that a 4x4 matrix has the required form. An empty result means yes; otherwise the reason, to follow
-// the matrix's name.
+// Checks of the form of a 4x4 matrix. An empty result means yes; otherwise it is the reason, to follow the
+// matrix's name.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -7,14 +7,14 @@
 
 namespace penumbra::parameters {
 
-// Rotation (or reflection) and translation only.
+// The matrix may have rotation (or reflection) and translation only.
 std::string why_not_rigid(const glm::dmat4& matrix);
 
-// Orthographic and seen along the light: affine, invertible, rows perpendicular, and the first two of equal
-// length once each is divided by its tile's size in the atlas.
+// The matrix must be orthographic and seen along the light: affine, invertible, rows perpendicular, and the
+// first two of equal length once each is divided by its tile's size in the atlas.
 std::string why_not_light_projection(const glm::dmat4& matrix, const glm::dvec2& tile_size);
 
-// Row-major numbers as a matrix; column-major ones are transposed on the way.
+// Returns row-major numbers as a matrix; column-major ones are transposed.
 glm::dmat4 matrix_from(const double* numbers, bool row_major);
 
 }  // namespace penumbra::parameters

@@ -14,9 +14,9 @@ namespace penumbra::parameters {
 
 namespace {
 
-constexpr double kDeviation = 1.9;  // of both Gaussians: texels, slices
+constexpr double kDeviation = 1.9;  // deviation of both Gaussians: texels, slices
 constexpr double kUnit = 1 << 20;   // energy of a point at its own place
-// So far away a Gaussian is less than half a unit.
+// A Gaussian so far away is less than half a unit.
 constexpr int kReach = 10;
 constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
 constexpr int kPointsBetween = 64;
@@ -36,14 +36,14 @@ std::int32_t gaussian(int squared_distance) {
       std::lround(kUnit * std::exp(-squared_distance / (2.0 * kDeviation * kDeviation))));
 }
 
-// Along one axis, around its end.
+// The step is along one axis, around its end.
 std::size_t moved(std::size_t from, int steps, std::size_t size) {
   const auto whole = static_cast<int>(size);
   return static_cast<std::size_t>(((static_cast<int>(from) + steps) % whole + whole) % whole);
 }
 
 // Points in the volume, and at every voxel the energy of all of them. The extremes of every row are kept, and
-// found anew in those that a point changed.
+// are computed anew in rows that a point changed.
 class Volume {
  public:
   Volume(int side, int slices)
@@ -68,7 +68,7 @@ class Volume {
     spread(voxel, -1);
   }
 
-  // The empty voxel with the least energy; the first of several.
+  // Returns the empty voxel with the least energy; the first of several.
   std::size_t largest_void() {
     refresh();
     const auto row = std::min_element(rows_.begin(), rows_.end(),
@@ -77,7 +77,7 @@ class Volume {
     while (empty_[i] == 0 || energy_[i] != row->least) ++i;
     return i;
   }
-  // The point with the most energy; the first of several.
+  // Returns the point with the most energy; the first of several.
   std::size_t tightest_cluster() {
     refresh();
     const auto row = std::max_element(rows_.begin(), rows_.end(),
@@ -89,8 +89,8 @@ class Volume {
 
  private:
   struct Row {
-    std::int32_t least = 0;  // energy of its empty voxels; kNone without
-    std::int32_t most = 0;   // energy of its points; -1 without
+    std::int32_t least = 0;  // energy of the row's empty voxels; kNone if it has none
+    std::int32_t most = 0;   // energy of the row's points; -1 if it has none
     bool is_known = false;
   };
 
@@ -111,7 +111,7 @@ class Volume {
     }
   }
 
-  // What wraps around more than once adds up.
+  // A kernel that wraps around more than once adds up.
   void spread(std::size_t voxel, std::int32_t sign) {
     const std::size_t x = voxel % side_;
     const std::size_t y = voxel / side_ % side_;
@@ -138,8 +138,8 @@ class Volume {
   std::vector<Row> rows_;
 };
 
-// Ulichney's initial pattern: a tenth of the voxels at random, then the tightest cluster moved into the
-// largest void until that is where it was.
+// Makes Ulichney's initial pattern: a tenth of the voxels at random, then the tightest cluster moved into the
+// largest void until that is its old place.
 std::vector<std::size_t> initial_points(Volume& volume, const std::function<void()>& between) {
   std::vector<std::size_t> points;
   std::uint64_t state = 1;
@@ -162,9 +162,9 @@ std::vector<std::size_t> initial_points(Volume& volume, const std::function<void
   return points;
 }
 
-// The place of every voxel in the order in which points fill the volume. Where more than half of it is filled
-// Ulichney looks for the tightest cluster of empty voxels, which is the largest void: both energies add up to
-// that of a full volume.
+// Returns the place of every voxel in the order in which points fill the volume. Where more than half of it
+// is filled, Ulichney looks for the tightest cluster of empty voxels. That is the largest void: both energies
+// add up to that of a full volume.
 std::vector<std::uint32_t> places(int side, int slices, const std::function<void()>& between) {
   Volume volume(side, slices);
   const std::vector<std::size_t> initial = initial_points(volume, between);

@@ -26,7 +26,7 @@ inline constexpr int kNoiseMaskSlices = 16;
 struct NoiseMask {
   int side = 0;    // texels of a slice each way
   int slices = 0;  // frames
-  // Row by row, slice by slice: each of 0 .. side * side - 1 once in every slice.
+  // The ranks are stored row by row, slice by slice: each of 0 .. side * side - 1 occurs once in every slice.
   std::vector<std::uint16_t> ranks;
 
   std::uint16_t rank(int x, int y, int slice) const {
@@ -35,27 +35,29 @@ struct NoiseMask {
                      static_cast<std::size_t>(side) +
                  static_cast<std::size_t>(x)];
   }
-  // Of the same texel in 0 .. 255: each value as often as every other where side * side is a multiple of 256.
+  // Returns the rank of the texel in 0 .. 255: each value is as frequent as every other where side * side is
+  // a multiple of 256.
   std::uint8_t byte(int x, int y, int slice) const {
     return static_cast<std::uint8_t>(rank(x, y, slice) * 256 / (side * side));
   }
 };
 
-// side: 8 .. 256; slices: 1 .. 64; else std::invalid_argument. `between` is called every few milliseconds and
-// may throw to end the work. 64 x 64 x 16 take seconds.
+// `side` is 8 .. 256 and `slices` 1 .. 64; otherwise throws std::invalid_argument. `between` is called every
+// few milliseconds and may throw to end the work. 64 x 64 x 16 take seconds.
 NoiseMask generate_noise_mask(int side = kNoiseMaskSide, int slices = kNoiseMaskSlices,
                               const std::function<void()>& between = {});
 
-// Mean power of frequencies, divided by that of white noise, whose power is 1 at every frequency.
+// The mean power of frequencies, divided by that of white noise, whose power is 1 at every frequency.
 struct NoiseSpectrum {
-  std::vector<double> spatial;   // of a slice, in rings of 1/8 of the highest frequency along an axis
-  std::vector<double> temporal;  // of a pixel over the slices: 1 .. slices / 2 periods
+  std::vector<double> spatial;   // a slice's, in rings of 1/8 of the highest frequency along an axis
+  std::vector<double> temporal;  // a pixel's over the slices: 1 .. slices / 2 periods
 };
 
-// values: as NoiseMask::ranks are ordered, in any unit.
+// `values` are in the order of NoiseMask::ranks, in any unit.
 NoiseSpectrum spectrum_of(const std::vector<double>& values, int side, int slices);
 NoiseSpectrum spectrum_of(const NoiseMask& mask);
-// The noise that shaders have without a mask (ShaderLibrary/Core/Noise.hlsl), over as many pixels and frames.
+// Returns the spectrum of the noise that shaders have without a mask (ShaderLibrary/Core/Noise.hlsl), over as
+// many pixels and frames.
 NoiseSpectrum gradient_noise_spectrum(int side, int slices);
 
 std::string noise_mask_table(const NoiseMask& mask);

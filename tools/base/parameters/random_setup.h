@@ -21,7 +21,7 @@ class SetupGenerator {
   explicit SetupGenerator(std::uint32_t seed) : engine_(seed) {}
 
   double uniform(double low, double high) {
-    // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+    // The standard's std::uniform_real_distribution gives different numbers in different libraries.
     return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
   }
 

@@ -19,10 +19,11 @@ namespace {
 constexpr double kSphereTolerance = 1e-4;
 // Texels are at most this many times smaller than the sphere's: one receiver alone has no size.
 constexpr double kLargestGain = 64.0;
-// Of the depth range: the farthest receiver must not be at the far plane, which counts as unshadowed.
+// The margin is a share of the depth range: the farthest receiver must not be at the far plane, which counts
+// as unshadowed.
 constexpr double kFarMargin = 1e-3;
 
-// What a filter may read for one receiver, in light space: a disc.
+// The area that a filter may read for one receiver, in light space: a disc.
 struct Footprint {
   glm::dvec2 centre;
   double radius = 0.0;
@@ -44,7 +45,7 @@ LightAxes turned(const LightAxes& axes, double radians) {
   return {c * axes.right + s * axes.up, c * axes.up - s * axes.right, axes.forward};
 }
 
-// Around all footprints, whose centres are given without the turn.
+// Returns the square around all footprints, whose centres are given without the turn.
 Square square_around(const std::vector<Footprint>& footprints, const LightAxes& axes, double radians) {
   const double c = std::cos(radians);
   const double s = std::sin(radians);
@@ -70,7 +71,7 @@ Square smallest_square(const std::vector<Footprint>& footprints, const LightAxes
   return *best;
 }
 
-// Of a cascade: receivers in its sphere and in none before it.
+// Returns the receivers of a cascade: those in its sphere and in none before it.
 std::vector<glm::dvec3> receivers_of(const std::vector<SplitTile>& tiles, std::size_t cascade,
                                      std::span<const glm::dvec3> receivers) {
   const auto holds = [](const SplitSphere& sphere, const glm::dvec3& point, double scale) {
@@ -113,8 +114,7 @@ void tighten(const std::vector<glm::dvec3>& receivers, const Light& light, const
   box.margin_texels = kSnapMarginTexels + kKernelMarginTexels;
 }
 
-// The camera whose frustum begins at the nearest receiver, and the settings whose shadows end at the
-// farthest.
+// The camera's frustum begins at the nearest receiver, and the settings' shadows end at the farthest.
 struct SeenRange {
   Camera camera;
   ShadowSettings settings;
@@ -133,10 +133,10 @@ SeenRange seen_range(const Camera& camera, const ShadowSettings& settings,
     farthest = std::max(farthest, depth);
   }
   if (!(nearest < farthest)) return seen;
-  // In the steps of the tile's size, outwards.
+  // The distances take the steps of the tile's size, outwards.
   seen.camera.near_plane = std::clamp(1.0 / next_size(1.0 / nearest), camera.near_plane, nearest);
   seen.settings.distance_metres = std::min(next_size(farthest), settings.distance_metres);
-  // Splits are fractions of the distance; here of what lies between both.
+  // Splits are fractions of the distance; here they are fractions of the part between both distances.
   seen.settings.splits = effective_splits(settings);
   const double begin = seen.camera.near_plane / seen.settings.distance_metres;
   for (double& split : seen.settings.splits) split = begin + (1.0 - begin) * split;

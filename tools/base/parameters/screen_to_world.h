@@ -16,8 +16,8 @@ struct ScreenConventions {
   bool depth_is_zero_to_one = true;  // clip depth is stored as it is, not from -1 .. 1 (OpenGL)
 };
 
-// gpu_projection: view space to the device's clip space, flipped and reversed as the device has it. Nothing
-// when a matrix is singular or not finite.
+// gpu_projection takes view space to the device's clip space, flipped and reversed as on the device. Returns
+// nothing when a matrix is singular or not finite.
 std::optional<glm::dmat4> screen_to_world(const glm::dmat4& view, const glm::dmat4& gpu_projection,
                                           const ScreenConventions& conventions);
 

@@ -12,7 +12,7 @@
 namespace penumbra::parameters {
 namespace {
 
-// Beyond these a float of the emitted matrices overflows or a texel falls below a float's reach.
+// Beyond these limits a float of the emitted matrices overflows, or a texel is too small for a float.
 constexpr double kLongest = 1e9;
 constexpr double kShortest = 1e-6;
 

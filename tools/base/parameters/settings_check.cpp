@@ -25,7 +25,7 @@ class Inspector {
            fmt::format("is {}, {} {}{}", value, setting.between ? "not" : "outside", setting.bounds(), unit));
   }
 
-  // key: of the object that holds the point, where messages are to name that
+  // `key` names the object that holds the point, where messages should name that.
   void point(const char* key, const char* bounds_of, const glm::dvec3& value) {
     const SettingKey& setting = setting_key(bounds_of);
     for (int axis = 0; axis < 3; ++axis) {

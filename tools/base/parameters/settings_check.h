@@ -1,5 +1,5 @@
-// The first thing wrong with a camera, a light and shadow settings, named so that a reader of JSON can point
-// at the key and a reader of flags at the flag. Used by fit_cascades and by everything that reads settings.
+// The first problem of a camera, a light and shadow settings, named so that a reader of JSON can point at the
+// key and a reader of flags at the flag. fit_cascades() and all code that reads settings use it.
 #pragma once
 
 #include <optional>

@@ -92,8 +92,8 @@ Light read_light(JsonObject object) {
   return light;
 }
 
-// As many splits as cascades have inner ends; or three, as Unity's asset always holds, of which those in
-// use count.
+// The list has as many splits as cascades have inner ends; or three, as Unity's asset always holds, of which
+// those in use count.
 void read_splits(const LocatedJson& document, JsonObject& object, ShadowSettings& shadows) {
   if (!object.has("splits")) return;
   const auto& given = document.at(LocatedJson::Pointer("/shadows/splits"));
@@ -138,7 +138,7 @@ ShadowSettings read_shadows(const LocatedJson& document, JsonObject object) {
   return shadows;
 }
 
-// The place of a setting: its own, or that of the nearest enclosing object that the file holds.
+// Returns the place of a setting: its own, or that of the nearest enclosing object that the file holds.
 std::string place_of(const LocatedJson& document, const std::string& key) {
   LocatedJson::Pointer pointer(key);
   while (!pointer.empty() && !document.value().contains(pointer)) pointer.pop_back();

@@ -27,13 +27,13 @@ struct FitInput {
 // Throws InputError at file:line:column for wrong types, unknown keys and values out of range.
 FitInput read_settings(const LocatedJson& document);
 
-// Names as they stand in files and flags; anything else throws InputError naming the nearest.
+// Names are those of files and flags; for others these throw InputError naming the nearest.
 SoftQuality soft_quality_named(const std::string& name);
 ClipDepth clip_depth_named(const std::string& name);
 const char* name_of(SoftQuality quality);
 const char* name_of(ClipDepth convention);
 
-// The same for one key of an object, at its place in the file.
+// These read the same for one key of an object, at its place in the file.
 SoftQuality read_soft_quality(JsonObject& object, const std::string& key, SoftQuality fallback);
 ClipDepth read_clip_depth(JsonObject& object, const std::string& key, ClipDepth fallback);
 

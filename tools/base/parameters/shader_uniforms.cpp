@@ -31,7 +31,8 @@ Real bounded_tan_half(double degrees, double largest) {
   return tan_half<Real>(bounded(degrees, 0.0, largest));
 }
 
-// HDRP's cones: the search is never narrower than the light, the smallest filter never than the search.
+// HDRP's cones are ordered: the search is never narrower than the light, and the smallest filter is never
+// narrower than the search.
 struct Cones {
   Real light;
   Real search;

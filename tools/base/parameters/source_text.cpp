@@ -8,7 +8,7 @@ namespace penumbra::parameters {
 
 namespace {
 
-// "DiskTables" -> "DISK_TABLES" or "disk_tables".
+// Turns "DiskTables" into "DISK_TABLES" or "disk_tables".
 std::string split_words(const std::string& pascal, bool upper) {
   std::string text;
   for (const char c : pascal) {
@@ -28,7 +28,7 @@ std::string joined(const FloatTable& table, std::size_t row, const char* suffix)
   return text;
 }
 
-// The entries, a few to a line so that lines stay below 110 columns.
+// Returns the entries, a few to a line so that lines stay below 110 columns.
 std::string entries(const FloatTable& table, const std::string& open, const std::string& close,
                     const char* suffix, const std::string& indent) {
   std::string text;

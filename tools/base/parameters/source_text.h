@@ -24,7 +24,7 @@ struct SourceFile {
   std::vector<FloatTable> tables;
 };
 
-// The shortest decimal text that reads back to the same float; always with a point or an exponent.
+// Returns the shortest decimal text that reads back to the same float, always with a point or an exponent.
 std::string float_literal(float value);
 
 std::string source_text(const SourceFile& file, Language language);

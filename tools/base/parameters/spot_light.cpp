@@ -60,7 +60,7 @@ void place_matrices(SpotShadow& shadow, double tan_half) {
           : glm::dvec4(0, 0, -(far + near) / (far - near), -2.0 * near * far / (far - near));
   shadow.projection = from_rows({1.0 / tan_half, 0, 0, 0}, {0, 1.0 / tan_half, 0, 0}, depth, {0, 0, -1, 0});
 
-  // (u, v) = 1/2 + across / (2 tan w): written out so that no product of matrices rounds in between.
+  // This is (u, v) = 1/2 + across / (2 tan w), written out so that no product of matrices rounds in between.
   const glm::dvec4 w(axes.forward, -eye.z);
   const DepthLine line = depth_line(shadow);
   shadow.world_to_shadow = from_rows(glm::dvec4(axes.right, -eye.x) * shadow.uv_per_tangent + 0.5 * w,
@@ -119,7 +119,7 @@ SpotShadow spot_shadow(const SpotLight& light, const ShadowSettings& settings) {
   const double tan_half = parameters::tan_half(light.outer_angle_degrees + light.shadow_guard_degrees);
   shadow.uv_per_tangent = 0.5 / tan_half;
   place_matrices(shadow, tan_half);
-  // w / d_r = R (1 / d_b - 1 / d_r), and 1 / d is linear in the stored depth.
+  // The formula is w / d_r = R (1 / d_b - 1 / d_r), and 1 / d is linear in the stored depth.
   const double radial = light.source_radius_metres * shadow.uv_per_tangent;
   const double depth = std::abs(depth_line(shadow).second);
   shadow.depth_to_radial = radial / depth;

@@ -29,27 +29,27 @@
 
 namespace penumbra::parameters {
 
-// Angles are full ones, as in Unity; inner_angle_degrees .. outer_angle_degrees is where its light fades.
+// Angles are full ones, as in Unity; the light fades from inner_angle_degrees to outer_angle_degrees.
 struct SpotLight {
   glm::dvec3 position{0.0, 3.0, 0.0};
-  glm::dvec3 direction{0.0, -1.0, 0.0};  // the way the light travels; any length but zero
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // the direction in which the light travels; any length but zero
   double inner_angle_degrees = 21.80208;
   double outer_angle_degrees = 30.0;      // 1 .. 179
-  double source_radius_metres = 0.05;     // 0 is a point
+  double source_radius_metres = 0.05;     // 0 means a point
   double range_metres = 10.0;             // there is no light beyond
-  double shadow_near_plane_metres = 0.2;  // Light.shadowNearPlane: what is nearer casts no shadow
-  double shadow_guard_degrees = 0.0;      // by which the map is wider than the cone; URP's is 0
+  double shadow_near_plane_metres = 0.2;  // Light.shadowNearPlane: nearer casters have no shadow
+  double shadow_guard_degrees = 0.0;      // the map is wider than the cone by this angle; URP's is 0
 };
 
 struct SpotShadow {
   bool reversed_z = true;
   ClipDepth clip_depth = ClipDepth::zero_to_one;
-  SpotLight light;     // its direction unit
-  int resolution = 0;  // of the tile, which is the whole map
+  SpotLight light;     // with a unit direction
+  int resolution = 0;  // size of the tile, which is the whole map
   glm::dmat4 view{1.0};
-  glm::dmat4 projection{1.0};  // in clip_depth, not reversed (as Unity's CPU-side matrices)
-  // World space to (u, v, stored depth) times w, and w: the axial depth. Stored depth is in [0, 1], reversed
-  // when reversed_z.
+  glm::dmat4 projection{1.0};  // for clip_depth, not reversed (as Unity's CPU-side matrices)
+  // The matrix takes world space to (u, v, stored depth) times w, and w: the axial depth. Stored depth is in
+  // [0, 1], reversed when reversed_z.
   glm::dmat4 world_to_shadow{1.0};
   double uv_per_tangent = 0.0;   // UV per metre across at an axial depth of 1 m
   double depth_to_radial = 0.0;  // penumbra RADIUS in UV per unit of stored depth gap, at any depth
@@ -58,20 +58,19 @@ struct SpotShadow {
   double normal_bias_metres = 0.0;
 
   double stored_depth(double axial_metres) const;
-  double axial_depth(double stored) const;  // its inverse
+  double axial_depth(double stored) const;  // the inverse of the stored depth
 };
 
-// w of the drawing above. Depths are axial; the blocker is nearer than the receiver.
+// Returns w of the drawing above. Depths are axial; the blocker is nearer than the receiver.
 double penumbra_radius_metres(const SpotLight& light, double receiver_metres, double blocker_metres);
 
-// The map in URP's convention: a square perspective of the outer angle plus the guard, from the shadow near
-// plane to the range. Of the settings resolution, biases, soft quality, reversed_z and clip_depth are read.
-// Source of the bias: URP's ShadowUtils.GetShadowBias, whose texel of a spot light is half the far plane's
-// width, by the outer angle, over the resolution.
-// Throws InputError naming what is out of range.
+// Returns the map in URP's convention: a square perspective of the outer angle plus the guard, from the
+// shadow near plane to the range. It reads resolution, biases, soft quality, reversed_z and clip_depth of the
+// settings. Source of the bias: URP's ShadowUtils.GetShadowBias, whose texel of a spot light is half the far
+// plane's width, by the outer angle, over the resolution. Throws InputError naming what is out of range.
 SpotShadow spot_shadow(const SpotLight& light, const ShadowSettings& settings);
 
-// The same check alone.
+// Makes the same check alone.
 void check_spot_light(const SpotLight& light);
 
 }  // namespace penumbra::parameters

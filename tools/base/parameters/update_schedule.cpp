@@ -32,7 +32,7 @@ int remainder_of(int frame, int period) {
   return ((frame % period) + period) % period;
 }
 
-// The phase at which the fewest of the cascades so far are due in any frame; of several the first.
+// Returns the phase at which the fewest of the cascades so far are due in any frame; of several the first.
 int least_loaded(const std::array<int, kLongestPeriod>& load, int period) {
   int best = 0;
   int fewest = kMostScheduled + 1;
@@ -82,7 +82,7 @@ UpdateSchedule update_schedule(std::span<const int> periods) {
   UpdateSchedule schedule;
   schedule.cascades = static_cast<int>(periods.size());
   std::copy(periods.begin(), periods.end(), schedule.periods.begin());
-  // The shortest first: a longer period always fits into a gap that shorter ones left.
+  // The shortest periods come first: a longer one always fits into a gap that shorter ones left.
   std::array<int, kMostScheduled> order{};
   std::iota(order.begin(), order.end(), 0);
   const auto used = order.begin() + schedule.cascades;

@@ -1,7 +1,7 @@
-// Which cascades are drawn anew in which frame.
+// The frames in which each cascade is drawn anew.
 //
 // A far cascade shows much of the world in large texels, so it may be drawn less often than a near one: its
-// map is then older, by what the sun and the casters have moved since. Each cascade keeps the matrices with
+// map is then older, by the motion of the sun and the casters since. Each cascade keeps the matrices with
 // which it was drawn, and the camera must not leave what they show (fit_cascades' spheres do not turn with
 // it).
 //
@@ -28,16 +28,16 @@ struct UpdateSchedule {
   // std::out_of_range is thrown.
   bool is_due(int cascade, int frame) const { return age(cascade, frame) == 0; }
   int age(int cascade, int frame) const;  // frames since the last update, 0 when due
-  int due(int frame) const;               // one bit for each cascade, the lowest of cascade 0
+  int due(int frame) const;               // one bit for each cascade, the lowest for cascade 0
   int most_due() const;                   // cascades in the frame that draws most
   double mean_due() const;                // cascades per frame
 
-  // By how many degrees the sun has moved on, at most, when the cascade is drawn anew.
+  // Returns the degrees by which the sun has moved on, at most, when the cascade is drawn anew.
   double largest_age_degrees(int cascade, double degrees_per_frame) const;
 };
 
-// One to four periods, of the nearest cascade first. Throws InputError for another number of them, and for
-// one that is not a power of two from 1 to kLongestPeriod.
+// There are one to four periods, that of the nearest cascade first. Throws InputError for another number of
+// them, and for one that is not a power of two from 1 to kLongestPeriod.
 UpdateSchedule update_schedule(std::span<const int> periods);
 
 }  // namespace penumbra::parameters

@@ -48,7 +48,8 @@ Interval split_of(const Camera& camera, const ShadowSettings& settings, int inde
   return {index == 0 ? Real{camera.near_plane} : end(index - 1), end(index)};
 }
 
-// From the positions of one near and one far corner: the point on the axis equidistant from both.
+// The centre follows from the positions of one near and one far corner: it is the point on the axis
+// equidistant from both.
 Vec4 split_sphere(const Camera& camera, const Interval& split) {
   const Real tan_y = std::tan(Real{camera.fov_y_degrees} * std::numbers::pi_v<Real> / 360);
   const Vec3 ray(tan_y * Real{camera.aspect}, tan_y, 1);
@@ -116,7 +117,7 @@ Box fit_box(const ShadowSettings& settings, const Axes& axes, const Vec4& sphere
   return box;
 }
 
-// The way back, from (atlas u, atlas v, stored depth) to the world, then inverted.
+// The matrix is made the other way, from (atlas u, atlas v, stored depth) to the world, and then inverted.
 Mat4 world_to_shadow(const CascadeSet& set, const Axes& axes, const Box& box, const Vec4& tile) {
   const Real range = box.depth.far - box.depth.near;
   const Vec3 per_u = axes.right * (2 * box.half / tile.z);
@@ -189,7 +190,7 @@ void compare_scales(const ShadowSettings& settings, const CascadeSet& set, const
   const Real tan_half = std::tan(Real{set.angular_diameter_degrees} * std::numbers::pi_v<Real> / 360);
   const Real side = 2 * exact.half_extent;
   const Real texel = side / set.tile_resolution;
-  const Real radius = tan_half * exact.range;  // of a gap as long as the whole depth range, in metres
+  const Real radius = tan_half * exact.range;  // metres, for a gap as long as the whole depth range
   compare.scalar("uv_per_metre", cascade.uv_per_metre, 1 / side);
   compare.scalar("depth_per_metre", cascade.depth_per_metre, 1 / exact.range);
   compare.scalar("depth_to_radial", cascade.depth_to_radial, radius / side);
@@ -231,7 +232,7 @@ std::vector<CascadeErrors> verify_fit(const Camera& camera, const Light& light,
     compare.matrix("projection", cascade.projection, light_projection(set, box));
     compare.matrix("world_to_shadow", cascade.world_to_shadow, world_to_shadow(set, axes, box, tile));
     compare.vector("offset_scale", cascade.offset_scale, tile);
-    // Centre and radius are of one kind, metres, but not of one scale: each by itself.
+    // Centre and radius are both in metres, but not of one scale, so each is compared by itself.
     compare.vector("split_sphere.centre", glm::dvec4(glm::dvec3(cascade.split_sphere), 0.0),
                    Vec4(Vec3(sphere), 0));
     compare.scalar("split_sphere.radius", cascade.split_sphere.w, sphere.w);

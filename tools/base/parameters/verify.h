@@ -16,22 +16,22 @@
 namespace penumbra::parameters {
 
 struct FieldError {
-  std::string field;  // as the JSON calls it
-  double ulp = 0.0;   // the worst entry's
+  std::string field;  // the JSON's name of it
+  double ulp = 0.0;   // error of the worst entry
 };
 
 using CascadeErrors = std::vector<FieldError>;
 
 double worst_ulp(const CascadeErrors& errors);
 
-// One list per cascade. For a fit: everything from the settings on.
+// These return one list per cascade. For a fit, the check covers everything from the settings on.
 std::vector<CascadeErrors> verify_fit(const Camera& camera, const Light& light,
                                       const ShadowSettings& settings, const CascadeSet& set);
 
-// For dumped matrices: what follows from them.
+// For dumped matrices, the check covers what follows from them.
 std::vector<CascadeErrors> verify_dump(const ShadowSettings& settings, const CascadeSet& set);
 
-// |emitted - exact| in spacings of floats at max(|emitted|, 2^-24 * scale).
+// Returns |emitted - exact| in spacings of floats at max(|emitted|, 2^-24 * scale).
 double ulp_error(float emitted, long double exact, double scale);
 
 }  // namespace penumbra::parameters

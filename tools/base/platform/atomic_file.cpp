@@ -51,7 +51,7 @@ std::FILE* open_device(const std::filesystem::path& file) {
   return std::fopen(file.string().c_str(), "wb");
 }
 #else
-// The reader of a pipe may be starting; it may also never come, so that it is not waited for without end.
+// The reader of a pipe may still start; it may also never come, so the wait has an end.
 std::FILE* open_device(const std::filesystem::path& file) {
   constexpr int kAttempts = 250;
   int descriptor = -1;
@@ -81,17 +81,17 @@ void write_straight(const std::filesystem::path& file, std::string_view content)
   if (!written || !closed) fail(file, reason != 0 ? reason : errno);
 }
 
-// A file beside another one, under a name that nobody can put a link or a pipe at beforehand.
+// Returns a file beside another one, under a name at which nobody can put a link or a pipe beforehand.
 std::filesystem::path random_name(const std::filesystem::path& file, const char* ending) {
   std::random_device random;
   const std::uint64_t word = (static_cast<std::uint64_t>(random()) << 32U) | random();
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(word) + ending);
 }
 
-// Its name is random, and it must not exist.
+// A temporary file has a random name and must not exist before.
 class Temporary {
  public:
-  // Throws InputError, naming `named`.
+  // Throws InputError that names `named`.
   Temporary(const std::filesystem::path& file, const std::filesystem::path& named) {
     for (int attempt = 0; attempt < kMostAttempts && stream_ == nullptr; ++attempt) {
       path_ = random_name(file, ".part");
@@ -128,8 +128,8 @@ class Temporary {
   bool renamed_ = false;
 };
 
-// Not where its kind cannot be read: then it may be a file. A checkout's link to a device is replaced as its
-// links to files are.
+// Returns false where the file's kind cannot be read: then it may be a file. A checkout's link to a device is
+// replaced as its links to files are.
 bool is_device(const std::filesystem::path& file) {
   std::error_code unreadable;
   if (link_of_checkout(file)) return false;
@@ -138,7 +138,7 @@ bool is_device(const std::filesystem::path& file) {
          type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::socket;
 }
 
-// The folder that holds the file.
+// Checks the folder that holds the file.
 void refuse_linked_folder(const std::filesystem::path& file, const std::filesystem::path& named) {
   const std::optional<std::filesystem::path> link = link_of_checkout(file.parent_path());
   if (!link) return;
@@ -159,10 +159,10 @@ void try_to_write(const std::filesystem::path& file, const std::filesystem::path
   const Temporary temporary(file, named);
 }
 
-// What a file was before it was replaced, until the files that belong to it are replaced, too.
+// The old content of a file, until the files that belong to it are replaced, too.
 class OldFile {
  public:
-  // A second name of it, or a copy where the file system has no second names.
+  // Keeps a second name of the file, or a copy where the file system has no second names.
   explicit OldFile(const std::filesystem::path& file) : file_(file) {
     std::error_code error;
     if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found) return;
@@ -178,7 +178,7 @@ class OldFile {
   OldFile(const OldFile&) = delete;
   OldFile& operator=(const OldFile&) = delete;
 
-  // Throws InputError, and leaves the copy, where that fails.
+  // Throws InputError, and leaves the copy, if that fails.
   void put_back() {
     std::error_code error;
     if (kept_.empty())
@@ -199,10 +199,10 @@ class OldFile {
   }
 
   std::filesystem::path file_;
-  std::filesystem::path kept_;  // empty: there was none
+  std::filesystem::path kept_;  // empty if there was no file
 };
 
-// Whole and on the disk, but not in its place yet.
+// A file that is whole and on the disk, but not in its place yet.
 class NewFile {
  public:
   NewFile(const std::filesystem::path& file, std::string_view content) : file_(file), temporary_(file, file) {
@@ -228,7 +228,7 @@ class NewFile {
   std::optional<OldFile> old_;
 };
 
-// All of them, or none.
+// Places all of them, or none.
 void place_all(std::list<NewFile>& files) {
   for (auto file = files.begin(); file != files.end(); ++file)
     if (std::next(file) != files.end()) file->keep_old();

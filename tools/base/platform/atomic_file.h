@@ -1,4 +1,5 @@
-// Files that are either whole or not there: written beside their place, flushed, then renamed over it.
+// Files that are either whole or not there: they are written beside their place, flushed, and renamed over
+// it.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@ struct FileContent {
   std::string_view content;
 };
 
-// Files that belong together, such as a bake's pictures and the file that names them: where one cannot be
-// written or put in its place, the old ones stay, all of them. They are replaced in this order.
+// Writes files that belong together, such as a bake's pictures and the file that names them: where one cannot
+// be written or put in its place, all of the old ones stay. They are replaced in this order.
 void write_files_atomically(const std::vector<FileContent>& files);
 
 std::string_view text_of(std::span<const std::byte> bytes);
@@ -30,7 +31,7 @@ std::string_view text_of(std::span<const std::byte> bytes);
 // Throws what write_file_atomically would throw, but for a disk that is full then; leaves nothing behind.
 void check_file_can_be_written(const std::filesystem::path& file);
 
-// The same of any file in a folder that is there; the message names `named`.
+// Throws the same for any file in a folder that is there; the message names `named`.
 void check_folder_can_be_written(const std::filesystem::path& folder, const std::filesystem::path& named);
 
 }  // namespace penumbra::platform

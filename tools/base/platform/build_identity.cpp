@@ -27,7 +27,7 @@ std::size_t padded(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// The build id among the notes of one segment; empty when there is none.
+// Returns the build id among the notes of one segment; empty when there is none.
 std::string_view build_id(const char* notes, std::size_t size) {
   for (std::size_t at = 0; at + sizeof(ElfW(Nhdr)) <= size;) {
     const auto* note = reinterpret_cast<const ElfW(Nhdr)*>(notes + at);
@@ -86,8 +86,8 @@ const std::string& build_identity() {
 
 namespace {
 
-// Before main, while nothing is loaded but what the program links: libraries load others when they need them,
-// and an identity with those would depend on what was computed before it.
+// The identity is computed before main, while only what the program links is loaded. Libraries load others
+// when they need them, and an identity with those would depend on earlier computations.
 [[maybe_unused]] const std::string& at_start = build_identity();
 
 }  // namespace

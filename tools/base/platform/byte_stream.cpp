@@ -2,7 +2,7 @@
 
 namespace penumbra::platform {
 
-// Seven bits a byte, the lowest first; all but the last byte have the eighth bit set.
+// Each byte has seven bits, the lowest first; all but the last byte have the eighth bit set.
 void ByteWriter::number(std::uint64_t value) {
   for (; value >= 0x80; value >>= 7U) bytes_ += static_cast<char>(value | 0x80U);
   bytes_ += static_cast<char>(value);

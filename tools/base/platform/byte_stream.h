@@ -19,8 +19,8 @@ class ByteWriter {
   void number(std::uint64_t value);
   void text(std::string_view value);  // its length, then its bytes
 
-  // Numbers and structs of numbers, in their memory representation: both ends are the same program on one
-  // machine.
+  // Numbers, and structs of numbers, are stored in their memory representation: both ends are the same
+  // program on one machine.
   template <typename Value>
   void values(std::span<const Value> list) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -77,7 +77,7 @@ class ByteReader {
     return Value{};
   }
 
-  // 0 to `last`.
+  // The value is 0 to `last`.
   template <typename Enumeration>
   Enumeration enumerator(Enumeration last) {
     const std::uint64_t value = number();
@@ -95,7 +95,7 @@ class ByteReader {
     return elements;
   }
 
-  void spoil() { whole_ = false; }  // for an invalid value
+  void spoil() { whole_ = false; }  // called for an invalid value
   bool exhausted() const { return whole_ && rest_.empty(); }
 
  private:

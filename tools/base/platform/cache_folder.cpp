@@ -20,7 +20,7 @@ std::string environment(const char* name) {
 
 fs::path user_folder() {
   if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
-  // A relative one is to be ignored (XDG Base Directory Specification).
+  // A relative path is to be ignored (XDG Base Directory Specification).
   if (const fs::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "penumbra";
 #ifdef _WIN32
   const std::string home = environment("LOCALAPPDATA");
@@ -65,7 +65,7 @@ bool make_cache_folder(const fs::path& folder) {
   fs::path reached;
   for (const fs::path& part : folder) {
     reached /= part;
-    ::mkdir(reached.c_str(), S_IRWXU);  // fails for those that exist
+    ::mkdir(reached.c_str(), S_IRWXU);  // fails for folders that exist
   }
   std::error_code error;
   return fs::is_directory(folder, error) && cache_folder_problem(folder).empty();

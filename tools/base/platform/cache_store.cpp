@@ -51,7 +51,7 @@ std::optional<std::string> read_file(const fs::path& file) {
   return content;
 }
 
-// A name that is unique among processes and threads, including forked ones.
+// Returns a name that is unique among processes and threads, including forked ones.
 std::string part_name() {
   static const std::uint64_t process = [] {
     std::random_device random;
@@ -113,7 +113,7 @@ struct KeptFile {
   std::uint64_t size = 0;
 };
 
-// Whether this file belongs to the cache and may be removed, whatever else is in the folder.
+// Returns whether this file belongs to the cache and may be removed, whatever else is in the folder.
 bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
   const std::string extension = file.extension().string();
   const std::string folder = file.parent_path().filename().string();
@@ -121,12 +121,12 @@ bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
   constexpr const char* digits = "0123456789abcdef";
   if (folder.size() != 2 || folder.find_first_not_of(digits) != std::string::npos) return false;
   if (extension == part_extension) return name.front() == '.';
-  // Of any length, because keys of earlier versions were shorter.
+  // The name may have any length, because keys of earlier versions were shorter.
   return name.find_first_not_of(digits) == std::string::npos && extension.starts_with('.') &&
          std::find(kinds.begin(), kinds.end(), std::string_view(extension).substr(1)) != kinds.end();
 }
 
-// All entries; also removes orphaned temporary files of ended processes.
+// Returns all entries; also removes orphaned temporary files of ended processes.
 std::vector<KeptFile> entries_in(const fs::path& directory, std::span<const std::string_view> kinds) {
   const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::vector<KeptFile> entries;

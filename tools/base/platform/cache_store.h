@@ -1,4 +1,5 @@
-// A cache on disk, keyed by the hash of everything that a result depends on. Safe for concurrent processes.
+// A cache on disk, keyed by the hash of everything that a result depends on. Concurrent processes may share
+// it.
 //
 // An entry is one file, written to a temporary file and renamed, and contains its kind, its key and a
 // checksum: a reader sees a whole entry or none. A truncated or damaged entry counts as absent, is counted,
@@ -23,17 +24,17 @@ class CacheStore {
   // created by the first write, for this user alone.
   explicit CacheStore(std::filesystem::path directory);
 
-  // kind: the type of the content, lower-case letters and digits; the extension of its files. A change of its
-  // format needs a new kind. key: ContentHash::hex().
+  // `kind` is the type of the content, in lower-case letters and digits, and the extension of its files. A
+  // change of its format needs a new kind. `key` is a ContentHash::hex().
   std::optional<std::string> find(std::string_view kind, const std::string& key) const;
-  // False if it cannot be written (full disk, permissions): no partial file is left.
+  // Returns false if it cannot be written (full disk, permissions): no partial file is left.
   bool store(std::string_view kind, const std::string& key, std::string_view content) const;
   void drop(std::string_view kind, const std::string& key) const;
 
   std::filesystem::path file(std::string_view kind, const std::string& key) const;
 
   std::size_t damaged() const { return damaged_; }          // damaged entries that were read
-  std::uint64_t bytes_written() const { return written_; }  // by this object
+  std::uint64_t bytes_written() const { return written_; }  // total of this object
 
  private:
   std::filesystem::path directory_;
@@ -47,8 +48,8 @@ class CacheStore {
 std::uint64_t trim_cache(const std::filesystem::path& directory, std::span<const std::string_view> kinds,
                          std::uint64_t limit);
 
-// The same if this run has written a large part of the limit, otherwise at most once a day, because looking
-// at every entry takes time. An empty directory has no entries.
+// Trims as above if this run has written a large part of the limit, otherwise at most once a day, because
+// examining every entry takes time. An empty directory has no entries.
 void trim_cache_when_due(const std::filesystem::path& directory, std::span<const std::string_view> kinds,
                          std::uint64_t limit, std::uint64_t written);
 

@@ -83,7 +83,7 @@ class ChildSettings {
       posix_spawn_file_actions_adddup2(&actions, descriptors[target], target);
     }
     for (const int descriptor : descriptors) posix_spawn_file_actions_addclose(&actions, descriptor);
-    // A process group of its own, so that a timeout also ends what the child started.
+    // The child has a process group of its own, so that a timeout also ends the processes that it started.
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);
@@ -99,7 +99,7 @@ class ChildSettings {
   posix_spawnattr_t attributes{};
 };
 
-// NAME=VALUE of every variable the child sees.
+// Returns NAME=VALUE of every variable that the child sees.
 std::vector<std::string> variables_of(const ChildCommand& command) {
   std::vector<std::string> variables;
   for (char** at = environ; *at != nullptr; ++at) {
@@ -114,7 +114,7 @@ std::vector<std::string> variables_of(const ChildCommand& command) {
   return variables;
 }
 
-// A list of strings as the system expects it: pointers, the last one null.
+// Returns a list of strings as the system expects it: pointers, the last one null.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   pointers.reserve(texts.size() + 1);

@@ -14,9 +14,9 @@ namespace penumbra::platform {
 struct ChildCommand {
   std::string program;  // a path, or a name that is searched in PATH
   std::vector<std::string> arguments;
-  std::string input;                                               // all of its standard input
-  std::chrono::milliseconds timeout{300'000};                      // for hangs; generous for a busy machine
-  std::size_t output_limit = std::size_t{256} << 20;               // bytes of output and errors together
+  std::string input;                                  // all of its standard input
+  std::chrono::milliseconds timeout{300'000};         // ends a child that hangs; generous for a busy machine
+  std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
   std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or replacing ours
 };
 
@@ -37,7 +37,7 @@ struct ChildResult {
 // ended first). POSIX only: elsewhere it throws EnvironmentError.
 ChildResult run_child(const ChildCommand& command);
 
-// Where PATH finds the program; empty when nowhere.
+// Returns the program's path, which PATH leads to; empty if there is none.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
 }  // namespace penumbra::platform

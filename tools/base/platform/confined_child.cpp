@@ -28,7 +28,7 @@ namespace penumbra::platform {
 #ifndef _WIN32
 namespace {
 
-// Pointers to the texts, with a null pointer at the end, as exec takes them.
+// Returns pointers to the texts, with a null pointer at the end, as exec takes them.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> list;
   list.reserve(texts.size() + 1);
@@ -37,7 +37,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-// In the child, after fork: nothing here returns to the parent's code.
+// The function runs in the child, after fork, and never returns to the parent's code.
 [[noreturn]] void become(const ConfinedCommand& command, char* const* arguments, char* const* environment,
                          int input, int output) {
 #ifdef __linux__
@@ -60,7 +60,7 @@ void make_pipe(int (&ends)[2]) {
   for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 }
 
-// Becomes readable when the process ends; -1 where there is no such thing.
+// Returns a descriptor that becomes readable when the process ends; -1 where there is no such thing.
 int end_of(pid_t process) {
 #ifdef __linux__
   return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
@@ -70,8 +70,9 @@ int end_of(pid_t process) {
 #endif
 }
 
-// Whether the pipe's end can be read or written, which it also can when the other end is closed. A process
-// that has ended writes no more, even if what it has started, as Wine's server, holds the other end open.
+// Returns whether the pipe's end can be read or written, which it also can when the other end is closed. A
+// process that has ended writes no more, even if a process that it started, such as Wine's server, holds the
+// other end open.
 bool is_ready(int pipe, short event, std::chrono::milliseconds patience, int ended) {
   pollfd waited[] = {{pipe, event, 0}, {ended, POLLIN, 0}};
   const auto wait = [&waited](std::chrono::milliseconds most) {
@@ -105,11 +106,11 @@ ConfinedChild::ConfinedChild(const ConfinedCommand& command) : patience_(command
   ::close(from_child[1]);
   input_ = to_child[1];
   output_ = from_child[0];
-  ::fcntl(input_, F_SETFL, O_NONBLOCK);  // write() waits by itself
+  ::fcntl(input_, F_SETFL, O_NONBLOCK);  // write() does the waiting
   if (process_ < 0)
     throw EnvironmentError("no process can be started: " + std::string(std::strerror(problem)));
   ended_ = end_of(process_);
-  ::signal(SIGPIPE, SIG_IGN);  // write() tells that the child has ended
+  ::signal(SIGPIPE, SIG_IGN);  // write() reports that the child has ended
 }
 
 ConfinedChild::~ConfinedChild() {

@@ -1,5 +1,5 @@
-// A long-lived child process for a compiler that is a program of its own and reads untrusted text: it is
-// asked through its standard input and answers through its standard output.
+// A long-lived child process for a compiler that is a program of its own and reads untrusted text. Requests
+// go to its standard input, and its answers come from its standard output.
 //
 // Linux: the child may open only the files and folders that are named (Landlock, where the kernel has it), no
 // sockets but local ones, and none of the calls with which a process reaches into others (seccomp, where the
@@ -20,13 +20,13 @@ namespace penumbra::platform {
 struct ConfinedCommand {
   std::string program;  // a path
   std::vector<std::string> arguments;
-  std::vector<std::pair<std::string, std::string>> environment;  // all of it
+  std::vector<std::pair<std::string, std::string>> environment;  // the child's whole environment
   std::filesystem::path directory;                               // the child's current folder
   std::vector<std::filesystem::path> readable;  // files and folders; those that do not exist are left out
   std::vector<std::filesystem::path> writable;
   std::size_t memory = std::size_t{2} << 30;  // bytes of private memory that may be written
-  // Without a byte for so long, it counts as ended: a limit of processor time does not end what waits for
-  // ever.
+  // A child that sends no byte for so long counts as ended: a limit of processor time does not end one that
+  // waits for ever.
   std::chrono::seconds patience = std::chrono::minutes(20);
 };
 
@@ -41,7 +41,7 @@ class ConfinedChild {
 
   // Both block, and return false when the child has ended, closed its end, or taken more than its patience.
   bool write(std::string_view bytes);
-  bool read(char* bytes, std::size_t count);  // all of them
+  bool read(char* bytes, std::size_t count);  // reads all of them
 
  private:
   int process_ = 0;

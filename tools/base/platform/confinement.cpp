@@ -23,11 +23,12 @@ namespace penumbra::platform {
 #ifndef _WIN32
 namespace {
 
-// Added to the limit that a pool monitors: memory that libraries and thread stacks reserve without using it.
+// This is added to the limit that a pool monitors: memory that libraries and thread stacks reserve without
+// using it.
 [[maybe_unused]] constexpr std::size_t kReservedMemory = std::size_t{512} << 20;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-[[maybe_unused]] constexpr bool kSanitized = true;  // they reserve terabytes
+[[maybe_unused]] constexpr bool kSanitized = true;  // sanitizers reserve terabytes
 #else
 [[maybe_unused]] constexpr bool kSanitized = false;
 #endif
@@ -68,7 +69,7 @@ void limit_processor_time(unsigned long long seconds) {
 void limit_resources([[maybe_unused]] std::size_t memory) {
   lower_limit(RLIMIT_CORE, 0);
   lower_limit(RLIMIT_FSIZE, kLargestConfinedFile);
-  ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead
+  ::signal(SIGXFSZ, SIG_IGN);  // a write that is too large fails instead
 #ifdef __linux__
   if (!kSanitized) lower_limit(RLIMIT_DATA, memory + kReservedMemory);
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);

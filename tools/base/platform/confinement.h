@@ -12,20 +12,20 @@ namespace penumbra::platform {
 
 inline constexpr std::size_t kLargestConfinedFile = std::size_t{64} << 20;  // bytes
 
-// Closes inherited descriptors from this one on: not all of a parent's files are closed at exec.
+// Closes inherited descriptors from this one on: exec does not close all of a parent's files.
 void close_descriptors_from(int first);
 
 // The system ends this process with SIGXCPU after that many seconds of CPU time from now.
 void limit_processor_time(unsigned long long seconds);
 
-// The limits of confine_process() alone, for a process that becomes another program.
+// Sets the limits of confine_process() alone, for a process that becomes another program.
 void limit_resources(std::size_t memory);
 
-// `memory`: bytes that may be allocated, and some for libraries; builds with sanitizers have no such limit.
-// Call it before anything untrusted is read; anything that needs more privileges, such as a graphics driver,
-// is opened before. Running threads are confined, too. Throws EnvironmentError if the kernel refuses the
-// system call filter, unless the environment variable PENUMBRA_UNFILTERED_WORKERS is 1: then only the filter
-// is omitted.
+// `memory` is the number of bytes that may be allocated, with some more for libraries; builds with sanitizers
+// have no such limit. The function must be called before anything untrusted is read; anything that needs more
+// privileges, such as a graphics driver, is opened before. Running threads are confined, too. Throws
+// EnvironmentError if the kernel refuses the system call filter, unless the environment variable
+// PENUMBRA_UNFILTERED_WORKERS is 1: then only the filter is omitted.
 void confine_process(std::size_t memory);
 
 }  // namespace penumbra::platform

@@ -1,8 +1,8 @@
 // A content hash: a key under which a result is cached.
 //
-// BLAKE2b, 256 bits (RFC 7693): whoever writes a file that is read cannot make it hash like another.
-// Numbers are hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its
-// length, so {"ab", "c"} and {"a", "bc"} differ. Hashes are equal across machines of the same byte order.
+// It is BLAKE2b with 256 bits (RFC 7693): the author of a file cannot make it hash like another. Numbers are
+// hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its length, so
+// {"ab", "c"} and {"a", "bc"} differ. Hashes are equal across machines of the same byte order.
 #pragma once
 
 #include <concepts>
@@ -52,7 +52,7 @@ class ContentHash {
   std::unique_ptr<State> state_;
 };
 
-// Whether the text is the hex() of some hash.
+// Returns whether the text is the hex() of some hash.
 bool is_content_hash(std::string_view text);
 
 }  // namespace penumbra::platform

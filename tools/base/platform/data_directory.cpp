@@ -9,7 +9,7 @@
 
 namespace penumbra::platform {
 
-// PENUMBRA_ROOT alone where it is set: another folder's shaders are not what was asked for.
+// If PENUMBRA_ROOT is set, it alone counts: another folder's shaders are not the requested ones.
 std::filesystem::path data_directory() {
   std::vector<std::filesystem::path> candidates{program_directory().parent_path() / "share" / "penumbra",
                                                 PENUMBRA_SOURCE_DIR};

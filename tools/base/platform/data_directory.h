@@ -5,8 +5,9 @@
 
 namespace penumbra::platform {
 
-// The first of these that holds ShaderLibrary/Shadows.hlsl: $PENUMBRA_ROOT, share/penumbra beside the
-// program's folder, the source tree the program was built from. Throws EnvironmentError naming all three.
+// Returns the first of these that holds ShaderLibrary/Shadows.hlsl: $PENUMBRA_ROOT, share/penumbra beside the
+// program's folder, the source tree from which the program was built. Throws EnvironmentError naming all
+// three.
 std::filesystem::path data_directory();
 
 }  // namespace penumbra::platform

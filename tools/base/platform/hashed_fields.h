@@ -1,7 +1,7 @@
-// Hashes whatever a value consists of: each field of a struct, and each element of what a field contains. No
-// list of fields has to be kept, so a field that is added later is in the hash.
+// Hashes the content of any value: each field of a struct, and each element of what a field contains. No list
+// of fields has to be kept, so a field that is added later is in the hash.
 //
-// What is neither number, text, path, container, optional, vector of GLM nor aggregate has to bring a
+// A type that is neither number, text, path, container, optional, vector of GLM nor aggregate has to bring a
 // function
 //   void add_fields(platform::ContentHash& hash, const Type& value);
 // in its own namespace, or does not compile.
@@ -22,7 +22,7 @@
 
 namespace penumbra::platform {
 
-// Declared before all of them, because they call each other.
+// This is declared before all of the functions, because they call each other.
 template <typename Value>
 void add_all(ContentHash& hash, const Value& value);
 
@@ -56,7 +56,8 @@ concept Indexed = requires(const Value& value) {
   value[0];
 };
 
-// Whose bytes are its value: hashed at once, because maps and pictures have millions.
+// The bytes of such an element are its value. They are hashed at once, because maps and pictures have
+// millions.
 template <typename Element>
 concept Plain = (std::integral<Element> && !std::same_as<Element, bool>) || std::floating_point<Element> ||
                 std::same_as<Element, std::byte>;
@@ -66,7 +67,7 @@ template <typename Element>
 concept PlainVector = Indexed<Element> && Plain<typename Element::value_type> &&
                       sizeof(Element) == Element::length() * sizeof(typename Element::value_type);
 
-// Calls `use` with the fields of a struct: as many as it can be made of.
+// Calls `use` with the fields of a struct, which has as many as its initialiser takes.
 template <typename Struct, typename Use>
 void with_fields(const Struct& value, const Use& use) {
   if constexpr (requires {
@@ -183,7 +184,7 @@ void add_all(ContentHash& hash, const Value& value) {
   }
 }
 
-// A hash of all the values.
+// Returns a hash of all the values.
 template <typename... Values>
 std::string hash_of(const Values&... values) {
   ContentHash hash;

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::atomic<Clock::rep> first_time = 0;  // of the first signal; 0 before it
+std::atomic<Clock::rep> first_time = 0;  // time of the first signal; 0 before it
 std::atomic<int> first_signal = 0;
 std::atomic<int> open_writes = 0;
 static_assert(std::atomic<Clock::rep>::is_always_lock_free && std::atomic<int>::is_always_lock_free,

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The outermost one: a link may lead into a repository of its own.
+// Returns the outermost checkout: a link may lead into a repository of its own.
 fs::path checkout_of(const fs::path& path) {
   std::error_code error;
   const fs::path current = fs::current_path(error);
@@ -27,7 +27,7 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 std::optional<fs::path> link_below(const fs::path& folder, const fs::path& path) {
   std::error_code error;
   const fs::path top = fs::absolute(folder, error).lexically_normal();
-  fs::path reached;  // with every "..": after a link, it leads elsewhere than the text says
+  fs::path reached;  // keeps every "..": after a link, it leads elsewhere than the text says
   for (const fs::path& part : fs::absolute(path, error)) {
     reached /= part;
     if (lies_below(reached, top) && fs::is_symlink(fs::symlink_status(reached, error))) return reached;

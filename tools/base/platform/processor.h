@@ -5,7 +5,7 @@
 
 namespace penumbra::platform {
 
-// "<model name>, <n> threads"; "unknown processor" where the system does not say.
+// Returns "<model name>, <n> threads"; "unknown processor" where the system does not name it.
 std::string processor_name();
 
 }  // namespace penumbra::platform

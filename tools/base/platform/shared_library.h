@@ -5,7 +5,8 @@
 
 namespace penumbra::platform {
 
-// Its address; null if the library cannot be loaded or has no such function. The library stays loaded.
+// Returns the function's address; null if the library cannot be loaded or has no such function. The library
+// stays loaded.
 void* function_of(const std::filesystem::path& library, const char* name);
 
 }  // namespace penumbra::platform

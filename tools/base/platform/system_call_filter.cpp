@@ -1,4 +1,4 @@
-// A list of allowed calls, not of refused ones: calls of later kernels are refused until they are listed.
+// The list names allowed calls, not refused ones: calls of later kernels are refused until they are listed.
 #include "platform/system_call_filter.h"
 
 #include <asm/ioctls.h>
@@ -16,35 +16,35 @@
 namespace penumbra::platform {
 namespace {
 
-// Allowed with any arguments: memory, threads, time, reading, existing descriptors, and what an open graphics
-// driver does with them. Names that an architecture lacks are skipped.
+// These calls are allowed with any arguments: memory, threads, time, reading, existing descriptors, and what
+// an open graphics driver does with them. Names that an architecture lacks are skipped.
 constexpr const char* kAllowed[] = {
-    // memory
+    // These calls concern memory.
     "brk", "madvise", "membarrier", "mincore", "mlock", "mprotect", "mremap", "munlock", "munmap",
-    // threads of this process
+    // These calls concern threads of this process.
     "arch_prctl", "exit", "exit_group", "futex", "futex_time64", "futex_waitv", "get_robust_list", "getcpu",
     "getpid", "getppid", "gettid", "restart_syscall", "rseq", "sched_getaffinity", "sched_getparam",
     "sched_getscheduler", "sched_yield", "set_robust_list", "set_tid_address",
-    // its own signals
+    // These calls concern the process's own signals.
     "rt_sigaction", "rt_sigpending", "rt_sigprocmask", "rt_sigreturn", "rt_sigsuspend", "rt_sigtimedwait",
     "rt_sigtimedwait_time64", "sigaltstack", "sigreturn",
-    // time
+    // These calls concern time.
     "clock_getres", "clock_getres_time64", "clock_gettime", "clock_gettime64", "clock_nanosleep",
     "clock_nanosleep_time64", "gettimeofday", "nanosleep", "time", "times",
-    // reading files
+    // These calls read files.
     "_llseek", "access", "faccessat", "faccessat2", "fadvise64", "fadvise64_64", "fstat", "fstat64",
     "fstatat64", "fstatfs", "fstatfs64", "getcwd", "getdents", "getdents64", "lseek", "lstat", "lstat64",
     "newfstatat", "pread64", "preadv", "preadv2", "read", "readlink", "readlinkat", "readv", "stat", "stat64",
     "statfs", "statfs64", "statx",
-    // descriptors: none is open for writing but the way to the parent and pipes
+    // These calls concern descriptors: none is open for writing but the connection to the parent and pipes.
     "close", "close_range", "dup", "dup2", "dup3", "epoll_create1", "epoll_ctl", "epoll_pwait", "epoll_wait",
     "eventfd2", "pipe", "pipe2", "poll", "ppoll", "ppoll_time64", "pselect6", "pselect6_time64", "select",
     "write", "writev",
-    // facts
+    // These calls report facts.
     "getegid", "getegid32", "geteuid", "geteuid32", "getgid", "getgid32", "getrandom", "getrlimit",
     "getrusage", "getuid", "getuid32", "setrlimit", "sysinfo", "ugetrlimit", "uname"};
 
-// Refused in a foreign program, which has to run on calls that nobody here has listed.
+// These calls are refused in a foreign program, which has to run on calls that are not listed here.
 constexpr const char* kForeign[] = {"acct",
                                     "add_key",
                                     "bpf",
@@ -92,7 +92,7 @@ class Filter {
   template <typename... Comparisons>
   void rule(std::uint32_t action, const char* name, Comparisons... comparisons) {
     const int number = seccomp_syscall_resolve_name(name);
-    if (error_ != 0 || number == __NR_SCMP_ERROR) return;  // this architecture has none of that name
+    if (error_ != 0 || number == __NR_SCMP_ERROR) return;  // this architecture has no call of that name
     const int result =
         seccomp_rule_add(context_.get(), action, number, sizeof...(comparisons), comparisons...);
     if (result != 0) error_ = -result;
@@ -121,8 +121,8 @@ void allow_reading(Filter& filter) {
   filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY));
 }
 
-// Memory of this process, and maps of open files. Neither files in memory nor anonymous memory that is
-// shared: once it is unmapped, no limit of a process counts it.
+// Allows memory of this process, and maps of open files. Files in memory and shared anonymous memory are not
+// allowed: once they are unmapped, no limit of a process counts them.
 void allow_memory(Filter& filter) {
   for (const char* name : {"mmap", "mmap2"}) {
     filter.allow(name, SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_TYPE, MAP_PRIVATE));
@@ -130,7 +130,8 @@ void allow_memory(Filter& filter) {
   }
 }
 
-// No new process. A C library that tries clone3, whose arguments a filter cannot see, falls back to clone.
+// A process may start threads but no new process. A C library that tries clone3, whose arguments a filter
+// cannot see, falls back to clone.
 void allow_threads(Filter& filter) {
   filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
   filter.rule(SCMP_ACT_ERRNO(ENOSYS), "clone3");
@@ -144,7 +145,7 @@ void allow_for_itself(Filter& filter) {
   filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
   filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_GET_NAME));
 #ifdef PR_SET_VMA
-  filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_VMA));  // names memory
+  filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_VMA));  // the call that names memory
 #endif
 }
 

@@ -1,4 +1,4 @@
-// The same work on several threads.
+// Several threads that do the same work.
 #pragma once
 
 #include <functional>

@@ -16,7 +16,7 @@ namespace {
 
 std::mutex counting;
 int living = 0;
-int before = 1;  // what the process was before the first
+int before = 1;  // state of the process before the first object
 
 }  // namespace
 

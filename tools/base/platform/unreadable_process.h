@@ -1,11 +1,11 @@
-// Keeps worker processes from reading the memory and the environment of the process that started them. Linux;
-// elsewhere nothing. Internal to this folder.
+// Keeps worker processes from reading the memory and the environment of the process that started them. It
+// does so on Linux, and nothing elsewhere. Internal to this folder.
 #pragma once
 
 namespace penumbra::platform {
 
-// While one lives, processes of the same user cannot read this one through /proc or trace it, unless they may
-// read every process; it writes no core file.
+// While an object exists, processes of the same user cannot read this process through /proc or trace it,
+// unless they may read every process; it writes no core file.
 class UnreadableProcess {
  public:
   UnreadableProcess();

@@ -9,14 +9,14 @@ namespace {
 
 constexpr char kAnswer = 'a';
 constexpr char kInputError = 'i';
-constexpr const char* kWayOut = "\n  ";  // between the two texts of an InputError
+constexpr const char* kWayOut = "\n  ";  // separates the two texts of an InputError
 
 }  // namespace
 
 std::string answer_or_input_error(const std::function<std::string()>& work) {
   try {
     std::string answer = work();
-    answer.push_back(kAnswer);  // at the end: a large answer is not moved
+    answer.push_back(kAnswer);  // the mark is at the end, so that a large answer is not moved
     return answer;
   } catch (const InputError& error) {
     return std::string(error.what()) + kInputError;

@@ -6,10 +6,11 @@
 
 namespace penumbra::platform {
 
-// The worker's side. Every exception but InputError passes through.
+// Makes the response on the worker's side. Every exception but InputError passes through.
 std::string answer_or_input_error(const std::function<std::string()>& work);
 
-// The parent's side: the result. Throws the InputError, and std::invalid_argument for a malformed response.
+// Returns the result on the parent's side. Throws the InputError, and std::invalid_argument for a malformed
+// response.
 std::string taken_answer(std::string bytes);
 
 }  // namespace penumbra::platform

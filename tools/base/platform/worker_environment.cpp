@@ -11,14 +11,14 @@ namespace penumbra::platform {
 namespace {
 
 constexpr std::string_view kNames[] = {
-    // the program's own
+    // The program itself reads these.
     "PENUMBRA_FXC", "PENUMBRA_ROOT", "PENUMBRA_UNFILTERED_WORKERS",
-    // where libraries, programs and packages lie
+    // These say where libraries, programs and packages lie.
     "HOME", "LD_LIBRARY_PATH", "NUGET_PACKAGES", "PATH", "TMPDIR", "XDG_CACHE_HOME",
-    // of builds with sanitizers
+    // Builds with sanitizers read these.
     "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"};
 
-// Of graphics drivers, which have dozens each.
+// Graphics drivers have dozens of variables each, which begin like this.
 constexpr std::string_view kBeginnings[] = {"EGL_", "GALLIUM_", "LIBGL_", "LP_", "MESA_", "__EGL_"};
 
 bool is_needed(std::string_view name) {

@@ -1,5 +1,5 @@
-// What a worker process sees of its parent's environment, which can hold keys and passwords. Internal to this
-// folder.
+// The part of its parent's environment that a worker process sees; the environment can hold keys and
+// passwords. Internal to this folder.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace penumbra::platform {
 
-// NAME=VALUE of each variable of this process that a worker or its graphics driver reads, and of no other.
+// Returns NAME=VALUE of each variable of this process that a worker or its graphics driver reads, and of no
+// other.
 std::vector<std::string> worker_environment();
 
 }  // namespace penumbra::platform

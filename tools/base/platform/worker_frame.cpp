@@ -6,7 +6,7 @@
 
 namespace penumbra::platform {
 
-// Both ends are one program on one machine: lengths are in its own byte order.
+// Lengths are in the machine's own byte order, because both ends are one program on one machine.
 std::array<char, frame_head_size> frame_head(FrameKind kind, std::size_t content_size) {
   std::array<char, frame_head_size> head{static_cast<char>(kind)};
   const std::uint64_t length = content_size;

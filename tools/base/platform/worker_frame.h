@@ -38,11 +38,11 @@ inline constexpr std::size_t frame_head_size = 1 + sizeof(std::uint64_t);
 std::array<char, frame_head_size> frame_head(FrameKind kind, std::size_t content_size);
 std::string frame_bytes(FrameKind kind, std::string_view content);
 
-// The text of this failure, whichever side detects it first.
+// Returns the text of this failure, whichever side detects it first.
 std::string too_much_memory(std::size_t limit);
 
-// Accepts bytes in any chunks and returns whole frames; an invalid frame, and nothing after it, once the
-// bytes are malformed or a frame exceeds `largest` bytes.
+// The reader accepts bytes in any chunks and returns whole frames. Once the bytes are malformed or a frame
+// exceeds `largest` bytes, it returns an invalid frame, and nothing after it.
 class FrameReader {
  public:
   explicit FrameReader(std::size_t largest) : largest_(largest) {}

@@ -22,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How often running messages are checked: memory, time, Ctrl-C.
+// The interval at which running messages are checked: memory, time, Ctrl-C.
 constexpr std::chrono::milliseconds watch_interval{10};
 // A worker that takes longer than this to report that it is ready has failed.
 constexpr std::chrono::seconds start_limit{60};
@@ -57,7 +57,7 @@ std::string seconds_text(std::chrono::milliseconds time) {
   return count % 1000 == 0 ? std::to_string(count / 1000) + " s" : std::to_string(count) + " ms";
 }
 
-// As serve_worker() reads it.
+// The text is in the form that serve_worker() reads.
 std::string settings_text(const WorkerLimits& limits) {
   return std::to_string(limits.processor_time.count()) + " " + std::to_string(limits.memory) + " " +
          std::to_string(limits.answer);
@@ -150,7 +150,7 @@ class WorkerSlot {
       throw EnvironmentError("a worker process ended before it was ready; its output:\n" +
                              process_->output_tail());
     }
-    if (!busy_) {  // between two messages: no waiting message is the cause
+    if (!busy_) {  // It ended between two messages, so no waiting message is the cause.
       process_.reset();
       return;
     }

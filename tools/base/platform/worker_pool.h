@@ -9,10 +9,10 @@
 //
 // The memory limit applies to resident pages, which the parent polls (every 10 ms) on systems with /proc,
 // that is, on Linux; faster growth ends at RLIMIT_DATA, a little above. Threads are polled, too. Memory that
-// would be in neither number, because it is shared, cannot be had (platform/system_call_filter.cpp).
+// would be in neither number, because it is shared, cannot be allocated (platform/system_call_filter.cpp).
 //
-// A worker has of its parent's environment what its libraries read (worker_environment.cpp), and cannot read
-// its parent's memory.
+// A worker has only the variables of its parent's environment that its libraries read
+// (worker_environment.cpp), and cannot read its parent's memory.
 #pragma once
 
 #include <chrono>
@@ -28,8 +28,8 @@
 namespace penumbra::platform {
 
 struct WorkerLimits {
-  std::chrono::seconds processor_time{30};      // of one message
-  std::chrono::milliseconds time{180'000};      // of one message
+  std::chrono::seconds processor_time{30};      // limit for one message
+  std::chrono::milliseconds time{180'000};      // limit for one message
   std::size_t memory = std::size_t{2} << 30;    // bytes of a worker
   std::size_t answer = std::size_t{256} << 20;  // bytes of one answer, question or note
 };
@@ -55,8 +55,8 @@ struct WorkerOutcome {
 class WorkSource {
  public:
   virtual ~WorkSource() = default;
-  // The next message for this worker, from 0: its earlier work may help it (caches). Nothing if there is
-  // nothing to hand out now; the pool asks again after every finished().
+  // Returns the next message for this worker, from 0: its earlier work may help it (caches). Returns nothing
+  // if there is nothing to hand out now; the pool asks again after every finished().
   virtual std::optional<WorkerMessage> next(unsigned worker) = 0;
   virtual std::string answer_question(std::size_t number, const std::string& question) = 0;
   virtual void finished(std::size_t number, WorkerOutcome outcome) = 0;
@@ -70,8 +70,8 @@ class WorkerLink {
   virtual void note(std::string_view text) = 0;  // kept for the outcome if the worker fails after it
 };
 
-// Thrown by a handler whose own helper has ended, so that the worker cannot process another message: the
-// message fails with this text, as if the worker had, and the worker is replaced.
+// Thrown by a handler whose own helper process has ended, so that the worker cannot process another message:
+// the message fails with this text, as if the worker had, and the worker is replaced.
 class WorkerSpent : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -80,12 +80,12 @@ class WorkerSpent : public std::runtime_error {
 using WorkHandler = std::function<std::string(const std::string& message, WorkerLink& link)>;
 
 struct WorkerPool {
-  std::vector<std::string> arguments;  // that start this program as a worker
+  std::vector<std::string> arguments;  // the arguments that start this program as a worker
   unsigned workers = 1;
   WorkerLimits limits;
 };
 
-bool worker_processes_supported();  // POSIX
+bool worker_processes_supported();  // true for POSIX
 
 // Runs until next() returns nothing and every message is finished. Throws EnvironmentError if no worker can
 // be started or a handler throws one, Interrupted if the user interrupts; in either case all workers have
@@ -95,12 +95,12 @@ void run_workers(const WorkerPool& pool, WorkSource& source);
 // Processes one message. Throws as run_workers() does. `pool.workers` is ignored: there is one.
 WorkerOutcome ask_worker(const WorkerPool& pool, std::string message);
 
-// The same without processes: faster to start, but without isolation. Throws what a handler throws.
+// Does the same without processes: it starts faster, but has no isolation. Throws what a handler throws.
 void run_in_threads(unsigned threads, const WorkHandler& handler, WorkSource& source);
 
-// The worker's side: processes messages until the parent closes its end. An exception of the handler is a
-// failure of that message; an EnvironmentError ends the whole run. `prepare` is called before the process is
-// confined, with the pool's limits, for anything that needs more than reading, such as opening a graphics
+// Runs the worker's side: processes messages until the parent closes its end. An exception of the handler is
+// a failure of that message; an EnvironmentError ends the whole run. `prepare` is called before the process
+// is confined, with the pool's limits, for anything that needs more than reading, such as opening a graphics
 // driver. Returns the exit code of the process.
 int serve_worker(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare = {});
 

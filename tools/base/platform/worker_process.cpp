@@ -53,7 +53,8 @@ class Descriptor {
   int number_;
 };
 
-// Above the numbers that a worker's own descriptors get, and closed in every other child.
+// The descriptor is above the numbers that a worker's own descriptors get, and is closed in every other
+// child.
 int out_of_the_way(int descriptor) {
   const Descriptor original(descriptor);
   const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, worker_frames_descriptor + 1);
@@ -85,7 +86,7 @@ std::unique_ptr<Ends> pipe_ends() {
   return std::make_unique<Ends>(pair);
 }
 
-// The worker's descriptors: nothing to read on 0, its noise on 1 and 2, the frames on 3.
+// The worker's descriptors: nothing to read on 0, its other output on 1 and 2, the frames on 3.
 class WorkerSettings {
  public:
   WorkerSettings(int frames, int noise) {
@@ -95,8 +96,8 @@ class WorkerSettings {
     posix_spawn_file_actions_adddup2(&actions, noise, 2);
     posix_spawn_file_actions_adddup2(&actions, frames, worker_frames_descriptor);
     posix_spawnattr_init(&attributes);
-    // A process group of its own: the pool handles Ctrl-C at the terminal, and the worker's children end with
-    // it.
+    // The worker has a process group of its own: the pool handles Ctrl-C at the terminal, and the worker's
+    // children end with it.
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     posix_spawnattr_setpgroup(&attributes, 0);
     sigset_t every;
@@ -114,7 +115,7 @@ class WorkerSettings {
   posix_spawnattr_t attributes{};
 };
 
-// Pointers to the texts, with a null pointer at the end, as the system takes them.
+// Returns pointers to the texts, with a null pointer at the end, as the system takes them.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> list;
   list.reserve(texts.size() + 1);
@@ -207,8 +208,8 @@ std::size_t WorkerProcess::resident_bytes() const {
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// Behind the program's name, which may hold anything: the state is the third field, the threads are the
-// twentieth.
+// The fields stand behind the program's name, which may hold anything: the state is the third field, the
+// threads are the twentieth.
 std::size_t WorkerProcess::threads() const {
   const std::string facts = fact("stat");
   const std::size_t name_end = facts.rfind(')');

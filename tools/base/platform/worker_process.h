@@ -1,5 +1,4 @@
-// One worker process from the pool's side: start, send, receive, monitor, end. POSIX; internal to this
-// folder.
+// A worker process from the pool's side: start, send, receive, monitor, end. POSIX; internal to this folder.
 #pragma once
 
 #ifndef _WIN32
@@ -18,10 +17,10 @@ namespace penumbra::platform {
 
 class WorkerProcess {
  public:
-  // Throws EnvironmentError when the system starts no process.
-  // largest_answer: bytes of one frame that it may send.
+  // Throws EnvironmentError when the system starts no process. `largest_answer` is the largest number of
+  // bytes of one frame that it may send.
   WorkerProcess(const std::vector<std::string>& arguments, std::size_t largest_answer);
-  ~WorkerProcess();  // ends it, with everything it started
+  ~WorkerProcess();  // ends it, with all processes that it started
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
@@ -30,8 +29,8 @@ class WorkerProcess {
   bool has_more_to_send() const { return !outbox_.empty(); }
   void send_more();
 
-  // Both read the available bytes, at most some megabytes. read_frames is false when the worker has closed
-  // its end: it has ended.
+  // Both read the available bytes, at most some megabytes. read_frames() returns false when the worker has
+  // closed its end: it has ended.
   bool read_frames();
   void read_child_output();
   std::optional<Frame> next_frame() { return reader_.next(); }
@@ -39,11 +38,11 @@ class WorkerProcess {
   int socket() const { return socket_; }
   int child_output() const { return child_output_; }
   const std::string& output_tail() const { return output_tail_; }
-  // 0 where the system does not say.
+  // Returns 0 where the system does not report it.
   std::size_t resident_bytes() const;
   std::size_t threads() const;
 
-  int end();  // kills it if it lives; its wait status
+  int end();  // kills it if it is alive; returns its wait status
 
  private:
   std::string fact(const char* file) const;  // the beginning of a file of /proc; empty where there is none

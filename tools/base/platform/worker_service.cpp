@@ -27,7 +27,8 @@ namespace penumbra::platform {
 #ifndef _WIN32
 namespace {
 
-// Exits immediately and silently if the parent has ended: nobody is left to receive a message.
+// The link exits immediately and silently if the parent has ended, because no process is left to receive a
+// message.
 class ParentLink final : public WorkerLink {
  public:
   std::string ask(std::string_view question) override {
@@ -78,8 +79,8 @@ void bind_to_parent() {
   std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is detected when it is written to
 }
 
-// Compilers take and return the same memory for every message: giving it back to the system in between, and
-// clearing it anew, costs several per cent of their time.
+// Compilers take and return the same memory for every message. Giving it back to the system in between, and
+// clearing it anew, would cost several per cent of their time.
 void keep_memory() {
 #ifdef __GLIBC__
   ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
@@ -88,7 +89,7 @@ void keep_memory() {
 #endif
 }
 
-// The parent's first frame.
+// Reads the parent's first frame.
 WorkerLimits read_limits(ParentLink& link) {
   const Frame frame = link.read();
   WorkerLimits limits;
@@ -101,8 +102,8 @@ WorkerLimits read_limits(ParentLink& link) {
   return limits;
 }
 
-// Sent by a worker when the system has no more memory. Allocators written in C end the process, others throw
-// an exception that may be thrown in a library's destructor: neither is waited for.
+// A worker sends this when the system has no more memory. Allocators written in C end the process, and others
+// throw an exception that may be thrown in a library's destructor, so it waits for neither.
 std::string out_of_memory;  // the frame, prepared while there is memory
 
 void end_without_memory() {
@@ -167,7 +168,7 @@ void serve(const WorkHandler& handler, const std::function<void(const WorkerLimi
 
 int serve_worker(const WorkHandler& handler, const std::function<void(const WorkerLimits&)>& prepare) {
   close_descriptors_from(worker_frames_descriptor + 1);
-  give_up_reading_processes();  // before a driver starts threads, which would keep the right
+  give_up_reading_processes();  // done before a driver starts threads, which would keep the right
   bind_to_parent();
   keep_memory();
   ParentLink link;

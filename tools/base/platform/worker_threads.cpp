@@ -49,14 +49,14 @@ class ThreadsRun {
       const std::lock_guard<std::mutex> lock(run_.mutex_);
       return run_.source_.answer_question(number_, std::string(question));
     }
-    void note(std::string_view) override {}  // an outcome without failure has none
+    void note(std::string_view) override {}  // an outcome without failure has no note
 
    private:
     ThreadsRun& run_;
     std::size_t number_;
   };
 
-  // Waits while another thread's message may still produce more.
+  // It waits while another thread's message may still produce more.
   std::optional<WorkerMessage> next(unsigned worker) {
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
