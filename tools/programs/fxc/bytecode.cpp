@@ -32,7 +32,7 @@ constexpr std::uint32_t kThreadGroup = 155;
 constexpr std::uint32_t kSharedRaw = 159;
 constexpr std::uint32_t kSharedStructured = 160;
 
-// sample in its six forms, ld and ld_ms, gather4 in its four.
+// These are sample in its six forms, ld and ld_ms, and gather4 in its four.
 bool reads_texture(std::uint32_t operation) {
   return (operation >= 69 && operation <= 74) || operation == 45 || operation == 46 || operation == 109 ||
          (operation >= 126 && operation <= 128);
@@ -51,7 +51,7 @@ void add_instruction(const std::vector<std::uint32_t>& code, std::size_t at, std
     case kSharedRaw:  // an operand of two words, then bytes
       cost.group_shared += operand(3);
       break;
-    case kSharedStructured:  // likewise, then bytes of an element, and their number
+    case kSharedStructured:  // an operand of two words, then bytes of an element, and their number
       cost.group_shared += operand(3) * operand(4);
       break;
     default:
@@ -59,7 +59,7 @@ void add_instruction(const std::vector<std::uint32_t>& code, std::size_t at, std
   }
 }
 
-// False for damaged code.
+// Returns false for damaged code.
 bool add_instructions(const std::vector<std::uint32_t>& code, BytecodeCost& cost) {
   for (std::size_t at = 2; at < code.size();) {  // behind the version and the length
     const bool custom = (code[at] & kOperation) == kCustomData;
@@ -92,7 +92,7 @@ std::optional<BytecodeCost> bytecode_cost(std::string_view container) {
   std::optional<std::string_view> code = chunk(container, "SHEX");
   if (!code) code = chunk(container, "SHDR");
   const std::optional<std::string_view> statistics = chunk(container, "STAT");
-  // In the order of D3D11_SHADER_DESC's counts, which leave gathers out of the texture instructions.
+  // The order is that of D3D11_SHADER_DESC's counts, which leave gathers out of the texture instructions.
   constexpr std::size_t known = 9;
   if (!code || !statistics || statistics->size() < known * 4) return std::nullopt;
   const std::vector<std::uint32_t> counts = words_of(*statistics);

@@ -8,14 +8,15 @@
 
 namespace penumbra::fxc {
 
-// The contents of the first chunk with this name of four characters, "RDEF" for instance; nothing if there is
-// none, or if the container is damaged.
+// Returns the contents of the first chunk with this name of four characters, "RDEF" for instance, or nothing
+// if there is none or the container is damaged.
 std::optional<std::string_view> chunk(std::string_view container, std::string_view name);
 
-// As Unity's inspector shows them for Direct3D 11. Static counts: a loop's body counts once.
+// The figures that Unity's inspector shows for Direct3D 11. They are static counts: a loop's body counts
+// once.
 struct BytecodeCost {
-  std::uint32_t instructions = 0;             // without declarations
-  std::uint32_t arithmetic = 0;               // of them, on floating-point numbers and integers
+  std::uint32_t instructions = 0;             // declarations do not count
+  std::uint32_t arithmetic = 0;               // those on floating-point numbers and integers
   std::uint32_t textures = 0;                 // sample, gather and load instructions
   std::uint32_t branches = 0;                 // dynamic flow control: if, loop, switch, break
   std::uint32_t temporaries = 0;              // registers of four components, indexable arrays included
@@ -23,7 +24,7 @@ struct BytecodeCost {
   std::array<std::uint32_t, 3> group_size{};  // threads; 0 for other stages than compute
 };
 
-// Nothing if the container has no code, or is damaged.
+// Returns nothing if the container has no code, or is damaged.
 std::optional<BytecodeCost> bytecode_cost(std::string_view container);
 
 }  // namespace penumbra::fxc

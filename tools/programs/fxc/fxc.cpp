@@ -37,7 +37,7 @@ bool is_library(const fs::path& file) {
   return name.starts_with("d3dcompiler_47") && name.ends_with(".dll");
 }
 
-// The library in this folder itself; empty when there is none.
+// Returns the library in this folder itself; empty when there is none.
 fs::path library_in(const fs::path& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
@@ -45,8 +45,8 @@ fs::path library_in(const fs::path& folder) {
   return {};
 }
 
-// Folders that NuGet unpacks versions of the package into, in an order that does not depend on the file
-// system.
+// Returns the folders into which NuGet unpacks versions of the package, in an order that does not depend on
+// the file system.
 std::vector<fs::path> nuget_folders() {
   const char* packages = environment("NUGET_PACKAGES");
   const char* home = environment("HOME");
@@ -96,7 +96,8 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// From VS_FIXEDFILEINFO of the version resource: the signature, a version of the structure, then the file's.
+// The version is that of VS_FIXEDFILEINFO in the version resource: the signature, a version of the structure,
+// then the file's.
 std::string version_of(std::string_view library) {
   constexpr std::string_view signature("\xBD\x04\xEF\xFE", 4);
   const std::size_t at = library.find(signature);
@@ -107,7 +108,7 @@ std::string version_of(std::string_view library) {
          std::to_string(parts[2]);
 }
 
-// Why the file cannot be the library; empty where it may be.
+// Says why the file cannot be the library; empty where it may be.
 std::string problem_of(const fs::path& library) {
   std::error_code error;
   if (!fs::is_regular_file(library, error))

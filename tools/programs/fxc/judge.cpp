@@ -22,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of D3DCOMPILE_*: Unity's are the highest level of optimisation and the compatibility with Direct3D 9's
-// semantics.
+// The flags are those of D3DCOMPILE_*: Unity's are the highest level of optimisation and the compatibility
+// with Direct3D 9's semantics.
 constexpr std::uint32_t kSkipOptimisation = 1U << 2U;
 constexpr std::uint32_t kBackwardsCompatibility = 1U << 12U;
 constexpr std::uint32_t kHighestLevel = 1U << 15U;
 
-// As fxc_worker.c has them.
+// The values are those of fxc_worker.c.
 constexpr std::uint32_t kCompiled = 0;
 constexpr std::uint32_t kTooLong = 2;
 constexpr std::uint32_t kTooLarge = 3;
@@ -39,7 +39,7 @@ constexpr int kPatience = 20;
 
 constexpr std::uint32_t kLargestAnswer = std::uint32_t{256} << 20U;  // bytes
 
-// Wine takes plain paths alone, and of its server's socket below them only short ones.
+// Wine takes only plain paths, and only short ones for its server's socket below them.
 fs::path folder_for_wine() {
   constexpr std::size_t kLongest = 64;
   const fs::path usual = platform::temporary_directory();
@@ -52,9 +52,8 @@ fs::path folder_for_wine() {
   return fits ? usual : fs::path("/tmp");
 }
 
-// What Wine needs of a prefix: two drives. It is told to load its own libraries from where they are
-// installed, and to start none of the services of a Windows desktop, which takes half a second in place of
-// twenty.
+// A prefix with what Wine needs: two drives. Wine loads its own libraries from where they are installed, and
+// starts none of the services of a Windows desktop: that takes half a second in place of twenty.
 struct Prefix {
   fs::path folder = platform::new_private_directory("penumbra-fxc", folder_for_wine());
 
@@ -83,7 +82,7 @@ struct Prefix {
   Prefix& operator=(const Prefix&) = delete;
 
  private:
-  // Wine's server, which is told of nothing, may still write its registry while it is removed.
+  // Wine's server does not know of the removal, and may still write its registry.
   void remove() const {
     std::error_code error;
     for (int tries = 0; tries < 100; ++tries) {
@@ -149,7 +148,7 @@ Judge::Judge(const Installation& installation, const JudgeLimits& limits) {
   char ready = 0;
   bool started = false;
   {
-    // Gone when everything that Wine needs is loaded: nothing stays behind, however it ends.
+    // The prefix is removed when everything that Wine needs is loaded: nothing stays behind, however it ends.
     const Prefix prefix;
     process_ = std::make_unique<Process>(installation, limits, prefix.folder);
     started = process_->child.read(&ready, 1);

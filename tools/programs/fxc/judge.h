@@ -14,7 +14,7 @@
 namespace penumbra::fxc {
 
 struct Program {
-  std::string text;  // without includes and macros; #line directives and #pragmas may be left
+  std::string text;  // without includes and macros; #line directives and #pragmas may remain
   std::string entry;
   std::string profile;  // fxc/profile.h
   bool optimise = true;
@@ -27,8 +27,8 @@ struct Verdict {
 };
 
 struct JudgeLimits {
-  unsigned processor_seconds = 60;  // of one program
-  unsigned megabytes = 2048;        // of the compiler's process
+  unsigned processor_seconds = 60;  // limit for one program
+  unsigned megabytes = 2048;        // limit for the compiler's process
 };
 
 inline JudgeLimits limits_of(const platform::WorkerLimits& limits) {
@@ -46,7 +46,7 @@ class Judge {
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
-  // Throws platform::WorkerSpent where FXC crashes or exceeds a limit: this Judge is of no more use then.
+  // Throws platform::WorkerSpent where FXC crashes or exceeds a limit: this Judge cannot be used again.
   Verdict compile(const Program& program);
 
  private:

@@ -1,4 +1,4 @@
-// On Windows the library is called in this process: there are no confined workers.
+// The library is called in this process on Windows, because there are no confined workers.
 #include <d3dcompiler.h>
 
 #include <utility>

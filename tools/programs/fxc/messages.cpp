@@ -16,7 +16,7 @@ namespace penumbra::fxc {
 
 namespace {
 
-// What FXC itself acts on.
+// FXC itself acts on these pragmas.
 constexpr std::array<std::string_view, 4> kPragmasOfFxc{"warning", "pack_matrix", "def", "message"};
 
 bool is_blank(char c) {
@@ -40,7 +40,7 @@ bool is_for_fxc(std::string_view line) {
                      [&](std::string_view name) { return line.starts_with(name); });
 }
 
-// One line of FXC's messages: "file(line,first-last): warning X3206: text", or without the place.
+// A line of FXC's messages: "file(line,first-last): warning X3206: text", or without the place.
 struct Said {
   int line = 0;
   int column = 0;
@@ -48,7 +48,7 @@ struct Said {
   std::string text;
 };
 
-// Where its memory is used up, FXC says so without a severity: "folder/Shader@0x000012(1,10026): memory
+// FXC has no severity in its message that memory is used up: "folder/Shader@0x000012(1,10026): memory
 // exhausted".
 constexpr std::string_view kOwnName = "Shader@0x";
 
@@ -59,7 +59,7 @@ int number(std::string_view& text) {
   return error == std::errc() ? value : 0;
 }
 
-// Of "file(line,first-last): ".
+// The place is the text "file(line,first-last): ".
 void read_place(std::string_view place, Said& said) {
   const std::size_t open = place.rfind('(');
   if (open == std::string_view::npos) return;

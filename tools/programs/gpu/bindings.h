@@ -1,7 +1,7 @@
-// What a pass's shaders read and write, by the names that the shaders give it.
+// The resources that a pass's shaders read and write, by the names that the shaders give them.
 //
-// A pass has one set of bindings, and makes more for uses that stand side by side in one Sequence. What is
-// bound is kept alive, and can be replaced between runs without rebuilding anything.
+// A pass has one set of bindings, and makes more for uses that stand side by side in one Sequence. Bound
+// resources are kept alive, and can be replaced between runs without rebuilding anything.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace penumbra::gpu {
 
-// Mip levels and layers that a shader sees; of a storage image the first level. Counts of 0: all from the
-// first on.
+// The mip levels and layers that a shader sees; for a storage image only the first level. A count of 0 means
+// all from the first on.
 struct ImageRange {
   int first_mip = 0;
   int mips = 0;
@@ -32,7 +32,7 @@ class Bindings {
   bool has(const std::string& name) const;
 
   // Each throws std::logic_error when the pass has no resource of that name and kind, or the device is
-  // another one. Of stages that both have the name, each gets it.
+  // another one. If several stages have the name, each gets the resource.
   void buffer(const std::string& name, const Buffer& buffer);  // StructuredBuffer, RWStructuredBuffer
   void image(const std::string& name, const Image& image,
              ImageRange range = {});  // Texture2D, RWTexture2D, ...

@@ -21,13 +21,13 @@ struct BoundResource {
 
 struct BindingsState {
   std::shared_ptr<PassInterface> interface;
-  std::vector<BoundResource> bound;  // as the interface's slots
+  std::vector<BoundResource> bound;  // in the order of the interface's slots
   vk::raii::DescriptorPool pool = nullptr;
   std::vector<vk::raii::DescriptorSet> sets;
-  bool changed = true;         // slots differ from what the descriptor sets say
+  bool changed = true;         // true if slots differ from the descriptor sets
   std::uint64_t revision = 0;  // grows when a slot gets another resource
 
-  // Throws std::logic_error naming what nothing is bound to.
+  // Throws std::logic_error naming the resource to which nothing is bound.
   void require_bound() const;
   void write_descriptors();
   void use(vk::PipelineBindPoint point, const vk::raii::CommandBuffer& commands) const;

@@ -1,4 +1,4 @@
-// One compute shader, run as often as wanted: the pipeline is compiled once, at the first dispatch.
+// A compute shader that can run repeatedly: the pipeline is compiled once, at the first dispatch.
 //
 //   ComputePass resolve(device, {.spirv = words});
 //   resolve.bindings().image("_ShadowMap", atlas);
@@ -31,8 +31,8 @@ class ComputePass {
   Bindings more_bindings() const;  // for another step of a Sequence
 
   // Runs `repeat` times, each its own submission, and returns each one's time on the device in nanoseconds:
-  // by timestamps around the dispatch where the device has them, else wall-clock time of the submission.
-  // Throws as Sequence does.
+  // by timestamps around the dispatch where the device has them, else by the wall-clock time of the
+  // submission. Throws as Sequence does.
   std::vector<double> dispatch(std::array<std::uint32_t, 3> groups, int repeat = 1);
 
   const std::shared_ptr<ComputeState>& state() const { return state_; }

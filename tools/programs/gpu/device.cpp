@@ -41,7 +41,7 @@ SubgroupInfo subgroup_of(const vk::raii::PhysicalDevice& physical) {
   return info;
 }
 
-// What makes depths outside [0, 1] and NaN texels legal, and what a portability driver insists on.
+// These extensions make depths outside [0, 1] and NaN texels legal, and a portability driver requires them.
 std::vector<const char*> device_extensions(const vk::raii::PhysicalDevice& physical) {
   const std::vector<vk::ExtensionProperties> offered = physical.enumerateDeviceExtensionProperties();
   std::vector<const char*> enabled;
@@ -78,7 +78,7 @@ void open_device(DeviceState& state) {
   state.info.half_storage = half.storage.storageBuffer16BitAccess;
   state.info.subgroup = subgroup_of(state.physical);
   vk::DeviceCreateInfo create({}, queue, {}, extensions, &state.features);
-  // A vertex program of translated Direct3D bytecode counts instances from 0 with it.
+  // With this feature a vertex program of translated Direct3D bytecode counts instances from 0.
   auto draws =
       state.physical
           .getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceShaderDrawParametersFeatures>()

@@ -70,7 +70,7 @@ std::vector<double> DeviceState::times(std::uint32_t steps) const {
       0, std::uint32_t(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
   std::vector<double> nanoseconds;
-  std::uint64_t ended = 0;  // since the first step's begin: when all earlier steps had ended
+  std::uint64_t ended = 0;  // ticks since the first step's begin when all earlier steps had ended
   for (std::size_t step = 0; step < steps; ++step) {
     const std::uint64_t end = (ticks[step + 1] - ticks.front()) & timestamp_mask;
     nanoseconds.push_back(double(end - std::min(ended, end)) * double(limits.timestampPeriod));
@@ -129,7 +129,7 @@ Allocation DeviceState::make_buffer(std::size_t bytes, vk::BufferUsageFlags usag
 
 Allocation& DeviceState::staging_of(std::size_t bytes) {
   if (staging.bytes < bytes) {
-    staging = {};  // give the old one back first
+    staging = {};  // frees the old one first
     staging =
         make_buffer(bytes, vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst,
                     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);

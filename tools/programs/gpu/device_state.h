@@ -1,7 +1,8 @@
-// The Vulkan side of a Device, for this folder's sources only: handles, memory, and one way to submit.
+// The Vulkan side of a Device, for this folder's sources only: handles, memory, and one function that
+// submits.
 //
 // Every submission starts and ends with a full barrier and is waited for, so passes need no synchronisation
-// of their own; what is measured is one dispatch or one pass at a time anyway.
+// of their own. Only one dispatch or one pass at a time is measured anyway.
 #pragma once
 
 #include <functional>
@@ -29,10 +30,10 @@ struct Allocation {
   vk::raii::Buffer buffer = nullptr;
   vk::raii::DeviceMemory memory = nullptr;
   std::size_t bytes = 0;
-  std::byte* mapped = nullptr;  // of host-visible memory
+  std::byte* mapped = nullptr;  // set for host-visible memory
 };
 
-// The order of members is the order of creation; destruction goes backwards.
+// The order of members is the order of creation; destruction runs in reverse.
 struct DeviceState {
   explicit DeviceState(vk::raii::Context loaded) : context(std::move(loaded)) {}
 
@@ -44,24 +45,24 @@ struct DeviceState {
   vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
   vk::raii::PhysicalDevice physical = nullptr;
   vk::PhysicalDeviceLimits limits;
-  vk::PhysicalDeviceFeatures features;  // those that are switched on
+  vk::PhysicalDeviceFeatures features;  // features that are switched on
   vk::raii::Device device = nullptr;
   std::uint32_t queue_family = 0;
   vk::raii::Queue queue = nullptr;
   vk::raii::CommandPool command_pool = nullptr;
   vk::raii::CommandBuffer commands = nullptr;
   vk::raii::Fence fence = nullptr;
-  std::uint64_t timestamp_mask = 0;          // the bits that count
+  std::uint64_t timestamp_mask = 0;          // the significant bits
   vk::raii::QueryPool timestamps = nullptr;  // the first begin, and the end of each marked step; grows
   std::uint32_t timestamp_steps = 0;
   Allocation staging;           // grows to the largest copy so far
-  std::shared_ptr<void> stuck;  // what a submission that ran out of time may still be using
+  std::shared_ptr<void> stuck;  // resources that a submission which ran out of time may still use
 
-  // Records, submits and waits. `used` is kept alive should the wait time out. Of each of the `marked` steps,
-  // the first of which `record` begins with mark_begin and each of which it ends with mark_end, the time in
-  // nanoseconds, from the end of all steps before it to its own end, so that waits count and steps that run
-  // at once count once: the sum is the time from the first step's begin to the last one's end. Without
-  // timestamps the first has the wall-clock time of the whole submission and the others 0.
+  // Records, submits and waits. `used` is kept alive should the wait time out. Returns the time of each of
+  // the `marked` steps in nanoseconds; `record` begins the first of them with mark_begin and ends each with
+  // mark_end. A time runs from the end of all steps before it to the step's own end, so that waits count and
+  // steps that run at once count once: the sum is the time from the first step's begin to the last one's end.
+  // Without timestamps the first has the wall-clock time of the whole submission and the others 0.
   std::vector<double> submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
                              const std::shared_ptr<void>& used, std::uint32_t marked = 0);
   void mark_begin(const vk::raii::CommandBuffer& commands_in_use) const;

@@ -1,5 +1,5 @@
-// The texel formats that shadow techniques need: shadow maps, what is computed with (moments, penumbra
-// widths, masks) and what is counted in.
+// The texel formats that shadow techniques need: for shadow maps, for computed values (moments, penumbra
+// widths, masks) and for counts.
 #pragma once
 
 #include <cstddef>
@@ -42,19 +42,19 @@ std::span<const Format> all_formats();
 bool is_depth(Format format);
 bool has_stencil(Format format);
 bool is_integer(Format format);          // shaders read and write whole numbers
-std::size_t texel_bytes(Format format);  // of a copy
+std::size_t texel_bytes(Format format);  // bytes in a copy
 const char* name(Format format);
 std::optional<Format> find_format(std::string_view name);
 
-// What a device can do with a format; copies to and from the host it can always. Not what Vulkan promises for
-// every device: r11g11b10f, for example, is written by compute shaders on some.
+// The operations of a device on a format; copies to and from the host are always possible. They are not
+// Vulkan's promises for every device: r11g11b10f, for example, is written by compute shaders on some.
 struct FormatUses {
   bool sampled = false;   // shaders load texels
   bool filtered = false;  // linear samplers
   bool storage = false;   // compute shaders write texels
   bool target = false;    // passes draw into it
   bool blended = false;
-  int most_samples = 1;  // of a target
+  int most_samples = 1;  // for a target
 };
 
 }  // namespace penumbra::gpu

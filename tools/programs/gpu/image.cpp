@@ -23,7 +23,8 @@ void clear_undefined_bits(Format format, std::span<std::byte> bytes) {
 
 vk::ImageUsageFlags usage_of(const ImageState& state) {
   if (state.shape.samples == 1) return state.texel.usage;
-  return vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst |  // to be cleared
+  // The image can be cleared.
+  return vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst |
          (is_depth(state.shape.format) ? vk::ImageUsageFlagBits::eDepthStencilAttachment
                                        : vk::ImageUsageFlagBits::eColorAttachment);
 }

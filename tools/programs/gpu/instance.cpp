@@ -53,7 +53,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& physical, int index, std::ui
   info.has_timestamps =
       !info.is_software && physical.getQueueFamilyProperties()[family].timestampValidBits > 0;
   info.driver = version_text(properties.driverVersion);
-  // Only valid where the extension became core; older drivers keep the bare version.
+  // The property is valid only where the extension became core; older drivers keep the bare version.
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
     const auto chain =
         physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
@@ -113,7 +113,7 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, MessageLog* l
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     messenger = messenger_of(*log);
     messenger.pNext = &features;
-    create.pNext = &messenger;  // hears of what the instance's own creation and destruction do
+    create.pNext = &messenger;  // receives messages about the instance's own creation and destruction
   }
   create.setPEnabledLayerNames(layers);
   create.setPEnabledExtensionNames(extensions);

@@ -1,4 +1,4 @@
-// From the Vulkan loader to a physical device, for this folder's sources only.
+// The steps from the Vulkan loader to a physical device, for this folder's sources only.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace penumbra::gpu {
 // Throws EnvironmentError when there is no loader.
 vk::raii::Context load_vulkan();
 
-// `log` asks for validation; null means without.
+// With a `log` the instance has validation; null means without.
 vk::raii::Instance make_instance(const vk::raii::Context& context, MessageLog* log);
 vk::DebugUtilsMessengerCreateInfoEXT messenger_of(MessageLog& log);
 
@@ -22,15 +22,17 @@ struct Candidate {
   DeviceInfo info;
 };
 
-// All devices with Vulkan 1.1 and a queue for graphics and compute; EnvironmentError when there is none.
+// Returns all devices with Vulkan 1.1 and a queue for graphics and compute; throws EnvironmentError when
+// there is none.
 std::vector<Candidate> candidates_of(const vk::raii::Instance& instance);
 
-// The one that answers to `wanted`, as DeviceOptions::name says; EnvironmentError naming all when none does.
+// Returns the device that `wanted` names, as DeviceOptions::name says; throws EnvironmentError naming all
+// when none does.
 Candidate choose(std::vector<Candidate> candidates, const std::string& wanted);
 
 bool offers(const std::vector<vk::ExtensionProperties>& extensions, std::string_view name);
 
-// Runs what happens before there is a device to name in the error.
+// Runs an action before there is a device that an error could name.
 template <typename Action>
 auto starting_vulkan(Action&& action) {
   try {

@@ -1,5 +1,5 @@
-// What a pass's modules read and write, by name, and the layouts that follow from it. Internal to this
-// folder.
+// The resources that a pass's modules read and write, by name, and the layouts that follow from them.
+// Internal to this folder.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace penumbra::gpu {
 
-// One stage's resource. Two stages of a pass may have one of the same name.
+// A resource of one stage. Two stages of a pass may have resources of the same name.
 struct InterfaceSlot {
   shaders::Resource resource;
   std::uint32_t set = 0;
@@ -21,8 +21,8 @@ struct InterfaceSlot {
 struct PassInterface {
   std::shared_ptr<DeviceState> device;
   std::vector<InterfaceSlot> slots;
-  std::vector<vk::raii::DescriptorSetLayout> layouts;  // one per set, gaps included
-  vk::ShaderStageFlags stages;                         // all read the push constants
+  std::vector<vk::raii::DescriptorSetLayout> layouts;  // one for each set, gaps included
+  vk::ShaderStageFlags stages;                         // the stages that read the push constants
   vk::raii::PipelineLayout pipeline_layout = nullptr;
 };
 
@@ -31,7 +31,7 @@ struct StageModule {
   vk::ShaderStageFlagBits stage = vk::ShaderStageFlagBits::eCompute;
 };
 
-// Modules number their bindings each for itself: the later ones' sets are moved behind those of the first.
+// Each module numbers its own bindings: the later ones' sets are moved behind those of the first.
 std::shared_ptr<PassInterface> make_interface(const std::shared_ptr<DeviceState>& device,
                                               std::vector<StageModule>& modules,
                                               std::uint32_t push_constant_bytes);

@@ -27,8 +27,8 @@ using shaders::StageLocation;
 
 constexpr const char* statistics_extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
 
-// Every feature there is, so that any shader compiles; but robust access would make all buffer reads dearer
-// than they are in a game.
+// The device has every feature, so that any shader compiles; but robust access is off, because it would make
+// all buffer reads dearer than they are in a game.
 vk::raii::Device open_device(const Candidate& candidate) {
   const vk::raii::PhysicalDevice& physical = candidate.physical;
   const std::vector<vk::ExtensionProperties> offered = physical.enumerateDeviceExtensionProperties();
@@ -84,7 +84,7 @@ struct Layout {
   vk::raii::PipelineLayout pipeline = nullptr;
 };
 
-// All stages see all of it; where two name the same binding, the larger array stands.
+// All stages see all of the layout; where two name the same binding, the larger array counts.
 Layout make_layout(const vk::raii::Device& device, const std::vector<const PipelineInterface*>& interfaces,
                    vk::ShaderStageFlags stages) {
   std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>> by_set;
@@ -132,7 +132,7 @@ vk::Format colour_format(const StageLocation& at) {
   return vk::Format::eR16G16B16A16Sfloat;
 }
 
-// Colours at the locations the fragment shader writes, and a depth buffer.
+// The pass has colours at the locations that the fragment shader writes, and a depth buffer.
 vk::raii::RenderPass make_render_pass(const vk::raii::Device& device,
                                       const std::vector<StageLocation>& outputs) {
   std::vector<vk::AttachmentDescription> attachments;

@@ -1,7 +1,8 @@
-// What a driver's compiler says about the code it made of a shader: instructions, registers, occupancy.
+// The statistics that a driver's compiler reports about its code for a shader: instructions, registers,
+// occupancy.
 //
 // Based on VK_KHR_pipeline_executable_properties: names, meanings and number of the figures are the driver's
-// own. Pipelines are made and asked, never run: no queue, memory or command buffer is touched, so a device
+// own. Pipelines are made and queried, never run: no queue, memory or command buffer is touched, so a device
 // without hardware behind it (RADV with RADV_FORCE_FAMILY) serves as well. Descriptors, vertex attributes and
 // attachments follow from the modules: 32-bit attributes of as many components as the shader reads, 16-bit
 // float colours (32-bit integers where the shader writes integers), one sample, no blending, a depth buffer.
@@ -22,7 +23,7 @@ struct PipelineStatistic {
   std::uint64_t value = 0;  // a driver's fractions are rounded
 };
 
-// One program of a pipeline; drivers may merge stages or add programs of their own.
+// A program of a pipeline; drivers may merge stages or add programs of their own.
 struct PipelineExecutable {
   std::string name;
   bool vertex = false;  // the stages it comes from
@@ -39,8 +40,8 @@ struct ShaderEntry {
 
 class StatisticsDevice {
  public:
-  // `name` as in DeviceOptions. Throws EnvironmentError when there is no such device, or when it has no
-  // VK_KHR_pipeline_executable_properties.
+  // `name` has the meaning of DeviceOptions::name. Throws EnvironmentError when there is no such device, or
+  // when it has no VK_KHR_pipeline_executable_properties.
   explicit StatisticsDevice(const std::string& name);
   ~StatisticsDevice();
   StatisticsDevice(StatisticsDevice&&) noexcept;
@@ -48,8 +49,8 @@ class StatisticsDevice {
 
   const DeviceInfo& info() const;
 
-  // Throw std::invalid_argument for what pipeline_interface() refuses, and EnvironmentError when the driver
-  // makes no pipeline of the modules. Modules must be valid: a driver may crash on others.
+  // These throw std::invalid_argument for what pipeline_interface() refuses, and EnvironmentError when the
+  // driver makes no pipeline of the modules. Modules must be valid: a driver may crash on others.
   std::vector<PipelineExecutable> compute(const ShaderEntry& shader) const;
   std::vector<PipelineExecutable> graphics(const ShaderEntry& vertex, const ShaderEntry& fragment) const;
 

@@ -8,7 +8,7 @@
 namespace penumbra::gpu {
 namespace {
 
-constexpr std::uint32_t push_constant_bytes = 128;  // what every Vulkan device has
+constexpr std::uint32_t push_constant_bytes = 128;  // the size that every Vulkan device has
 constexpr Access colour_access{
     vk::PipelineStageFlagBits::eColorAttachmentOutput,
     vk::AccessFlagBits::eColorAttachmentRead | vk::AccessFlagBits::eColorAttachmentWrite, true};
@@ -234,7 +234,7 @@ void check(const RasterTile& tile, const vk::Extent2D& extent) {
   }
 }
 
-// No vertex is read beyond its buffer; what indices say is the caller's.
+// No vertex is read beyond its buffer; the caller is responsible for the values of indices.
 void check(const RasterShaders& shaders, const std::vector<RasterTile>& tiles, const VertexStreams& streams) {
   if (streams.inputs.size() != shaders.inputs.size())
     throw std::logic_error("a draw has a buffer for each vertex input");
@@ -249,7 +249,7 @@ void check(const RasterShaders& shaders, const std::vector<RasterTile>& tiles, c
     holds(streams.inputs[at], sizeof(float) * static_cast<std::size_t>(shaders.inputs[at].components));
 }
 
-// Kept together so that a draw that never ends keeps all it uses.
+// Its members are kept together so that a draw that never ends keeps all that it uses.
 struct Draw {
   std::shared_ptr<RasterState> pass;
   std::vector<std::shared_ptr<ImageState>> images;
@@ -283,7 +283,7 @@ struct Draw {
 
 vk::ClearValue clear_colour(const RasterTargets& targets, std::size_t at) {
   if (at < targets.clear_colours.size()) return vk::ClearColorValue(targets.clear_colours[at]);
-  return vk::ClearColorValue(std::array<float, 4>{0.0F, 0.0F, 0.0F, 0.0F});  // of integers the same bits
+  return vk::ClearColorValue(std::array<float, 4>{0.0F, 0.0F, 0.0F, 0.0F});  // integers have the same bits
 }
 
 void record(const Draw& draw, const vk::raii::CommandBuffer& commands) {

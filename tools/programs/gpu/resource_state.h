@@ -37,9 +37,9 @@ struct ImageState {
   ImageParts whole() const { return {0, shape.mips, 0, shape.layers}; }
   vk::Extent3D extent(int mip) const;
   vk::ImageLayout& layout(int mip, int layer);
-  vk::ImageSubresourceRange range(const ImageParts& parts) const;  // of all aspects
+  vk::ImageSubresourceRange range(const ImageParts& parts) const;  // the parts in all aspects
 
-  // As shaders read it, or as a target with all aspects; kept.
+  // The view is as shaders read it, or as a target with all aspects; it is kept.
   vk::ImageView view(const ImageParts& parts, vk::ImageViewType type, bool target);
 
  private:

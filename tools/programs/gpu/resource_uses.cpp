@@ -21,7 +21,7 @@ void for_each_part(const ImageParts& parts, Visit visit) {
     for (int layer = parts.first_layer; layer < parts.first_layer + parts.layers; ++layer) visit(mip, layer);
 }
 
-// A part that a pass writes may be in that pass only once, and one that it reads in one layout.
+// A pass may have a part that it writes only once, and a part that it reads in one layout.
 void check_once(const ResourceUses& uses) {
   std::map<std::tuple<const ImageState*, int, int>, const ImageUse*> used;
   for (const ImageUse& use : uses.images) {

@@ -1,5 +1,5 @@
-// What the steps of a submission read and write, and the barriers that follow from it. Internal to this
-// folder.
+// The resources that the steps of a submission read and write, and the barriers that follow from them.
+// Internal to this folder.
 #pragma once
 
 #include <map>
@@ -33,20 +33,20 @@ struct ResourceUses {
   std::vector<ImageUse> images;
 };
 
-// Of one submission, which begins and ends with a full barrier (DeviceState::submit).
+// The barriers of one submission, which begins and ends with a full barrier (DeviceState::submit).
 class Barriers {
  public:
-  // Records what must stand before a step with these uses: memory written before is made visible, and images
-  // change to the layouts wanted. True when there is anything to wait for. Throws std::logic_error when the
+  // Records the barrier before a step with these uses: earlier writes are made visible, and images change to
+  // the wanted layouts. Returns true when there is anything to wait for. Throws std::logic_error when the
   // step itself reads one part of an image that it writes as something else.
   bool before(const ResourceUses& uses, const vk::raii::CommandBuffer& commands);
 
  private:
-  // Of what happened to one buffer or part of an image.
+  // The earlier uses of one buffer or part of an image.
   struct Past {
-    Access write;                 // the last; no stages: none in this submission
-    Access seen;                  // where that write is visible, or nothing was written
-    vk::PipelineStageFlags read;  // since then
+    Access write;                 // the last write; no stages if there was none in this submission
+    Access seen;                  // the uses for which that write is visible, or there was no write
+    vk::PipelineStageFlags read;  // stages that have read it since then
   };
   struct Wait {
     vk::PipelineStageFlags from;
@@ -61,7 +61,7 @@ class Barriers {
   std::map<std::tuple<const ImageState*, int, int>, Past> parts_;  // by mip level and layer
 };
 
-// A layout change of its own, outside of every other use.
+// Changes a layout by itself, outside of every other use.
 void move_to(ImageState& image, const ImageParts& parts, vk::ImageLayout wanted,
              const vk::raii::CommandBuffer& commands);
 

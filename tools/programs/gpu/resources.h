@@ -29,7 +29,7 @@ class Buffer {
 
   std::size_t size_bytes() const;
 
-  // From byte 0; throws std::invalid_argument when it does not fit.
+  // The content is copied from byte 0 on; throws std::invalid_argument when it does not fit.
   template <typename T>
   void upload(std::span<const T> content) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -39,7 +39,7 @@ class Buffer {
   void upload(const std::vector<T>& content) {
     upload(std::span<const T>(content));
   }
-  // The whole buffer, which must be a whole number of T.
+  // Returns the whole buffer, which must be a whole number of T.
   template <typename T>
   std::vector<T> download() const {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -61,15 +61,15 @@ struct ImageShape {
   Format format = Format::r32f;
   int width = 1;
   int height = 1;
-  int depth = 1;   // above 1: a 3D image, which has one layer
-  int layers = 1;  // above 1: an array of 2D images
+  int depth = 1;   // above 1, a 3D image, which has one layer
+  int layers = 1;  // above 1, an array of 2D images
   int mips = 1;
-  int samples = 1;  // above 1: a 2D image with one mip level, which passes draw into
+  int samples = 1;  // above 1, a 2D image with one mip level, which passes draw into
 
   bool operator==(const ImageShape&) const = default;
 };
 
-// Down to one texel.
+// Returns the number of levels down to one texel.
 int mip_count(int width, int height, int depth = 1);
 int mip_size(int size, int mip);
 
@@ -80,8 +80,8 @@ struct ImagePart {
 
 class Image {
  public:
-  // Contents undefined. Throws EnvironmentError when the device lacks the format, the size or the samples,
-  // std::invalid_argument for a shape that no image has.
+  // Contents are undefined. Throws EnvironmentError when the device lacks the format, the size or the
+  // samples, and std::invalid_argument for a shape that no image has.
   Image(const Device& device, const ImageShape& shape);
   Image(const Device& device, Format format, int width, int height)
       : Image(device, ImageShape{.format = format, .width = width, .height = height}) {}
@@ -90,11 +90,12 @@ class Image {
   Format format() const { return shape().format; }
   int width() const { return shape().width; }
   int height() const { return shape().height; }
-  // Of one mip level of one layer, and of all of a 3D image's slices in it: rows tightly packed, row 0 first.
+  // Returns the bytes of one mip level of one layer, and of all of a 3D image's slices in it: rows are
+  // tightly packed, row 0 first.
   std::size_t size_bytes(int mip = 0) const;
 
-  // Exactly size_bytes() of the mip level; throws std::invalid_argument otherwise. std::logic_error for an
-  // image with several samples: resolve it first.
+  // The texels must be exactly size_bytes() of the mip level; throws std::invalid_argument otherwise. Throws
+  // std::logic_error for an image with several samples: resolve it first.
   template <typename T>
   void upload(std::span<const T> texels, ImagePart part = {}) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -121,7 +122,7 @@ class Image {
   std::shared_ptr<ImageState> state_;
 };
 
-// Those that do not repeat clamp to the edge. Point and linear kinds take the nearest mip level, trilinear
+// Kinds that do not repeat clamp to the edge. Point and linear kinds take the nearest mip level, trilinear
 // ones blend two. The compare kinds filter 2x2 comparison results, as Unity's sampler_LinearClampCompare
 // does: reference <= texel, or reference >= texel with reversed Z.
 enum class SamplerKind {
@@ -135,12 +136,12 @@ enum class SamplerKind {
   compare_greater_equal
 };
 
-enum class SamplerWrap { repeat, mirror, clamp };  // of coordinates outside 0..1
+enum class SamplerWrap { repeat, mirror, clamp };  // the rule for coordinates outside 0..1
 
 class Sampler {
  public:
   Sampler(const Device& device, SamplerKind kind);
-  Sampler(const Device& device, SamplerWrap u, SamplerWrap v);  // linear
+  Sampler(const Device& device, SamplerWrap u, SamplerWrap v);  // a linear filter
   const std::shared_ptr<SamplerState>& state() const { return state_; }
 
  private:

@@ -1,5 +1,5 @@
-// Several passes in one submission, in the order in which they were added, with the barriers between them
-// that what they read and write asks for.
+// Several passes in one submission, in the order in which they were added, with the barriers that their reads
+// and writes need.
 //
 //   Sequence frame(device);
 //   frame.draw(casters, casters.bindings(), {{}, {&atlas}}, tiles);
@@ -25,9 +25,9 @@ class Sequence {
   explicit Sequence(const Device& device) : Sequence(device.state()) {}
   explicit Sequence(const std::shared_ptr<DeviceState>& device);  // for this folder
 
-  // What is bound is that at the time of the call; run() throws std::logic_error when it has been replaced
-  // since. Uniforms may change from run to run. Throw std::invalid_argument for work that no device does, and
-  // std::logic_error where a shader reads what nothing is bound to.
+  // The bindings are those at the time of the call; run() throws std::logic_error when they have been
+  // replaced since. Uniforms may change from run to run. These throw std::invalid_argument for work that no
+  // device does, and std::logic_error where a shader reads a resource to which nothing is bound.
   void dispatch(const ComputePass& pass, const Bindings& bindings, std::array<std::uint32_t, 3> groups);
   // The numbers of groups are three words in the buffer, from this byte on; they may be 0.
   void dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
@@ -35,17 +35,18 @@ class Sequence {
   void draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
             const std::vector<RasterTile>& tiles, const VertexStreams& streams = {});
   void fill(const Buffer& buffer, std::uint32_t word);
-  // Every texel of every level and layer: each channel, or the depth. Of integer formats 0 alone.
+  // Clears every texel of every level and layer: each channel, or the depth. For integer formats only 0 is
+  // allowed.
   void clear(const Image& image, float value);
 
-  // One submission. The time of each step on the device in nanoseconds, from the end of all before it, waits
-  // included, to its own: the sum is the time of the whole sequence. Without timestamps the first has the
-  // wall-clock time of all and the others 0. Throws EnvironmentError on timeout or device loss.
+  // Submits once. Returns the time of each step on the device in nanoseconds, from the end of all steps
+  // before it, waits included, to its own: the sum is the time of the whole sequence. Without timestamps the
+  // first has the wall-clock time of all and the others 0. Throws EnvironmentError on timeout or device loss.
   std::vector<double> run();
 
-  std::size_t size() const;  // steps
+  std::size_t size() const;  // number of steps
 
-  // Of the last run: for each step, whether it had to wait for an earlier one or for an image's layout.
+  // Returns for each step of the last run whether it had to wait for an earlier one or for an image's layout.
   const std::vector<bool>& waited() const;
 
  private:

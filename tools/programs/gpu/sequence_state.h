@@ -1,4 +1,4 @@
-// What passes put into a submission. Internal to this folder.
+// The steps that passes add to a submission. Internal to this folder.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ namespace penumbra::gpu {
 
 struct SequenceStep {
   ResourceUses uses;
-  std::shared_ptr<BindingsState> bindings;  // null: none
-  std::uint64_t revision = 0;               // of them
+  std::shared_ptr<BindingsState> bindings;  // null if there are none
+  std::uint64_t revision = 0;               // revision of the bindings
   vk::PipelineBindPoint point = vk::PipelineBindPoint::eCompute;
   std::function<void(const vk::raii::CommandBuffer&)> record;
   std::shared_ptr<void> used;  // kept alive
@@ -25,7 +25,8 @@ struct SequenceState {
   std::vector<bool> waited;
 };
 
-// The step without its `record`; throws std::logic_error for bindings of another pass, and for empty ones.
+// Returns the step without its `record`; throws std::logic_error for bindings of another pass, and for empty
+// ones.
 SequenceStep step_with(const Bindings& bindings, const PassInterface& interface, vk::PipelineBindPoint point);
 
 }  // namespace penumbra::gpu

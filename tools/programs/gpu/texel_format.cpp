@@ -51,7 +51,7 @@ vk::FormatFeatureFlags features(const DeviceState& device, vk::Format form) {
 }
 
 bool has_images(const DeviceState& device, vk::Format form, vk::ImageUsageFlags usage) {
-  // Not through Vulkan-Hpp's throwing call: "not supported" is an answer here.
+  // Vulkan-Hpp's call would throw for "not supported", which is an answer here.
   VkImageFormatProperties properties;
   return device.physical.getDispatcher()->vkGetPhysicalDeviceImageFormatProperties(
              *device.physical, VkFormat(form), VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,

@@ -10,16 +10,16 @@ namespace penumbra::gpu {
 
 struct TexelFormat {
   vk::Format format = vk::Format::eUndefined;
-  vk::ImageAspectFlags aspects;    // all the image has
-  vk::ImageAspectFlagBits copied;  // the one shaders and copies see
-  vk::ImageUsageFlags usage;       // all that the device has for it
+  vk::ImageAspectFlags aspects;    // all aspects of the image
+  vk::ImageAspectFlagBits copied;  // the aspect that shaders and copies see
+  vk::ImageUsageFlags usage;       // all uses of it that the device supports
 };
 
-// Empty when no form of it can be sampled and copied here, and a depth format drawn to. depth24 may be either
-// of two.
+// The result is empty when no form of the format can be sampled and copied here, and, if it is a depth
+// format, drawn to. depth24 may be either of two.
 std::optional<TexelFormat> texel_format_of(const DeviceState& device, Format format);
 
-// The same; throws EnvironmentError instead.
+// Returns the same; throws EnvironmentError instead.
 TexelFormat need_texel_format(const DeviceState& device, Format format);
 
 FormatUses uses_of(const DeviceState& device, Format format);

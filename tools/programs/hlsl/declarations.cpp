@@ -31,8 +31,8 @@ bool match(const Token& open, const Token& close) {
   return close.spelling[0] == (lead == '(' ? ')' : lead == '[' ? ']' : '}');
 }
 
-// For every opening bracket the index of its match; 0 if there is none, and for all after an unmatched
-// closing bracket.
+// Returns for every opening bracket the index of its match; 0 if there is none, and for all after an
+// unmatched closing bracket.
 std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
   std::vector<std::uint32_t> closing(tokens.size(), 0);
   std::vector<std::uint32_t> open;
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
   return closing;
 }
 
-// Keywords that may precede a parameter's type without being part of it. `in` is the default.
+// These keywords may precede a parameter's type without being part of it. `in` is the default.
 bool is_modifier(const Token& token) {
   static constexpr NameSet modifiers("in", "const", "uniform", "precise", "static", "linear", "centroid",
                                      "nointerpolation", "noperspective", "sample", "row_major",
@@ -56,7 +56,7 @@ bool is_modifier(const Token& token) {
   return modifiers.contains(token.spelling);
 }
 
-// One parameter without its name, default value and semantic.
+// Returns one parameter without its name, default value and semantic.
 std::string parameter_type(Tokens tokens) {
   std::string type;
   std::size_t i = 0;
@@ -111,7 +111,7 @@ class Reader {
   bool at(std::string_view spelling) const { return at_ < tokens_.size() && is(tokens_[at_], spelling); }
   bool at_word() const { return at_ < tokens_.size() && tokens_[at_].kind == Token::Kind::identifier; }
 
-  // Skips the brackets that open here; to the end of the text if they are not closed.
+  // Skips the brackets that open here, up to the end of the text if they are not closed.
   std::size_t skip_brackets() {
     const std::size_t close = closing_[at_];
     at_ = close == 0 ? tokens_.size() : close + 1;
@@ -251,7 +251,7 @@ class Reader {
   Tokens tokens_;
   std::vector<std::uint32_t> closing_;
   std::size_t at_ = 0;
-  bool incomplete_ = false;  // a bracket is not closed: nothing after it is parsed
+  bool incomplete_ = false;  // true if a bracket is not closed: nothing after it is parsed
   Declaration current_;
   std::vector<std::string> namespaces_;
   std::vector<Declaration> found_;

@@ -22,8 +22,8 @@ const char* severity_name(Severity severity) {
   return "error";
 }
 
-// White space in place of the text before a caret, one for each character of UTF-8; tabs are kept, so that it
-// is aligned at any tab width.
+// Returns white space in place of the text before a caret, one for each character of UTF-8; tabs are kept, so
+// that it is aligned at any tab width.
 std::string blanks_for(std::string_view text) {
   std::string blanks;
   for (const char c : text)
@@ -38,8 +38,8 @@ struct Excerpt {
   std::string before_caret;
 };
 
-// The part around the column of a line that is too long for a message (one of generated code may have a
-// megabyte). Cut between UTF-8 characters.
+// Returns the part around the column of a line that is too long for a message (one of generated code may have
+// a megabyte). It is cut between UTF-8 characters.
 Excerpt excerpt_of(std::string_view line, int column) {
   const auto inside_character = [&](std::size_t at) {
     return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;

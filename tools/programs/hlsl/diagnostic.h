@@ -18,7 +18,7 @@ struct Diagnostic {
   std::string rule{};       // name of the lint rule that found it; empty for a compiler's message
 };
 
-// "file:line:column: error: message", the source line, and a caret under the column.
+// Returns "file:line:column: error: message", the source line, and a caret under the column.
 std::string format(const Diagnostic& diagnostic);
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);

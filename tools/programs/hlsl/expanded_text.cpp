@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-// #line N "file"
+// The directive is #line N "file".
 bool take_line_directive(const std::string& text, CodeLine& place) {
   if (text.compare(0, 6, "#line ") != 0) return false;
   place.line = std::atoi(text.c_str() + 6);
@@ -38,7 +38,7 @@ char closer_of(char opener) {
 struct Bracket {
   char character;
   const CodeLine* line;
-  std::size_t offset;  // in its line
+  std::size_t offset;  // position in its line
 };
 
 OpenPlace place_of(const Bracket& bracket, const std::string& rest, const SourceFiles& sources) {
@@ -52,7 +52,7 @@ OpenPlace place_of(const Bracket& bracket, const std::string& rest, const Source
           "'" + token + "' " + rest};
 }
 
-// Where the code of a source line starts, in constant time for each line asked for.
+// The place at which the code of a source line starts, in constant time for each requested line.
 class Indentation {
  public:
   explicit Indentation(const SourceFiles& sources) : sources_(sources) {}
@@ -89,12 +89,12 @@ class Indentation {
   std::map<std::string, std::vector<std::string_view>> files_;
 };
 
-// Pairs brackets up as they come, until one has no match.
+// Pairs brackets in their order, until one has no match.
 class BracketPairs {
  public:
   explicit BracketPairs(const SourceFiles& sources) : sources_(sources), indentation_(sources) {}
 
-  // False if it is unmatched, or does not match the innermost open bracket; fault() then returns it.
+  // Returns false if it is unmatched, or does not match the innermost open bracket; fault() then returns it.
   bool take(const Bracket& bracket) {
     const char c = bracket.character;
     if (c == '(' || c == '[' || c == '{') {
@@ -123,7 +123,7 @@ class BracketPairs {
  private:
   void close(const Bracket& closer) {
     const Bracket opener = open_.back();
-    // From the source: expanded text may have lost its indentation.
+    // The indentation is that of the source: expanded text may have lost its own.
     if (!suspect_ && closer.character == '}' && indentation_.code(*closer.line).starts_with('}') &&
         indentation_.of(*closer.line) < indentation_.of(*opener.line)) {
       suspect_ = opener;

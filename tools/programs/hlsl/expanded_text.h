@@ -27,12 +27,12 @@ struct OpenPlace {
 // Splits preprocessor output at its #line directives; lines before the first belong to `main_file`.
 std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std::string& main_file);
 
-// A bracket that is never closed, closed by another kind, or closed without having been opened. If several
-// braces are open, reports the one whose '}' seems to have closed another: the first that is closed further
-// left than the line that opened it.
+// Finds a bracket that is never closed, closed by another kind, or closed without having been opened. If
+// several braces are open, it reports the one whose '}' seems to have closed another: the first that is
+// closed further left than the line that opened it.
 std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources);
 
-// An #if without #endif, or the other way round, within one file.
+// Finds an #if without #endif, or the other way round, within one file.
 std::optional<OpenPlace> open_condition(const SourceFiles& sources);
 
 }  // namespace penumbra::hlsl

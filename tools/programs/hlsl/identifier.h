@@ -1,4 +1,4 @@
-// Whether the text is an identifier of HLSL and of the preprocessor.
+// A test whether the text is an identifier of HLSL and of the preprocessor.
 #pragma once
 
 #include <algorithm>

@@ -8,12 +8,12 @@
 namespace penumbra::hlsl {
 
 struct LinePlace {
-  std::string_view file;  // as its directive spells it; empty before the first that names one
+  std::string_view file;  // the file's spelling in its directive; empty before the first that names one
   int line = 1;
 };
 
 // Reads the location of the line after the directive; a directive without a file changes only the line
-// number. False for every other line.
+// number. Returns false for every other line.
 inline bool take_line_directive(std::string_view line, LinePlace& next) {
   if (!line.starts_with("#line ")) return false;
   int number = 0;

@@ -50,7 +50,7 @@ bool ends_declarator(const Token& token) {
          std::string_view(";,[:=").find(token.spelling[0]) != std::string_view::npos;
 }
 
-// What is kept of removed text: its newlines and #line directives.
+// Keeps the newlines and #line directives of removed text.
 void append_lines_alone(const std::string& text, std::size_t begin, std::size_t end, std::string& out) {
   for (std::size_t newline = text.find('\n', begin); newline < end; newline = text.find('\n', newline + 1)) {
     out += '\n';
@@ -63,7 +63,7 @@ void append_lines_alone(const std::string& text, std::size_t begin, std::size_t 
 
 }  // namespace
 
-// One pass over the declarations in order.
+// A single pass over the declarations in order.
 class ReachReader {
  public:
   explicit ReachReader(Reach& to)
@@ -181,10 +181,10 @@ class ReachReader {
   Reach& to_;
   const std::vector<Token>& tokens_;
   std::vector<Declaration> declarations_;
-  StringInterner numbers_;   // of all declared names
-  std::vector<Word> words_;  // by their numbers
+  StringInterner numbers_;   // numbers of all declared names
+  std::vector<Word> words_;  // indexed by these numbers
   platform::ContentHash hash_;
-  std::vector<std::vector<std::string>> keys_;  // of names_: those of their declarations
+  std::vector<std::vector<std::string>> keys_;  // for each of names_: the keys of its declarations
   std::vector<std::size_t> roots_;
 };
 

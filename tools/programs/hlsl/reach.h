@@ -1,4 +1,4 @@
-// Which declarations of an expanded text its entry point reaches, and a key for each of the others.
+// The declarations of an expanded text that its entry point reaches, and a key for each of the others.
 //
 // Functions, prototypes and static constants may be removed from a text without changing its entry point if
 // no reached code mentions their names. Everything else (types, buffers, resources, other variables) is
@@ -22,22 +22,22 @@ namespace penumbra::hlsl {
 
 class Reach {
  public:
-  // `expanded`: no comments, no macros (tokens.h); it must outlive this object. Lines before the first #line
-  // that names a file are in `main_file`.
+  // `expanded` has no comments and no macros (tokens.h), and must outlive this object. Lines before the first
+  // #line that names a file are in `main_file`.
   Reach(const std::string& expanded, std::string main_file, std::string_view entry);
   Reach(const Reach&) = delete;
   Reach& operator=(const Reach&) = delete;
 
-  // The keys of the names that the entry point does not reach, each once, in source order.
+  // Returns the keys of the names that the entry point does not reach, each once, in source order.
   const std::vector<std::string>& unreached() const { return unreached_; }
-  // The indices into unreached() of those at the location of the message: one line may hold several.
+  // Returns the indices into unreached() of those at the location of the message: one line may hold several.
   std::vector<std::size_t> at(const Diagnostic& message) const;
-  // The text with what the entry point and the names in `also` (indices into unreached()) reach. Lines keep
-  // their numbers.
+  // Returns the text with what the entry point and the names in `also` (indices into unreached()) reach.
+  // Lines keep their numbers.
   std::string text_with(const std::vector<std::size_t>& also) const;
 
  private:
-  struct Range {  // of tokens, inclusive
+  struct Range {  // a range of tokens, inclusive
     std::size_t first;
     std::size_t last;
   };
@@ -50,14 +50,14 @@ class Reach {
 
   friend class ReachReader;
 
-  std::size_t offset(std::size_t token) const;  // in the text
+  std::size_t offset(std::size_t token) const;  // position in the text
   void reach(std::vector<std::size_t> from, std::vector<bool>& reached) const;
 
   const std::string& text_;
   std::string main_file_;
   std::vector<Token> tokens_;
   std::vector<Name> names_;
-  std::vector<bool> reached_;                 // of names_, by the entry point
+  std::vector<bool> reached_;                 // for each of names_: the entry point reaches it
   std::vector<std::size_t> unreached_names_;  // indices into names_
   std::vector<std::string> unreached_;
 };

@@ -41,7 +41,7 @@ bool is_space_or_tab(char c) {
   return c == ' ' || c == '\t';
 }
 
-// Whether `at` is after a '#' that begins its line.
+// Returns whether `at` is after a '#' that begins its line.
 bool follows_hash(const std::string& text, std::size_t at) {
   while (at > 0 && is_space_or_tab(text[at - 1])) --at;
   if (at == 0 || text[--at] != '#') return false;

@@ -14,7 +14,7 @@ namespace penumbra::hlsl {
 // CRLF and lone CR become LF; a UTF-8 byte order mark is dropped. Columns are counted in this text.
 std::string normalise_source(std::string_view bytes);
 
-// Either a text or the reason why there is none ("is a directory", "No such file or directory").
+// A text, or the reason why there is none ("is a directory", "No such file or directory").
 struct SourceRead {
   std::string text;
   std::string problem;  // empty when the text was read
@@ -31,8 +31,9 @@ class SourceFiles {
   void add(const std::string& name, Text text);
   bool contains(const std::string& name) const { return files().texts.count(name) != 0; }
   const std::string& text(const std::string& name) const { return *files().texts.at(name); }
-  const std::vector<std::string>& names() const { return files().names; }  // in the order they were read
-  // The text of a 1-based line; empty when there is no such file or line.
+  // In the order in which they were read.
+  const std::vector<std::string>& names() const { return files().names; }
+  // Returns the text of a 1-based line; empty when there is no such file or line.
   std::string line(const std::string& name, int number) const;
 
  private:
@@ -43,7 +44,7 @@ class SourceFiles {
 
   const Files& files() const;
 
-  std::shared_ptr<Files> files_;  // none: no texts
+  std::shared_ptr<Files> files_;  // null if there are no texts
 };
 
 }  // namespace penumbra::hlsl

@@ -11,7 +11,7 @@ enum class Stage { vertex, hull, domain, geometry, fragment, compute };
 inline constexpr Stage all_stages[] = {Stage::vertex,   Stage::hull,     Stage::domain,
                                        Stage::geometry, Stage::fragment, Stage::compute};
 
-const char* stage_name(Stage stage);  // as the enumerator is spelt
+const char* stage_name(Stage stage);  // the enumerator's name
 std::optional<Stage> find_stage(std::string_view name);
 
 }  // namespace penumbra::hlsl

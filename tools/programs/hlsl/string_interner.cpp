@@ -12,7 +12,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t part) {
   return hash ^ (hash >> 32U);
 }
 
-// Eight characters at a time.
+// The hash takes eight characters at a time.
 std::size_t hash_of(std::string_view word) {
   std::uint64_t hash = word.size();
   while (word.size() >= sizeof(std::uint64_t)) {
@@ -28,7 +28,7 @@ std::size_t hash_of(std::string_view word) {
 
 }  // namespace
 
-// The slot of the string, or the free slot where it belongs.
+// Returns the slot of the string, or the free slot where it belongs.
 std::size_t StringInterner::slot(std::string_view word, std::size_t hash) const {
   std::size_t at = hash & (slots_.size() - 1);
   while (slots_[at] != none) {

@@ -1,6 +1,6 @@
 // Interns strings: equal strings get the same number, from 0 on in the order they are first added.
 //
-// A number never changes, so it can index a list of what is known about each string.
+// A number never changes, so it can index a list of properties of each string.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class StringInterner {
 
   // `word` must stay at its address as long as this object lives.
   std::uint32_t add(std::string_view word);
-  std::uint32_t find(std::string_view word) const;  // none: never added
+  std::uint32_t find(std::string_view word) const;  // `none` if never added
   std::size_t size() const { return words_.size(); }
 
  private:
@@ -29,7 +29,7 @@ class StringInterner {
   void grow();
 
   std::vector<Known> words_;
-  std::vector<std::uint32_t> slots_;  // by hash, with open addressing; a power of two
+  std::vector<std::uint32_t> slots_;  // indexed by hash, with open addressing; the size is a power of two
 };
 
 }  // namespace penumbra::hlsl

@@ -51,8 +51,8 @@ std::string without_comments(std::string_view line) {
   return code;
 }
 
-// The only name of the source line that the expanded line lacks, if there is exactly one: the macro that was
-// called.
+// Returns the only name of the source line that the expanded line lacks, if there is exactly one: the macro
+// that was called.
 int column_of_macro(std::string_view source_line, const std::set<std::string_view>& expanded) {
   const std::string code = without_comments(source_line);
   int column = 0;
@@ -127,7 +127,7 @@ TokenPlace TokenPlaces::after(std::size_t index, const SourceFiles& sources) con
   return place;
 }
 
-// `float name(`.
+// The declaration begins `float name(`.
 bool TokenPlaces::declares(std::size_t index, std::string_view name) const {
   return tokens_[index].spelling == name && tokens_[index + 1].spelling == "(" &&
          tokens_[index - 1].kind == Token::Kind::identifier && tokens_[index - 1].spelling != "return";

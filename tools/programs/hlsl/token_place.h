@@ -34,10 +34,10 @@ class TokenPlaces {
   TokenPlace at(std::size_t index, const SourceFiles& sources) const;
   TokenPlace after(std::size_t index, const SourceFiles& sources) const;  // the column right after it
 
-  // The index of the function's name in its definition, or else in its first declaration; size() if there is
-  // none.
+  // Returns the index of the function's name in its definition, or else in its first declaration; size() if
+  // there is none.
   std::size_t function(std::string_view name) const;
-  // The index of the function's name where it is first declared; size() if it is not.
+  // Returns the index of the function's name where it is first declared; size() if it is not.
   std::size_t first_declaration(std::string_view name) const;
 
  private:
@@ -49,11 +49,11 @@ class TokenPlaces {
   std::string main_file_;
 };
 
-// 1-based column of the rank-th (from 0) of `count` tokens with that spelling; 0 if the line has another
-// number of them.
+// Returns the 1-based column of the rank-th (from 0) of `count` tokens with that spelling; 0 if the line has
+// another number of them.
 int column_in(std::string_view source_line, std::string_view spelling, std::size_t rank, std::size_t count);
 
-// 1-based column just after the last character that is neither blank nor comment.
+// Returns the 1-based column just after the last character that is neither blank nor comment.
 int column_after_code(std::string_view source_line);
 
 }  // namespace penumbra::hlsl

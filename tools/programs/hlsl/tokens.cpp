@@ -16,7 +16,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-// Called for nearly every character of a text: a table is twice as fast as the comparisons.
+// The table is read for nearly every character of a text: it is twice as fast as comparisons.
 constexpr std::array<bool, 256> characters_of_words = [] {
   std::array<bool, 256> table{};
   for (std::size_t c = 0; c < table.size(); ++c) table[c] = continues_identifier(static_cast<char>(c));
@@ -78,7 +78,7 @@ class Lexer {
     return at;
   }
 
-  // 1, 0x1F, 1.5e-3f: a sign belongs to the number only after its exponent.
+  // The numbers are 1, 0x1F, 1.5e-3f: a sign belongs to the number only after its exponent.
   std::size_t end_of_number() const {
     const bool hexadecimal = text_[at_] == '0' && (next(1) == 'x' || next(1) == 'X');
     std::size_t at = at_ + 1;
@@ -96,7 +96,7 @@ class Lexer {
     return std::min(text_.size(), at < text_.size() && text_[at] == '"' ? at + 1 : at);
   }
 
-  // #line N "file": the line after it is line N.
+  // After #line N "file", the next line is line N.
   void directive() {
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
     const std::string_view line = text_.substr(at_, end - at_);

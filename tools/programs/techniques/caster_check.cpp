@@ -28,7 +28,7 @@ Found wrong_map_depth(const PassGraph& graph, const GraphPass& pass) {
                     "give '" + target->name + "' the extent \"map\", without divisor and samples");
 }
 
-// Of a pass and what it is tested against.
+// Compares the sizes of a pass and of the depth that it is tested against.
 Found wrong_sizes(const PassGraph& graph, const GraphPass& pass, const GraphTexture& depth) {
   for (const auto& [shader_name, name] : pass.writes) {
     const GraphTexture* target = graph.texture(name);

@@ -1,4 +1,4 @@
-// What is wrong with a pass that draws the casters, or uses what they left in a stencil. Internal to this
+// Checks of passes that draw the casters, or use the content that they left in a stencil. Internal to this
 // folder.
 #pragma once
 
@@ -14,17 +14,17 @@ using Found = std::optional<GraphProblem>;
 bool same_extent(const GraphTexture& a, const GraphTexture& b);
 bool in_cascades(const GraphTexture& texture);
 
-// Whether any pass draws with that texture as its depth.
+// Returns whether any pass draws with that texture as its depth.
 bool is_depth(const PassGraph& graph, const std::string& name);
 
-// Targets that nothing is drawn into from the light or the camera, the frequency that belongs to each, and a
-// depth target that does not fit them.
+// Finds targets that nothing is drawn into from the light or the camera, a frequency that does not belong to
+// them, and a depth target that does not fit them.
 Found wrong_casters(const PassGraph& graph, const GraphPass& pass);
 
-// A stencil that the pass's texture does not have, or that is of another size or time than the pass.
+// Finds a stencil that the pass's texture does not have, or that is of another size or time than the pass.
 Found wrong_stencil(const PassGraph& graph, const GraphPass& pass);
 
-// Textures of a depth format that a pass writes as anything but its depth.
+// Finds textures of a depth format that a pass writes as anything but its depth.
 Found misused_depth(const PassGraph& graph);
 
 }  // namespace penumbra::techniques

@@ -5,13 +5,14 @@
 
 namespace penumbra::techniques {
 
-// The shortest literal that is this float: 0.53f, 100.0f.
+// Returns the shortest literal that is this float: 0.53f, 100.0f.
 std::string csharp_float(double value);
 
-// In quotes; escaped is what C# reads otherwise, and what does not stay in a line (input/text_line.h).
+// Returns the text in quotes. It escapes characters that C# reads otherwise, and those that do not stay in a
+// line (input/text_line.h).
 std::string csharp_text(const std::string& text);
 
-// What C# calls something of a manifest: crisp-noon is CrispNoon, 3-taps is Of3Taps.
+// Returns the C# name for a name of a manifest: crisp-noon becomes CrispNoon, 3-taps becomes Of3Taps.
 std::string csharp_name(const std::string& name);
 
 }  // namespace penumbra::techniques

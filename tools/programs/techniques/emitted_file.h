@@ -6,7 +6,7 @@
 namespace penumbra::techniques {
 
 struct EmittedFile {
-  std::string file;  // relative to the package's folder
+  std::string file;  // path relative to the package's folder
   std::string text;
 };
 

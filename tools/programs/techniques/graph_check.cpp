@@ -1,4 +1,4 @@
-// graph_problem(): what is wrong with a graph.
+// graph_problem(): the checks of a graph.
 #include <algorithm>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace penumbra::techniques {
 namespace {
 
-// Writes its first mip level, or a buffer, whatever it held before.
+// Returns whether the pass writes the first mip level, or the buffer, whatever it held before.
 bool makes(const GraphPass& pass, const std::string& name) {
   return writes_to(pass, name) && !pass.each_mip && !changes(pass, name);
 }
@@ -102,7 +102,8 @@ Found unknown_name(const PassGraph& graph) {
   return std::nullopt;
 }
 
-// Of a texture that another one was a frame ago: that is written in every frame, this by nobody.
+// The texture holds what another texture was a frame ago: that one is written in every frame, and this one by
+// no pass.
 Found wrong_history(const PassGraph& graph, const GraphTexture& texture) {
   const std::string& now = texture.previous_of;
   if (!graph.texture(now)->previous_of.empty())
@@ -129,13 +130,13 @@ bool is_read(const PassGraph& graph, const std::string& name) {
   });
 }
 
-// Its history is read: then it is, too.
+// If its history is read, it is read itself, too.
 bool is_read_later(const PassGraph& graph, const std::string& name) {
   return std::any_of(graph.textures.begin(), graph.textures.end(),
                      [&](const GraphTexture& texture) { return texture.previous_of == name; });
 }
 
-// Of one texture or buffer: one writer, a reader.
+// A texture or buffer has one writer, and a reader.
 Found wrong_use(const PassGraph& graph, const std::string& name, const std::string& where) {
   const bool written = std::any_of(graph.passes.begin(), graph.passes.end(),
                                    [&](const GraphPass& pass) { return writes_to(pass, name); });
@@ -178,7 +179,7 @@ Found wrong_use(const PassGraph& graph, const std::string& name, const std::stri
 
 constexpr double kMostBytes = 1024.0 * 1024.0 * 1024.0;
 
-// At most: of 16 bytes per texel and with all mip levels.
+// Returns the largest possible size: 16 bytes per texel and all mip levels.
 double fixed_bytes(const GraphTexture& texture) {
   return 16.0 * 4.0 / 3.0 * texture.size[0] * texture.size[1] * texture.size[2] * texture.layers *
          texture.samples;
@@ -229,12 +230,12 @@ Found wrong_drawn_target(const GraphPass& pass, const GraphTexture& texture) {
   return std::nullopt;
 }
 
-// What a pass writes, together.
+// Checks all targets of a pass together.
 Found wrong_targets(const PassGraph& graph, const GraphPass& pass) {
   const auto problem = [&](const std::string& text) {
     return GraphProblem{pass.where, "'" + pass.name + "' " + text, ""};
   };
-  constexpr std::size_t kMostTargets = 8;  // of one draw, on every API
+  constexpr std::size_t kMostTargets = 8;  // the number in one draw, on every API
   if (is_drawn(pass.kind) && pass.writes.size() > kMostTargets)
     return problem("draws into more than 8 targets");
   const GraphTexture* first = nullptr;
@@ -304,7 +305,7 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
   return wrong_targets(graph, pass);
 }
 
-// A pass that runs once cannot read what every frame has anew.
+// A pass that runs once cannot read data that every frame makes anew.
 Found too_rare(const PassGraph& graph) {
   const std::vector<std::vector<std::size_t>> awaited = awaited_passes(graph);
   for (std::size_t i = 0; i < graph.passes.size(); ++i)
@@ -319,7 +320,7 @@ Found too_rare(const PassGraph& graph) {
   return std::nullopt;
 }
 
-// What is read back, pixel by pixel.
+// Checks an image that is read back, pixel by pixel.
 Found wrong_image(const GraphTexture& texture, const std::string& what) {
   if (texture.extent != ExtentOf::screen || texture.mips != 1 || texture.layers != 1 || texture.samples != 1)
     return GraphProblem{texture.where, what + " '" + texture.name + "' is not a plain texture of the screen",
@@ -330,7 +331,7 @@ Found wrong_image(const GraphTexture& texture, const std::string& what) {
   return std::nullopt;
 }
 
-// Of one that a filter reads.
+// Checks a texture that a filter reads.
 Found wrong_argument(const GraphTexture& texture, const std::string& where, const std::string& what) {
   const bool deep = texture.extent == ExtentOf::fixed && texture.size[2] > 1;
   if (deep || texture.layers > 1 || texture.samples > 1 || texture.extent == ExtentOf::tile)
@@ -350,7 +351,7 @@ Found wrong_published(const PassGraph& graph) {
   return std::nullopt;
 }
 
-// A filter is called for surfaces that are known exactly: there is no screen to draw over.
+// A filter is called for surfaces that are known exactly, so there is no screen to draw over.
 Found wrong_filter_graph(const PassGraph& graph, const GraphPass& filter) {
   for (const GraphTexture& texture : graph.textures)
     if (texture.extent == ExtentOf::screen)

@@ -16,7 +16,7 @@ constexpr const char* graph_indent = "            ";
 constexpr const char* item_indent = "                ";
 constexpr const char* pass_indent = "                    ";
 
-// "(a, b)" and the like; what is empty is left out.
+// Writes "(a, b)" and the like; empty arguments are left out.
 class Arguments {
  public:
   Arguments& add(const std::string& argument) {
@@ -91,7 +91,8 @@ std::string binding(const PassGraph& graph, const std::string& property, const s
   return std::string("GraphBinding.") + (is_buffer ? "Buffer(" : "Texture(") + arguments.text() + ")";
 }
 
-// member = new[] { ... }; nothing of no items. `lines`: each on a line of its own.
+// Writes "member = new[] { ... }", and nothing if there are no items. With `lines`, each item is on a line of
+// its own.
 std::string array(const std::string& indent, const std::string& member, const std::vector<std::string>& items,
                   bool lines) {
   if (items.empty()) return "";
@@ -160,7 +161,8 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
   return text + item_indent + "},\n";
 }
 
-// What the filter at the end takes, or filters of shaders after the passes, each under its name.
+// These are the arguments of the filter at the end, or of filters of shaders after the passes, each under its
+// name.
 std::vector<std::string> filter_textures(const PassGraph& graph) {
   std::vector<std::string> items;
   const GraphPass* last = graph.filter_pass();
@@ -205,7 +207,7 @@ std::string csharp_graph(const NamedGraph& named) {
   return text + "        };\n";
 }
 
-// The renderer feature has no passes with a stencil: graphs of such are for measuring, and for shaders and
+// The renderer feature has no passes with a stencil: graphs with one are for measuring, and for shaders and
 // samples to follow.
 bool is_drawn_by_feature(const NamedGraph& named) {
   return std::none_of(named.graph.passes.begin(), named.graph.passes.end(),

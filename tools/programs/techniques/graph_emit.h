@@ -1,6 +1,6 @@
-// The graphs of the manifests as the C# that the renderer feature runs them from: Runtime/Techniques, one
-// file for each manifest that has some, NAMEGraphs.cs. Graphs with a stencil are left out: the feature does
-// not draw them.
+// The graphs of the manifests as C#, from which the renderer feature runs them: Runtime/Techniques has one
+// file for each manifest with graphs, NAMEGraphs.cs. Graphs with a stencil are left out, because the feature
+// does not draw them.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace penumbra::techniques {
 // Throws InputError where C# has one name for two graphs of a manifest.
 std::vector<EmittedFile> emit_graphs_csharp(const TechniqueList& list);
 
-// What C# calls the technique's graph: VarianceGraphs.Variance32.
+// Returns the C# name of the technique's graph: VarianceGraphs.Variance32.
 std::string csharp_graph_of(const Technique& technique);
 
 }  // namespace penumbra::techniques

@@ -17,7 +17,7 @@ constexpr double kScreenPixels[] = {3840.0, 2160.0};
 constexpr double kMapSide = 4096.0;  // along each side
 constexpr double kTiles = 4.0;
 
-// Of the first mip level, with all layers.
+// Counts the texels of the first mip level, with all layers.
 double texels_of(const GraphTexture& texture) {
   const auto divided = [&texture](double width, double height) {
     return std::ceil(width / texture.divisor) * std::ceil(height / texture.divisor);

@@ -1,4 +1,4 @@
-// What the passes of a graph read, and which waits for which. Internal to this folder.
+// The reads of a graph's passes, and the order that follows from them. Internal to this folder.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace penumbra::techniques {
 
 bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name);
 
-// Whether `later` has to wait for `earlier`: it reads or changes what that writes, or makes the mip levels of
-// it.
+// Returns whether `later` has to wait for `earlier`: it reads or changes what `earlier` writes, or makes the
+// mip levels of it.
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier);
 
-// Of each pass the numbers of those that it waits for, rising. Only passes that write what it needs are
-// looked at.
+// Returns for each pass the numbers of those that it waits for, rising. Only passes that write what it needs
+// are examined.
 std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph);
 
 }  // namespace penumbra::techniques

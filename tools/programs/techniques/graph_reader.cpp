@@ -129,7 +129,7 @@ void require_structs(JsonObject& object, const TechniqueList& list, const std::v
   }
 }
 
-// Names that become C# and uniforms.
+// These names become C# and uniforms.
 std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) {
   std::vector<std::string> absent = object.texts("absent");
   constexpr std::size_t kMost = 64;
@@ -205,7 +205,7 @@ void require_bounded(JsonObject& object, const PassGraph& graph) {
                 "a graph has at most " + std::to_string(kMostItems) + " passes, textures and buffers");
 }
 
-// What is not declared is said by graph_problem().
+// graph_problem() reports names that are not declared.
 void give_shapes(std::vector<GraphTexture>& textures, const PassGraph& graph) {
   for (GraphTexture& texture : textures) {
     if (texture.previous_of.empty()) continue;

@@ -10,14 +10,15 @@
 
 namespace penumbra::techniques {
 
-// The files that a manifest names: relative to its folder, and in the list relative to the package's where
-// they lie in that. Files outside of the manifest's own tree and of the package are refused: messages quote
-// lines of them, and a manifest may come from an untrusted source.
+// The files that a manifest names: relative to its folder, and in the list relative to the package's if they
+// lie in that. Files outside of the manifest's own tree and of the package are refused: messages quote lines
+// of them, and a manifest may come from an untrusted source.
 class ManifestFiles {
  public:
   ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package);
 
-  std::string required(JsonObject& object, const std::string& key) const;  // throws if there is none to read
+  // Throws if there is no such file to read.
+  std::string required(JsonObject& object, const std::string& key) const;
   std::string named(const std::filesystem::path& file) const;
 
  private:

@@ -1,5 +1,5 @@
-// The package's looks: what the manifests list under "looks", as the C# that the renderer feature and the
-// Volume read them from (Runtime/Settings/ShadowLook.cs).
+// The package's looks, which the manifests list under "looks", as C# from which the renderer feature and the
+// Volume read them (Runtime/Settings/ShadowLook.cs).
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace penumbra::techniques {
 
-// An enumeration of them in the list's order with Custom behind, and the table of their values in that order.
+// Writes an enumeration of them in the list's order with Custom behind, and the table of their values in that
+// order.
 std::string emit_looks_csharp(const TechniqueList& list);
 
 }  // namespace penumbra::techniques

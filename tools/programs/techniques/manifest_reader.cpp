@@ -16,7 +16,7 @@ namespace {
 
 const std::vector<std::string> field_types = {"float", "float2", "float4", "int"};
 
-// Of C# and HLSL, and what an emitted struct has besides its fields.
+// These names are reserved words of C# and HLSL, and members that an emitted struct has besides its fields.
 bool is_reserved(const std::string& name) {
   static const std::set<std::string> words{
       "Default",  "SetGlobal", "abstract", "as",        "base",      "bool",      "break",      "byte",
@@ -90,8 +90,8 @@ Look read_look(JsonObject object) {
   return look;
 }
 
-// Every text and every key: they become code, comments and documents of several languages. `name`: what
-// messages call a text that is no key's value.
+// The check covers every text and every key: they become code, comments and documents of several languages.
+// `name` is the name in messages of a text that is no key's value.
 void require_lines(const LocatedJson& document, const LocatedJson::Pointer& at, const std::string& name) {
   const auto require = [&](const LocatedJson::Pointer& place, const std::string& text) {
     if (!is_one_line(text))
@@ -190,7 +190,7 @@ void require_known(JsonObject& object, const std::string& key, const std::string
     object.fail(key, "unknown " + what + " '" + name + "'", unknown_name_way_out(name, known));
 }
 
-// Names and values are each a look's own: the inspector tells by the values which look is set.
+// Names and values belong to one look each: the inspector recognises by the values which look is set.
 void add_looks(JsonObject& root, TechniqueList& list) {
   for (JsonObject& object : entries(root, "looks", list.looks.size(), most_choices)) {
     const Look look = read_look(object);

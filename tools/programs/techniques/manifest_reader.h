@@ -15,7 +15,7 @@ namespace penumbra::techniques {
 struct Manifest {
   std::filesystem::path file;
   LocatedJson document;
-  int order = 0;  // among the manifests of a package
+  int order = 0;  // its place among the manifests of a package
 };
 
 // Throws InputError with file:line:column, as all of this file does.
@@ -25,19 +25,19 @@ Manifest open_manifest(const std::filesystem::path& file);
 // techniques.
 void add_structs(const Manifest& manifest, TechniqueList& list);
 void add_options(const Manifest& manifest, TechniqueList& list);
-void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its looks and selections
+void add_techniques(const Manifest& manifest, TechniqueList& list);  // adds its looks and selections, too
 
-// What a list of techniques has at most: beyond that its checks, each of one entry against the others, take
-// minutes.
+// The largest number of techniques in a list: beyond it the checks, which compare each entry with the others,
+// take minutes.
 inline constexpr std::size_t most_techniques = 4096;
 inline constexpr std::size_t most_graphs = 4096;
 inline constexpr std::size_t most_structs = 1024;
-inline constexpr std::size_t most_choices = 256;  // options, selections, presets and looks, of each
+inline constexpr std::size_t most_choices = 256;  // limit for each of options, selections, presets and looks
 inline constexpr std::size_t most_graph_items =
-    65536;  // passes, textures and buffers of all techniques together
+    65536;  // limit for passes, textures and buffers of all techniques together
 
-// What several readers of a manifest's objects need.
-// The objects of one of its lists; `before`: how many there are of manifests before it.
+// The functions below serve several readers of a manifest's objects. entries() returns the objects of one of
+// its lists; `before` is their number in earlier manifests.
 std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::size_t before,
                                 std::size_t most);
 void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
@@ -46,14 +46,15 @@ std::string required_text(JsonObject& object, const std::string& key);
 std::string required_line(JsonObject& object, const std::string& key);  // may end a line of emitted text
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
 std::string required_identifier(JsonObject& object, const std::string& key);
-std::string required_name(JsonObject& object);  // "name": what commands and files call a technique or a look
+std::string required_name(JsonObject& object);  // "name": commands and files use it for a technique or a look
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);
 void add_looks(JsonObject& root, TechniqueList& list);
-void add_selections(JsonObject& root, TechniqueList& list);  // after the techniques
-void add_presets(JsonObject& root, TechniqueList& list);     // after the selections
+void add_selections(JsonObject& root, TechniqueList& list);  // called after the techniques
+void add_presets(JsonObject& root, TechniqueList& list);     // called after the selections
 
-// A parameter's value: one number for each component. require_value throws where value_problem() has one.
+// Returns a parameter's value: one number for each component. require_value() throws where value_problem()
+// has one.
 std::vector<double> components(JsonObject& object, const std::string& key, const ParameterField& field);
 void require_value(JsonObject& object, const std::string& key, const ParameterField& field,
                    const std::vector<double>& components);

@@ -21,7 +21,7 @@ constexpr const char* end = R"(    }
 
 constexpr std::size_t widest = 96;  // characters of a text in one line
 
-// On lines of their own, broken between words.
+// The text is on lines of its own, broken between words.
 std::string wrapped(const std::string& text) {
   const std::string indent(16, ' ');
   std::string lines;

@@ -8,7 +8,7 @@
 
 namespace penumbra::techniques {
 
-// For each option a class with its Label, its Tooltip and, of numbers, Min and Max.
+// Writes for each option a class with its Label, its Tooltip and, for numbers, Min and Max.
 std::string emit_options_csharp(const TechniqueList& list);
 
 }  // namespace penumbra::techniques

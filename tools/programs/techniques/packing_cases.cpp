@@ -32,7 +32,7 @@ double kept(const ParameterField& field, double value) {
   return as_float(std::isnan(value) ? range.smallest : std::clamp(value, range.smallest, range.largest));
 }
 
-// A value at this share of the range, whole where the field is an int.
+// Returns a value at this share of the range, whole where the field is an int.
 double between(const ParameterField& field, double share) {
   const ParameterRange range = field.range.value_or(ParameterRange{-1000.0, 1000.0});
   const double value = range.smallest + share * (range.largest - range.smallest);
@@ -71,7 +71,7 @@ Json cases(const ParameterStruct& parameters) {
   });
   for (const double share : {0.0, 1.0, 0.5})
     add([&](const ParameterField& f, std::size_t) { return between(f, share); });
-  // Every field another value, so that two in each other's place differ.
+  // Every field gets another value, so that a mistaken exchange of two is found.
   add([&](const ParameterField& field, std::size_t i) {
     return between(field,
                    (static_cast<double>(i) + 1.0) / (static_cast<double>(parameters.fields.size()) + 2.0));

@@ -65,7 +65,7 @@ namespace Penumbra
 }}
 )";
 
-// PENUMBRA_PCSS_ANGULAR_PARAMETERS_HLSL
+// Returns PENUMBRA_PCSS_ANGULAR_PARAMETERS_HLSL and the like.
 std::string guard(const std::string& name) {
   std::string text = "PENUMBRA";
   for (const char character : name) {
@@ -105,7 +105,7 @@ std::string csharp_default(const ParameterField& field) {
       field, field.otherwise.empty() ? std::vector<double>(component_count(field), low) : field.otherwise);
 }
 
-// One component as the vector holds it.
+// Returns one component as the vector holds it.
 std::string csharp_bounded(const ParameterField& field, const std::string& expression) {
   if (!field.range)
     return field.type == "int" ? expression
@@ -173,7 +173,7 @@ std::string csharp_packed(const ParameterStruct& parameters) {
   return text;
 }
 
-// Something of each vector, by its number.
+// Joins the results of `of` for each vector, by its number.
 template <typename Of>
 std::string of_each_vector(const ParameterStruct& parameters, const char* between, Of of) {
   std::string text;

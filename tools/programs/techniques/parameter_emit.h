@@ -10,7 +10,7 @@ namespace penumbra::techniques {
 EmittedFile emit_hlsl(const ParameterStruct& parameters);
 EmittedFile emit_csharp(const ParameterStruct& parameters);
 
-// A value of the field as C# has it: 24, 1.5f or new Vector2(0.0f, 1.0f).
+// Returns a value of the field in C#: 24, 1.5f or new Vector2(0.0f, 1.0f).
 std::string csharp_value(const ParameterField& field, const std::vector<double>& value);
 
 }  // namespace penumbra::techniques

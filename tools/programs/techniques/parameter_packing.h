@@ -1,8 +1,9 @@
-// How a parameter struct lies in the vectors that the shaders' uniforms hold.
+// The places of a parameter struct's fields in the vectors that the shaders' uniforms hold.
 //
-// Fields in order, each in the next free components; one that does not fit into what is left of a vector
-// begins the next, as in HLSL's constant buffers. Whole numbers are stored as floats, exact to 2^24. The
-// uniforms are float4 _Penumbra<Struct>0, 1, ...; the emitted HLSL unpacks them, the emitted C# packs them.
+// Fields are packed in order, each in the next free components; one that does not fit into the rest of a
+// vector begins the next, as in HLSL's constant buffers. Whole numbers are stored as floats, exact to 2^24.
+// The uniforms are float4 _Penumbra<Struct>0, 1, ...; the emitted HLSL unpacks them, the emitted C# packs
+// them.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ struct PackedPlace {
   std::size_t component = 0;
 };
 
-std::vector<PackedPlace> packed_places(const ParameterStruct& parameters);  // of the fields, in order
+std::vector<PackedPlace> packed_places(const ParameterStruct& parameters);  // places of the fields, in order
 std::size_t vector_count(const ParameterStruct& parameters);
 std::string uniform_name(const ParameterStruct& parameters, std::size_t vector);  // _PenumbraMaskParameters0
 

@@ -18,7 +18,7 @@ const Item* named(const std::vector<Item>& items, const std::string& name) {
   return found == items.end() ? nullptr : &*found;
 }
 
-// Names of the graph's textures and buffers that a pass needs written before it runs.
+// Returns the names of the graph's textures and buffers that a pass needs written before it runs.
 std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
   std::vector<std::string> names;
   for (const auto& [shader_name, name] : pass.reads) names.push_back(name);
@@ -29,7 +29,8 @@ std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
   return names;
 }
 
-// Depth comes first, then what changes the stencil, then what is tested against it.
+// Passes that write depth come first, then those that change the stencil, then those that are tested against
+// it.
 bool waits_for_stencil(const GraphPass& later, const GraphPass& earlier) {
   if (later.stencil.empty()) return false;
   if (earlier.depth == later.stencil) return true;
@@ -57,7 +58,8 @@ bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& 
 }
 
 std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph) {
-  std::map<std::string, std::set<std::size_t>> users;  // by what they write, or test against as a stencil
+  // Indexed by what they write, or test against as a stencil.
+  std::map<std::string, std::set<std::size_t>> users;
   for (std::size_t i = 0; i < graph.passes.size(); ++i) {
     const GraphPass& pass = graph.passes[i];
     for (const auto& [shader_name, name] : pass.writes) users[name].insert(i);

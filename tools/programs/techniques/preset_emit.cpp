@@ -27,7 +27,7 @@ constexpr const char* preset_table_end = R"(        };
 }
 )";
 
-// Null: the preset draws what it is named after.
+// Returns null if the preset draws what it is named after.
 const PresetChoice* choice_of(const TechniqueList& list, const Technique& preset) {
   for (const PresetChoice& choice : list.presets)
     if (choice.preset == preset.name) return &choice;
@@ -48,19 +48,19 @@ std::string technique_of(const TechniqueList& list, const Technique& preset) {
   return found->name;
 }
 
-// Null: the preset needs none.
+// Returns null if the preset needs none.
 const Technique* fallback_of(const TechniqueList& list, const Technique& preset) {
   const PresetChoice* choice = choice_of(list, preset);
   return choice == nullptr ? nullptr : &list.find(choice->fallback);
 }
 
-// "Preset High: Flagship; else Fallback of High: PCSS 12+24".
+// Returns "Preset High: Flagship; else Fallback of High: PCSS 12+24".
 std::string title_of(const TechniqueList& list, const Technique& preset) {
   const Technique* fallback = fallback_of(list, preset);
   return fallback == nullptr ? preset.title : preset.title + "; else " + fallback->title;
 }
 
-// Of the preset, or of what it falls back to.
+// Returns a value of the preset, or of its fallback.
 std::string value_or(const TechniqueList& list, const Technique& preset, const char* field,
                      const std::string& otherwise) {
   const Technique* fallback = fallback_of(list, preset);
@@ -72,7 +72,7 @@ std::string value_or(const TechniqueList& list, const Technique& preset, const c
   return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
-// Of the field that the option sets; null where the preset's selection has no such option.
+// Returns the value of the field that the option sets; null where the preset's selection has no such option.
 const double* drawn_value(const TechniqueList& list, const Technique& preset, const std::string& option) {
   const PresetChoice* choice = choice_of(list, preset);
   if (choice == nullptr) return nullptr;
@@ -82,7 +82,7 @@ const double* drawn_value(const TechniqueList& list, const Technique& preset, co
   return nullptr;
 }
 
-// Numbers that no preset chooses are those that the first technique with the option is measured with.
+// Numbers that no preset chooses are those with which the first technique with the option is measured.
 std::vector<std::pair<std::string, std::string>> of_other_techniques(const TechniqueList& list,
                                                                      const Technique& preset) {
   const std::vector<std::string> chosen = {"blockerSamples", "filterSamples", "softnessCapMetres",

@@ -1,5 +1,5 @@
-// The package's quality presets: the techniques called preset-..., as the C# that the
-// renderer feature reads them from (Runtime/Settings/PresetTable.cs).
+// The package's quality presets: the techniques called preset-..., as C# from which the renderer feature
+// reads them (Runtime/Settings/PresetTable.cs).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace penumbra::techniques {
 
 inline constexpr const char* preset_prefix = "preset-";
-// Which halves the resolution of a graph.
+// This pass halves the resolution of a graph.
 inline constexpr const char* upsampling_pass = "Upsample";
 
 // The row order is the list's; QualityPreset names the rows in that order. Throws InputError for a preset

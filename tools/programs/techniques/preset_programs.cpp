@@ -8,7 +8,8 @@
 namespace penumbra::techniques {
 namespace {
 
-// The filter in the place of these keywords' below shader target 4.5; null if that runs there itself.
+// Returns the filter that replaces the one of these keywords below shader target 4.5; null if that one runs
+// there itself.
 const Selection* instead_of_target_45(const TechniqueList& list, const std::vector<std::string>& keywords) {
   for (const Selection& filter : list.selections) {
     const bool is_selected = std::find(keywords.begin(), keywords.end(), filter.keyword) != keywords.end();
@@ -37,7 +38,7 @@ std::vector<PresetProgram> programs_of(const TechniqueList& list, const Techniqu
           std::find(passes.begin(), passes.end(), pass.program) == passes.end())
         continue;
       add(pass.program, keywords);
-      // It has no mask.
+      // The tent filter has no mask.
       if (tent != nullptr && !shader.declared(pass.program, {tent->keyword}).empty())
         add(pass.program, {tent->keyword});
     }

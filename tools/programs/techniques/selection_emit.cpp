@@ -145,7 +145,7 @@ std::string options_of(const Selection& selection) {
   return text + indent + "}";
 }
 
-// The techniques of a selection, by the formats of their maps.
+// Returns the techniques of a selection, by the formats of their maps.
 std::vector<const Technique*> techniques_of(const TechniqueList& list, const Selection& selection) {
   std::vector<const Technique*> techniques{&list.find(selection.technique)};
   if (!selection.technique_16_bits.empty()) techniques.push_back(&list.find(selection.technique_16_bits));
@@ -170,7 +170,7 @@ std::string option_that_sets(const Selection& selection, const std::string& fiel
   return {};
 }
 
-// A struct of the technique's with the values that it is measured with, and the options in the place of some.
+// Returns a struct of the technique with the values with which it is measured; the options replace some.
 std::string set_struct(const ParameterStruct& parameters, const Technique& technique,
                        const Selection& selection) {
   const std::string indent(20, ' ');
@@ -219,7 +219,7 @@ std::string measured_of(const TechniqueList& list, const Selection& selection) {
   return "(ref ShadowOptions options) =>\n" + indent + "{\n" + settings + indent + "}";
 }
 
-// By the parameters of the filter, or of the passes that draw the visibility.
+// The parameters of the filter, or of the passes that draw the visibility, decide it.
 bool limits_width(const TechniqueList& list, const Selection& selection) {
   const ParameterStruct* parameters = list.find_struct(selection.filter.parameters);
   std::vector<ParameterField> fields;
@@ -259,7 +259,7 @@ std::string table(const std::string& values) {
   return "        };\n\n" + values;
 }
 
-// Ten in a line.
+// The flags are written ten in a line.
 std::string flags(const char* name, const std::vector<bool>& values) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {

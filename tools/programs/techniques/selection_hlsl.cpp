@@ -59,7 +59,7 @@ constexpr const char* linear_sampler_name = "sampler_PenumbraLinearClamp";  // U
 constexpr std::size_t kWidest = 100;  // characters of a condition in a line
 constexpr std::size_t kWidestCall = 130;
 
-// "PENUMBRA_USES_PCSS" of "_PENUMBRA_PCSS".
+// Returns "PENUMBRA_USES_PCSS" for "_PENUMBRA_PCSS".
 std::string macro_of(const Selection& selection) {
   return "PENUMBRA_USES_" + selection.keyword.substr(std::string("_PENUMBRA_").size());
 }
@@ -122,7 +122,7 @@ class KeywordWriter {
     line("none of them", *otherwise_);
   }
 
-  // One macro for the filter that is used, none for that without a keyword.
+  // Defines one macro for the filter that is used, and none for the one without a keyword.
   void choose() {
     const char* directive = "#if";
     for (const Selection* fallback : in_shaders_) {
@@ -160,7 +160,7 @@ class KeywordWriter {
     if (any_maps()) text_ += maps_rule;
   }
 
-  // What the filters take besides the shadow map, each for those that take it.
+  // Declares the filters' arguments besides the shadow map, each for the filters that take it.
   void declare_maps() {
     const char* directive = "\n#if";
     for (const Selection* selection : by_keyword_) {
@@ -175,7 +175,7 @@ class KeywordWriter {
     if (std::string_view(directive) == "#elif") text_ += "#endif\n";
   }
 
-  // A line for the filter that is used.
+  // Writes a line for the filter that is used.
   template <typename Line>
   void branch(Line line) {
     const char* directive = "#if";
@@ -234,7 +234,7 @@ class KeywordWriter {
     }
   }
 
-  // Uniforms of rules, for shaders that have them alone.
+  // Declares the uniforms of rules, only for shaders that have them.
   void declare_rules() {
     for (const Selection* selection : in_shaders_) {
       std::string lines;
@@ -256,7 +256,7 @@ class KeywordWriter {
     return condition.empty() ? "1" : condition;
   }
 
-  // By falling index, each for its first cascade and those behind it.
+  // The calls are in the order of falling index, each for its first cascade and those behind it.
   std::string calls_of(const Selection& selection) const {
     std::string calls;
     for (const CascadeRule& rule : rules_of(selection)) {

@@ -28,7 +28,7 @@ FeatureOption read_option(JsonObject object) {
   return option;
 }
 
-// Of the filter's parameters and those of the passes before it.
+// The options belong to the filter's parameters and those of the passes before it.
 void read_options_of(JsonObject object, const TechniqueList& list, Selection& selection) {
   std::vector<std::string> options;
   for (const FeatureOption& option : list.options) options.push_back(option.name);
@@ -50,7 +50,7 @@ void read_options_of(JsonObject object, const TechniqueList& list, Selection& se
   }
 }
 
-// The enumerator, where the renderer feature offers the selection.
+// Reads the enumerator, where the renderer feature offers the selection.
 void read_entry(JsonObject& object, const TechniqueList& list, Selection& selection) {
   selection.value = object.integer("value", 0);
   if (*selection.value < 0) object.fail("value", "the value of an enumerator is not negative");
@@ -62,7 +62,7 @@ void read_entry(JsonObject& object, const TechniqueList& list, Selection& select
   read_options_of(object.object("options"), list, selection);
 }
 
-// Needed where the filter or the passes before it read the shadow map without comparing.
+// A fallback is needed where the filter or the passes before it read the shadow map without comparing.
 void read_fallback(JsonObject& object, const TechniqueList& list, Selection& selection) {
   const bool has_passes = !list.find(selection.technique).graph_name.empty();
   if (!selection.reads_raw_depth() && !has_passes) {
@@ -84,8 +84,8 @@ void read_fallback(JsonObject& object, const TechniqueList& list, Selection& sel
     if (other.name == selection.fallback) selection.keyword = other.keyword;
 }
 
-// Whose filter a keyword can select: under the sun, after passes or without any. Or whose passes draw the
-// visibility from the shadow map alone.
+// Returns a technique whose filter a keyword can select, under the sun, after passes or without any; or one
+// whose passes draw the visibility from the shadow map alone.
 const Technique& read_technique(JsonObject& object, const std::string& key, const TechniqueList& list) {
   const std::string name = required_text(object, key);
   std::vector<std::string> known;
@@ -113,7 +113,7 @@ void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& sele
   selection.technique_16_bits = technique.name;
 }
 
-// The passes of a half as wide screen, which end in one as wide.
+// The passes are those of a half as wide screen, which end in one as wide.
 void read_half_resolution(JsonObject& object, const TechniqueList& list, Selection& selection) {
   if (!object.has("technique_half_resolution")) return;
   const Technique& technique = read_technique(object, "technique_half_resolution", list);
@@ -124,7 +124,7 @@ void read_half_resolution(JsonObject& object, const TechniqueList& list, Selecti
   selection.technique_half_resolution = technique.name;
 }
 
-// Of the technique's structs.
+// The parameters are those of the technique's structs.
 void read_computed_parameters(JsonObject& object, const TechniqueList& list, const Technique& technique,
                               Selection& selection) {
   selection.computed_parameters = object.texts("computed_parameters");
@@ -173,7 +173,7 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   return selection;
 }
 
-// Of those that draw the visibility; null if none does so by this technique's graph.
+// Returns the selection whose passes draw the visibility; null if none does so by this technique's graph.
 const Selection* selection_with_passes(const TechniqueList& list, const Technique& technique) {
   for (const Selection& selection : list.selections) {
     if (!selection.draws_visibility) continue;
@@ -191,7 +191,7 @@ bool is_at_half_resolution(const Technique& technique) {
                      [](const GraphPass& pass) { return pass.name == upsampling_pass; });
 }
 
-// A preset's options set both what it draws and what it falls back to: what is measured must have them, too.
+// A preset's options set both its passes and its fallback, so the measured techniques must have them, too.
 // Its passes may call the fallback's filter, as upsampling does.
 void require_same_options(JsonObject& object, const TechniqueList& list, const PresetChoice& choice,
                           const Selection& selection) {

@@ -10,7 +10,7 @@
 namespace penumbra::techniques {
 namespace {
 
-// What a fetch of an integer texture gives: "uint4" of rgba32ui. Empty of others.
+// Returns the type of a fetch of an integer texture: "uint4" for rgba32ui. It is empty for other formats.
 std::string integer_texel(const GraphTexture& texture) {
   if (!texture.format.ends_with("ui")) return {};
   const std::size_t channels = texture.format.find_first_of("0123456789");
@@ -36,7 +36,7 @@ std::string argument_expression(const std::string& argument) {
 
 using UniformName = std::function<std::string(const ParameterStruct&, std::size_t)>;
 
-// Declares what is not declared yet, and gives the call.
+// Declares the resources that are not declared yet, and writes the call.
 class CallWriter {
  public:
   CallWriter(const TechniqueList& list, const PassGraph& graph, TechniqueCall& call)
@@ -66,7 +66,7 @@ class CallWriter {
   const PassGraph& graph_;
   TechniqueCall& call_;
   std::set<std::string> included_;
-  std::set<std::string> declared_;  // arguments
+  std::set<std::string> declared_;  // the declared arguments
 };
 
 }  // namespace

@@ -17,13 +17,14 @@ struct TechniqueCall {
 // Throws std::invalid_argument for a technique without a filter.
 TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique);
 
-// The uniform of uniform_name() that holds a rule's values: with "From2" where the rule is from cascade 2 on.
+// Returns the uniform of uniform_name() that holds a rule's values: with "From2" where the rule is from
+// cascade 2 on.
 std::string uniform_name(const ParameterStruct& parameters, std::size_t vector, const CascadeRule& rule);
 
-// What the call names a texture of the graph: _PenumbraMomentsTexture of "moments".
+// Returns the name of a texture of the graph in the call: _PenumbraMomentsTexture for "moments".
 std::string argument_name(const std::string& texture);
 
-// The line that declares it under this name, by what its texels hold.
+// Returns the line that declares it under this name, by the type of its texels.
 std::string declaration_of(const GraphTexture& texture);
 
 }  // namespace penumbra::techniques

@@ -1,4 +1,4 @@
-// The techniques with everything that their manifests leave to defaults, for those who compare with them.
+// The techniques with all the defaults that their manifests leave out, for programs that compare with them.
 #pragma once
 
 #include <string>

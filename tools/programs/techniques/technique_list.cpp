@@ -31,7 +31,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// A suggestion for what pages and the inspector call a technique, such as "VSM"; empty if none is called so.
+// Suggests a technique for a name that pages and the inspector use, such as "VSM"; empty if none has it.
 std::string titled(const std::string& given, const std::vector<Technique>& techniques) {
   constexpr std::size_t kMostListed = 4;
   std::string names;

@@ -1,6 +1,6 @@
-// Which techniques there are, what their passes are and what they need: the manifests.
+// The techniques, their passes and their needs, as the manifests list them.
 //
-// A manifest, NAME.technique.json, stands beside the HLSL that it is about, so that a technique is added by
+// A manifest, NAME.technique.json, stands beside the HLSL that it describes, so that a technique is added by
 // adding its files. Its keys are the members' names below and those of graph_reader.h. Files that it names
 // are relative to it.
 #pragma once
@@ -20,50 +20,51 @@ namespace penumbra::techniques {
 struct TechniqueBias {
   double depth = 1.0;  // URP's settings of the casters
   double normal = 0.0;
-  std::string soft_quality = "medium";  // off, low, medium or high: what scales both
+  std::string soft_quality = "medium";  // off, low, medium or high: it scales both
   double slope = 2.5;                   // the rasteriser's slope-scaled depth bias; URP's by default
 
   bool operator==(const TechniqueBias&) const = default;
 };
 
-// What holds from a cascade on, up to the next rule: other values of the technique's parameters, or another
-// technique's filter with its own.
+// The settings that hold from a cascade on, up to the next rule: other values of the technique's parameters,
+// or another technique's filter with its own.
 struct CascadeRule {
-  int from = 1;                                       // index of the first cascade
-  std::string technique;                              // whose filter it is; empty: the same one
-  FilterCall filter;                                  // of that technique
-  std::map<std::string, std::vector<double>> values;  // of the same filter only those that differ
-  std::map<std::string, double> unlimited;            // as in Technique
+  int from = 1;           // index of the first cascade
+  std::string technique;  // the technique that has the filter; if empty, the same one
+  FilterCall filter;      // filter of that technique
+  std::map<std::string, std::vector<double>> values;  // for the same filter, only those that differ
+  std::map<std::string, double> unlimited;            // see Technique::unlimited
 };
 
-inline constexpr int most_cascades = 4;  // of URP's main light
+inline constexpr int most_cascades = 4;  // URP's main light has at most so many
 
-// What a technique's map is drawn for: a sun, in parallel and in cascades, or a spot light, in perspective.
+// The light of a technique's map: a sun, in parallel and in cascades, or a spot light, in perspective.
 enum class LightKind { directional, spot };
 
-const char* name_of(LightKind kind);  // as manifests write it
+const char* name_of(LightKind kind);  // the name in manifests
 
 struct Technique {
   std::string name;      // for example pcss-angular-24-16
-  std::string title;     // for tables
+  std::string title;     // title in tables
   std::string family;    // techniques of one family differ in parameters alone
   std::string source;    // paper, year
-  std::string use_when;  // one line each, may be empty: whom its figures recommend it to
-  std::string not_when;  // and whom not
-  TechniqueBias bias;    // the casters' that it should have, and is measured at
-  std::vector<LightKind> lights{LightKind::directional};  // that it is for
+  std::string use_when;  // one line each, may be empty: the use for which its figures recommend it
+  std::string not_when;  // and the use for which they do not
+  TechniqueBias bias;    // the casters' bias that it should have, and at which it is measured
+  std::vector<LightKind> lights{LightKind::directional};  // the lights that it supports
   PassGraph graph;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
-  std::vector<std::string> keywords;                   // that this technique switches on
+  std::vector<std::string> keywords;                   // keywords that this technique switches on
   std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
   std::map<std::string, double> unlimited;             // fields to override for T3
-  std::vector<CascadeRule> cascades;                   // by rising index; empty: all cascades are alike
+  std::vector<CascadeRule> cascades;                   // by rising index; if empty, all cascades are alike
   std::map<std::string, std::string> targets_absent;   // target -> reason
   std::string where;                                   // file:line:column of its name
-  std::string manifest{};                              // that declares it, as NamedGraph has it
-  std::string graph_name{};                            // of that manifest's graphs; empty: a filter alone
+  std::string manifest{};                              // the declaring file, as in NamedGraph
+  std::string graph_name{};  // one of that manifest's graphs; empty for a filter alone
 
-  // The file that reports name: of its filter, or where it runs over the screen of its last pass.
+  // Returns the file that reports name: that of its filter or, where it runs over the screen, of its last
+  // pass.
   const std::string& file() const;
   std::vector<std::string> all_keywords() const;  // its own, then its graph's
   bool is_for(LightKind kind) const;
@@ -73,16 +74,17 @@ struct Technique {
 // A graph of a manifest by its own name, whether a technique of the list has it or not.
 struct NamedGraph {
   std::string name;
-  std::string manifest;  // relative to the list's package where it lies in it
+  std::string manifest;  // path, relative to the list's package if it lies in it
   std::string where;     // file:line:column of its name
-  PassGraph graph;       // nothing is wrong with it; in running order
+  PassGraph graph;       // checked, and in running order
 };
 
-// How a light looks, whatever technique draws its shadows: an artist's choice beside the quality presets.
+// The appearance of a light, whatever technique draws its shadows: an artist's choice beside the quality
+// presets.
 struct Look {
   std::string name;                       // for example crisp-noon
   std::string title;                      // for inspectors and pages
-  std::string doc;                        // one sentence: what it stands for
+  std::string doc;                        // the description, one sentence
   double angular_diameter_degrees = 0.0;  // full angle of the light's disc, above 0 to 30
   double max_penumbra_metres = 0.0;       // widest penumbra, full width, above 0 to 100
 };
@@ -91,27 +93,28 @@ struct TechniqueList {
   std::filesystem::path package;  // its folder; files that lie in it are named relative to it
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
-  std::vector<NamedGraph> graphs;  // all but those that are parts of others
+  std::vector<NamedGraph> graphs;  // all graphs but those that are parts of others
   std::vector<Look> looks;
-  std::vector<FeatureOption> options;  // in the order in which inspectors show them
+  std::vector<FeatureOption> options;  // options in the order in which inspectors show them
   std::vector<Selection> selections;
-  std::vector<PresetChoice> presets;  // of those that draw passes of a selection
+  std::vector<PresetChoice> presets;  // choices of presets that draw passes of a selection
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
   const ParameterStruct* find_struct(const std::string& name) const;
-  std::vector<std::filesystem::path> include_directories() const;  // of technique_call.h
-  // Of the technique's passes, each once, in their order.
+  // Folders for the includes of technique_call.h.
+  std::vector<std::filesystem::path> include_directories() const;
+  // Returns the structs of the technique's passes, each once, in their order.
   std::vector<const ParameterStruct*> structs_of(const Technique& technique) const;
-  std::vector<ParameterField> fields_of(const Technique& technique) const;  // of these structs
+  std::vector<ParameterField> fields_of(const Technique& technique) const;  // fields of these structs
 };
 
 inline constexpr const char* manifest_ending = ".technique.json";
 
-// Every manifest in ShaderLibrary/ and Shaders/ of a package's folder, in the order that they give, and its
-// looks; or one manifest alone. Throws InputError with file:line:column.
+// Reads every manifest in ShaderLibrary/ and Shaders/ of a package's folder, in the order that they give, and
+// its looks; or one manifest alone. Throws InputError with file:line:column.
 TechniqueList read_technique_list(const std::filesystem::path& package_or_manifest);
 
-// Those of this program's own package.
+// Reads those of this program's own package.
 TechniqueList read_own_techniques();
 
 }  // namespace penumbra::techniques

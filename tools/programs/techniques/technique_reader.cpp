@@ -37,7 +37,7 @@ TechniqueBias read_bias(JsonObject object) {
   return bias;
 }
 
-// In running order. A problem of the graph as a whole is reported at the key.
+// The result is in running order. A problem of the graph as a whole is reported at the key.
 PassGraph checked(const JsonObject& object, const std::string& key, PassGraph graph) {
   if (const std::optional<GraphProblem> problem = graph_problem(graph)) {
     if (problem->where.empty()) object.fail(key, problem->text, problem->way_out);
@@ -51,7 +51,7 @@ std::size_t item_count(const PassGraph& graph) {
   return graph.passes.size() + graph.textures.size() + graph.buffers.size();
 }
 
-// Entries over the defaults of their manifest: what an entry leaves out is theirs.
+// Reads entries over the defaults of their manifest, which supply what an entry leaves out.
 class TechniqueReader {
  public:
   TechniqueReader(const Manifest& manifest, const TechniqueList& list,
@@ -119,7 +119,7 @@ class TechniqueReader {
     return technique;
   }
 
-  // After the last entry: a value that is no technique's.
+  // Called after the last entry: throws for a value that is no technique's.
   void finish() const { shared_values_.finish(); }
 
  private:
@@ -135,7 +135,7 @@ class TechniqueReader {
     return lights;
   }
 
-  // A spot light's map has no passes over cascades, and only it has what "spotLight" stands for.
+  // A spot light's map has no passes over cascades, and only it has the argument "spotLight".
   static void require_fitting_lights(JsonObject& object, const Technique& technique) {
     const GraphPass* pass = technique.graph.filter_pass();
     const bool filter_alone = pass != nullptr && technique.graph.passes.size() == 1;
@@ -151,7 +151,7 @@ class TechniqueReader {
                   "write \"lights\": [\"spot\"]");
   }
 
-  // A technique above this one whose visibility is a texture, which another graph can read.
+  // Returns an earlier technique whose visibility is a texture, which another graph can read.
   const Technique& over_screen(JsonObject& object) const {
     const std::string name = required_text(object, "after");
     std::vector<std::string> known;
@@ -186,7 +186,7 @@ class TechniqueReader {
     if (earlier != nullptr) graph = in_sequence(earlier->graph, graph);
     count(from, key, graph);
     if (alone || earlier != nullptr) return checked(from, key, std::move(graph));
-    // Of techniques that share a graph, the first one has it checked.
+    // If techniques share a graph, it is checked for the first one.
     if (checked_.insert(name).second) graphs_.at(name) = checked(from, key, std::move(graph));
     return graphs_.at(name);
   }
@@ -227,7 +227,7 @@ class TechniqueReader {
     return rule;
   }
 
-  // Of a rule: one of the list so far that runs without passes and keywords of its own.
+  // Returns the technique of a rule: one of the list so far that runs without passes and keywords of its own.
   const Technique& filter_alone(JsonObject& object, const Technique& technique) const {
     const std::string name = required_text(object, "technique");
     std::vector<std::string> known;
@@ -286,7 +286,7 @@ class TechniqueReader {
     }
   }
 
-  // Both directions of depth; of a filter also with unlimited samples, where it has those.
+  // The sets cover both directions of depth; a filter with unlimited samples has sets for these, too.
   static std::vector<std::vector<std::string>> usual_keyword_sets(const Technique& technique) {
     std::vector<std::vector<std::string>> sets{{}, {"UNITY_REVERSED_Z"}};
     if (technique.is_sampled() && technique.graph.filter_pass() != nullptr) {
@@ -328,7 +328,7 @@ class TechniqueReader {
   ManifestFiles files_;
   std::string manifest_;
   std::map<std::string, PassGraph> graphs_;
-  std::set<std::string> checked_;  // of these graphs
+  std::set<std::string> checked_;  // names of these graphs
   std::size_t graph_items_ = 0;
   JsonObject defaults_;
   JsonObject shared_values_;

@@ -10,7 +10,7 @@
 namespace penumbra::techniques {
 namespace {
 
-// The nearest name and all of them: which there are differs from technique to technique.
+// Suggests the nearest name and lists all of them, because they differ from technique to technique.
 std::string known_parameters(const std::string& given, const std::vector<ParameterField>& fields) {
   if (fields.empty()) return "it has no parameters";
   std::vector<std::string> names;

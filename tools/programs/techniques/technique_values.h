@@ -7,8 +7,8 @@
 
 namespace penumbra::techniques {
 
-// What is wrong with a value of the field: no finite number, not whole where the field is an int, out of
-// range. Empty: nothing.
+// Describes the problem of a value of the field: no finite number, not whole where the field is an int, out
+// of range. The result is empty if there is none.
 std::string value_problem(const ParameterField& field, double value);
 
 // Throws InputError, naming the technique and its parameters, when it has none of that name, and for a value

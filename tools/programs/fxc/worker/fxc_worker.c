@@ -26,8 +26,8 @@ typedef HRESULT(WINAPI* Compile)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO
 static HANDLE input;
 static HANDLE output;
 static CRITICAL_SECTION
-    answering;  // held while an answer is written: by the main thread, or by the watch as the last
-static volatile LONG compiling;  // whether a request is being compiled
+    answering;  // held while an answer is written, by the main thread or, at the end, by the watch
+static volatile LONG compiling;  // true while a request is being compiled
 static volatile ULONGLONG used;  // processor time at its beginning, in units of 100 ns
 static ULONGLONG most_time;      // the same unit
 static SIZE_T most_memory;       // bytes
@@ -79,14 +79,14 @@ static SIZE_T memory(void) {
                                                                                   : 0;
 }
 
-// Ends the process with an answer when a request takes more than it may.
+// Ends the process with an answer when a request exceeds a limit.
 static DWORD WINAPI watch(LPVOID unused) {
   (void)unused;
   for (;;) {
     Sleep(50);
     if (!compiling) continue;
     DWORD status = kCompiled;
-    // Read first: the next request may begin in between.
+    // `used` is read first, because the next request may begin in between.
     const ULONGLONG begun = used;
     const ULONGLONG now = processor_time();
     if (now > begun && now - begun > most_time) status = kTooLong;
