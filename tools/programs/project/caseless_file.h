@@ -7,8 +7,8 @@
 
 namespace penumbra::project {
 
-// Every file whose path below `base` is `rest` up to case, sorted; at most a handful. `base` itself is
-// case-sensitive.
+// Returns every file whose path below `base` is `rest` up to case, sorted; at most a handful. `base` itself
+// is case-sensitive.
 std::vector<std::filesystem::path> files_ignoring_case(const std::filesystem::path& base,
                                                        const std::filesystem::path& rest);
 

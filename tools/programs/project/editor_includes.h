@@ -7,8 +7,8 @@
 
 namespace penumbra::project {
 
-// The table's spelling of an editor-only include ("UnityCG.cginc" for "unitycg.cginc"); empty if it is not
-// one, or has a folder before it.
+// Returns the table's spelling of an editor-only include ("UnityCG.cginc" for "unitycg.cginc"); empty if it
+// is not one, or has a folder before it.
 std::string_view editor_include(std::string_view name);
 
 }  // namespace penumbra::project

@@ -19,7 +19,7 @@ struct EditorVersion {
   std::string text;  // 2022.3.20f1
 };
 
-// "2022.3.20f1" and similar; nothing if the text does not begin with three numbers.
+// Parses "2022.3.20f1" and similar; returns nothing if the text does not begin with three numbers.
 std::optional<EditorVersion> parse_editor_version(std::string_view text);
 
 int unity_version_number(const EditorVersion& version);

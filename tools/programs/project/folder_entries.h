@@ -6,10 +6,11 @@
 
 namespace penumbra::project {
 
-// The folders in a folder, including symbolic links to folders. Throws InputError if it cannot be listed.
+// Returns the folders in a folder, including symbolic links to folders. Throws InputError if it cannot be
+// listed.
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folder);
 
-// Whether a directory entry of that name exists, including a dangling symbolic link.
+// Returns whether a directory entry of that name exists, including a dangling symbolic link.
 bool is_there(const std::filesystem::path& file);
 
 }  // namespace penumbra::project

@@ -34,8 +34,8 @@ bool is_unity_project(const fs::path& folder) {
          fs::is_directory(folder / "ProjectSettings", ignored);
 }
 
-// The nearest folder above the file for which `is_one` holds; empty without one. Some people keep their home
-// folder in git.
+// Returns the nearest folder above the file for which `is_one` holds; empty without one. Some people keep
+// their home folder in git.
 template <typename IsOne>
 fs::path nearest_above(const fs::path& file, IsOne is_one) {
   for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path())

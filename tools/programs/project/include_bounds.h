@@ -7,31 +7,31 @@
 
 namespace penumbra::project {
 
-// The folder that a file belongs to with all that is below it: its git working tree, else its Unity project
-// (a folder that holds Assets/ and ProjectSettings/), else its package (a folder with a package.json), else
-// the folder it is in. Never a folder that no_file_owns(): of a file in one, the file alone.
+// Returns the folder that a file belongs to with all that is below it: its git working tree, else its Unity
+// project (a folder that holds Assets/ and ProjectSettings/), else its package (a folder with a
+// package.json), else the folder it is in. It is never a folder that no_file_owns(): for a file in such a
+// folder, it is the file alone.
 std::filesystem::path own_tree(const std::filesystem::path& file);
 
-// Whether it is the disk's root or the user's home folder. What is below those belongs to no single file of
-// theirs, and holds credentials: only a user who names such a folder makes it one that includes are read
-// from.
+// Returns whether it is the disk's root or the user's home folder. What is below those belongs to no single
+// file of theirs, and holds credentials: includes are read from such a folder only if the user names it.
 bool no_file_owns(const std::filesystem::path& folder);
 
 class IncludeBounds {
  public:
   void add(const std::filesystem::path& root);  // a folder or a single file
 
-  // Whether the file is one of the roots or below one, after symbolic links are resolved. Files in a .git
-  // folder are never accepted: they may contain credentials.
+  // Returns whether the file is one of the roots or below one, after symbolic links are resolved. Files in a
+  // .git folder are never accepted: they may contain credentials.
   bool contain(const std::filesystem::path& file) const;
-  // For the folder of a package that the project's own files name: these must not extend what is read.
+  // It is for the folder of a package that the project's own files name: these must not extend what is read.
   bool contain_package(const std::filesystem::path& folder) const { return contain(folder / "package.json"); }
 
   // Throws InputError where a file that a project always has is a link to outside: its text would be quoted.
   void require(const std::filesystem::path& file) const;
 
  private:
-  std::vector<std::filesystem::path> roots_;  // without links
+  std::vector<std::filesystem::path> roots_;  // paths without links
 };
 
 }  // namespace penumbra::project

@@ -29,7 +29,7 @@ struct Place {
 
 struct Places {
   std::vector<Place> tried;
-  std::vector<Place> other_case;  // a package or folder that differs in case from what is asked
+  std::vector<Place> other_case;  // a package or folder that differs in case from the requested one
   std::string hint;               // reported if the file is not found
 };
 
@@ -37,7 +37,7 @@ bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
   return text.size() >= start.size() && equal_ignoring_case(text.substr(0, start.size()), start);
 }
 
-// Slashes for backslashes, without doubled slashes, "./", and "../" after a folder.
+// Returns the path with slashes for backslashes, without doubled slashes, "./", and "../" after a folder.
 std::string normalised(std::string_view asked) {
   std::string text(asked);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -80,7 +80,7 @@ Places places_of(const IncludeRoots& roots, const std::string& header, const fs:
   if (!includer.empty()) beside.push_back(includer.parent_path());
   if (!roots.main_folder.empty() && (beside.empty() || roots.main_folder != beside[0]))
     beside.push_back(roots.main_folder);
-  // "/Include/A.hlsl" is beside the includer, unless the disk's root has it.
+  // A path such as "/Include/A.hlsl" is beside the includer, unless the disk's root has it.
   const std::size_t after_slashes = header.find_first_not_of('/');
   for (const fs::path& folder : beside) {
     places.tried.push_back({folder, header});
@@ -107,7 +107,7 @@ IncludeBounds bounds_of(const IncludeRoots& roots) {
   return bounds;
 }
 
-// Files that differ from what is asked only in case, at the first place that has one.
+// Finds files that differ from the requested one only in case, at the first place that has one.
 bool find_other_case(const Places& places, std::string_view asked, const IncludeBounds& bounds,
                      IncludeSearch& search) {
   std::vector<Place> all = places.other_case;
@@ -128,7 +128,7 @@ bool find_other_case(const Places& places, std::string_view asked, const Include
   return false;
 }
 
-// The name of an existing file that is closest to the one asked for, in the folders that were tried.
+// Returns the name of an existing file that is closest to the requested one, in the folders that were tried.
 std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& bounds) {
   for (const Place& place : tried) {
     const fs::path file = place.file();
@@ -145,7 +145,7 @@ std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& b
   return {};
 }
 
-// Does not check whether the file exists.
+// The message is the same whether or not the file exists.
 std::string outside_message(std::string_view asked, const fs::path& file) {
   std::error_code error;
   const bool linked = fs::weakly_canonical(file, error) != fs::absolute(file, error).lexically_normal();

@@ -24,8 +24,8 @@ struct IncludeRoots {
   std::filesystem::path project;  // holds Assets/; empty when there is none
   std::filesystem::path cginc;    // the editor's CGIncludes; empty when there is none
   std::vector<std::filesystem::path>
-      own;  // own_tree() of what is compiled: not searched, but includes may lead there
-  std::filesystem::path main_folder;  // of the file that is compiled; empty where none is
+      own;  // own_tree() of the compiled file: not searched, but includes may lead there
+  std::filesystem::path main_folder;  // folder of the file that is compiled; else empty
 };
 
 struct IncludeSearch {
@@ -33,11 +33,11 @@ struct IncludeSearch {
   std::vector<std::filesystem::path> absent;  // candidates earlier in the order that do not exist
   std::string warning;                        // the file was found under a different spelling
   std::string problem;                        // why there is none, the candidates tried and what to do
-  std::string missing_editor_include;         // its name, if only the editor has it
+  std::string missing_editor_include;         // name of the include, if only the editor has it
 };
 
-// `includer`: the file that has the #include; empty for a text that is in no file, beside which there is
-// nothing. A result has either a file or a problem.
+// `includer` is the file that has the #include; it is empty for a text that is in no file, beside which there
+// is nothing. A result has either a file or a problem.
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked,
                            const std::filesystem::path& includer);
 

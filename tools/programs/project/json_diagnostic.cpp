@@ -8,7 +8,7 @@ namespace penumbra::project {
 
 namespace {
 
-// Takes ":123" off the end; 0 when there is none.
+// Takes ":123" off the end; returns 0 when there is none.
 int take_number_behind_colon(std::string_view& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string_view::npos || colon + 1 == text.size()) return 0;

@@ -9,14 +9,14 @@
 
 namespace penumbra::project {
 
-// where: "file", "file:line" or "file:line:column", as LocatedJson and JsonObject give it.
+// `where` is "file", "file:line" or "file:line:column", as LocatedJson and JsonObject give it.
 hlsl::Diagnostic diagnostic_at(const std::string& where, hlsl::Severity severity, std::string message);
 
-// A whole file or folder, without a line.
+// The diagnostic is about a whole file or folder, without a line.
 hlsl::Diagnostic diagnostic_of(const std::filesystem::path& file, hlsl::Severity severity,
                                std::string message);
 
-// An InputError about `file`: its location, and its hint after the problem.
+// Converts an InputError about `file`: its location, and its hint after the problem.
 hlsl::Diagnostic diagnostic_from(const InputError& error, const std::filesystem::path& file,
                                  hlsl::Severity severity);
 

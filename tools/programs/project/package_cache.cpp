@@ -24,7 +24,7 @@ bool is_commit(const std::string& suffix, const std::string& hash) {
   return suffix.size() >= shortest_hash && hash.compare(0, suffix.size(), suffix) == 0;
 }
 
-// Whether `a` is an older version than `b`; an invalid version is older than every valid one.
+// Returns whether `a` is an older version than `b`; an invalid version is older than every valid one.
 bool older(const CachedPackage& a, const CachedPackage& b) {
   const std::optional<PackageVersion> x = parse_package_version(a.version);
   const std::optional<PackageVersion> y = parse_package_version(b.version);

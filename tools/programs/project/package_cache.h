@@ -15,7 +15,7 @@ namespace penumbra::project {
 struct CachedPackage {
   std::filesystem::path directory;
   std::string version;  // package.json's, else the folder's; possibly not a valid version
-  std::string suffix;   // of the folder, after '@'
+  std::string suffix;   // suffix of the folder's name, after '@'
 };
 
 struct PackageCache {
@@ -28,7 +28,7 @@ struct PackageCache {
 PackageCache read_package_cache(const std::filesystem::path& folder, const IncludeBounds& bounds,
                                 std::vector<hlsl::Diagnostic>& problems);
 
-// What a project's files say about the package it requires; each may be empty.
+// The facts that a project's files state about the package it requires; each may be empty.
 struct WantedPackage {
   std::string name;
   std::string locked_version;
@@ -42,7 +42,8 @@ struct CacheChoice {
   std::string warning;  // the required one does not exist
 };
 
-// `cached` is not empty. The lock's commit or version decides, then the manifest's version, else the highest.
+// `cached` must not be empty. The lock's commit or version decides, then the manifest's version, else the
+// highest.
 CacheChoice choose_cached(const std::vector<CachedPackage>& cached, const WantedPackage& wanted);
 
 }  // namespace penumbra::project

@@ -1,5 +1,5 @@
-// package.json of a Unity package: its name, its version and what it depends on (Unity manual, "Package
-// manifest file"). Other keys are left alone.
+// The package.json of a Unity package: its name, its version and its dependencies (Unity manual, "Package
+// manifest file"). Other keys are ignored.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +15,15 @@ struct PackageDependency {
 };
 
 struct PackageManifest {
-  std::string name;                             // empty when the file does not say
-  std::string version;                          // likewise
-  std::string where;                            // of the version, or of the file
-  std::vector<PackageDependency> dependencies;  // by name
+  std::string name;                             // empty when the file has none
+  std::string version;                          // empty when the file has none
+  std::string where;                            // place of the version, or the file
+  std::vector<PackageDependency> dependencies;  // sorted by name
 };
 
 bool has_package_manifest(const std::filesystem::path& package);
 
-// Throws InputError when DIRECTORY/package.json is missing, cannot be read, or is not what it should be.
+// Throws InputError when DIRECTORY/package.json is missing, cannot be read, or is invalid.
 PackageManifest read_package_manifest(const std::filesystem::path& package);
 
 }  // namespace penumbra::project

@@ -1,4 +1,4 @@
-// A Unity package on disk: what "#include "Packages/NAME/..."" resolves under.
+// A Unity package on disk, under which "#include "Packages/NAME/..."" resolves.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ enum class PackageOrigin {
 };
 
 struct PackageRoot {
-  std::string name;  // for example com.unity.render-pipelines.core
+  std::string name;  // the package's name, for example com.unity.render-pipelines.core
   std::filesystem::path directory;
   std::string version{};  // package.json's; empty when it is not known
   PackageOrigin origin = PackageOrigin::given;

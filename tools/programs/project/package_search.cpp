@@ -31,8 +31,8 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-// The folder a "file:" version names; nothing for every other version and for a tarball, which Unity unpacks
-// into the cache.
+// Returns the folder that a "file:" version names; nothing for every other version and for a tarball, which
+// Unity unpacks into the cache.
 std::optional<fs::path> local_folder(const std::string& version, const fs::path& packages) {
   if (!starts_with(version, file_scheme) || ends_with(version, ".tgz") || ends_with(version, ".tar.gz"))
     return std::nullopt;
@@ -90,7 +90,7 @@ class PackageSearch {
     }
   }
 
-  // The version that the lock file settled on, else the one that manifest.json asks for.
+  // The required version is that of the lock file, or else the one that manifest.json requests.
   void compare_with_project(const PackageRoot& root, const std::string& version) {
     const auto requested = sources_.manifest.requested.find(root.name);
     const auto locked = sources_.manifest.locked.find(root.name);

@@ -22,8 +22,8 @@ struct PackageSources {
   IncludeBounds bounds;  // the project and its repository; roots given by hand may lie elsewhere
 };
 
-// By name. A package of manifest.json that is not found is a warning at its line there; if the whole cache is
-// missing, there is one warning for all.
+// Returns the roots by name. A package of manifest.json that is not found is a warning at its line there; if
+// the whole cache is missing, there is one warning for all.
 std::vector<PackageRoot> find_packages(const PackageSources& sources,
                                        std::vector<hlsl::Diagnostic>& problems);
 

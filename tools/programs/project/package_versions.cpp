@@ -58,7 +58,7 @@ Packages read_packages(const std::vector<PackageRoot>& roots, std::vector<hlsl::
   return packages;
 }
 
-// The incompatibility between a package and one of its dependencies; empty if there is none.
+// Describes the incompatibility between a package and one of its dependencies; empty if there is none.
 std::string problem_with(const Package& package, const PackageDependency& dependency,
                          const Packages& packages) {
   const std::string needs = title(package.root.name, package.manifest.version) + " needs " +

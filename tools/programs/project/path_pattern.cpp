@@ -73,7 +73,7 @@ class Reached {
       case Kind::long_run:
         enter(next, i);
         break;
-      case Kind::folders:  // within a folder's name only its end advances
+      case Kind::folders:  // only the end of a folder's name advances
         next[i] = true;
         if (c == '/') enter(next, i + 1);
         break;

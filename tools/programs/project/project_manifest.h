@@ -1,6 +1,6 @@
-// Packages/manifest.json and Packages/packages-lock.json of a project: which packages it requires, and which
-// versions the Package Manager selected (Unity manual, "Project manifest file", "Lock files"). Internal to
-// this folder.
+// Packages/manifest.json and Packages/packages-lock.json of a project: the packages that it requires, and the
+// versions that the Package Manager selected (Unity manual, "Project manifest file", "Lock files"). Internal
+// to this folder.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct RequestedPackage {
 
 struct LockedPackage {
   std::string version;
-  std::string hash;  // of the git commit; empty for other sources
+  std::string hash;  // hash of the git commit; empty for other sources
 };
 
 struct ProjectManifest {
@@ -26,7 +26,7 @@ struct ProjectManifest {
   std::map<std::string, LockedPackage> locked;
 };
 
-// `packages`: the project's Packages folder. Throws InputError for an invalid file.
+// `packages` is the project's Packages folder. Throws InputError for an invalid file.
 ProjectManifest read_project_manifest(const std::filesystem::path& packages);
 
 }  // namespace penumbra::project

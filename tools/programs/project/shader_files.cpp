@@ -28,7 +28,7 @@ bool is_imported_shader(const fs::path& file) {
   return has_extension(file, ".shader") || has_extension(file, ".compute");
 }
 
-// Files from which the Unity editor generates shaders.
+// The Unity editor generates shaders from these files.
 bool is_graph(const fs::path& file) {
   return has_extension(file, ".shadergraph") || has_extension(file, ".shadersubgraph");
 }
@@ -51,11 +51,11 @@ bool is_hidden(const fs::path& path) {
          has_extension(path, ".tmp");
 }
 
-// Real folders first, then symbolic links to folders, so that a file that is also reached through a link
+// Real folders come first, then symbolic links to folders, so that a file that is also reached through a link
 // keeps its own path. Links out of the repository or project are not followed.
 class ShaderWalk {
  public:
-  // In the project's Packages/ only a folder with a package.json counts.
+  // Only a folder with a package.json counts in the project's Packages/.
   ShaderWalk(const fs::path& project, std::vector<hlsl::Diagnostic>& problems) : problems_(problems) {
     std::error_code ignored;
     packages_ = fs::canonical(project / "Packages", ignored);
@@ -77,7 +77,7 @@ class ShaderWalk {
     return std::move(files_);
   }
 
-  const std::vector<fs::path>& graphs() const { return graphs_; }  // after run()
+  const std::vector<fs::path>& graphs() const { return graphs_; }  // valid after run()
 
  private:
   void enter(const fs::path& folder) {
@@ -160,7 +160,7 @@ class Filter {
     return included && !excluded;
   }
 
-  // A suggestion for a pattern that matches nothing.
+  // Throws with a suggestion for a pattern that matches nothing.
   void require_a_match() const {
     if (used_.empty() || std::find(used_.begin(), used_.end(), true) != used_.end()) return;
     const std::string& pattern = selection_.include.front();
@@ -190,7 +190,7 @@ class Filter {
     const bool below = pattern.ends_with(kBelow);
     std::vector<std::string> known = seen_;
     if (below) known.assign(folders.begin(), folders.end());
-    if (pattern.find('/') == std::string::npos)  // a name alone, wherever the file is
+    if (pattern.find('/') == std::string::npos)  // a name alone matches wherever the file is
       for (std::string& file : known) file.erase(0, file.rfind('/') + 1);
     const std::string nearest =
         nearest_name(below ? pattern.substr(0, pattern.size() - kBelow.size()) : pattern, known);
@@ -203,8 +203,8 @@ class Filter {
   }
 
   const ShaderSelection& selection_;
-  std::vector<bool> used_;          // by place in `include`
-  std::vector<bool> used_to_skip_;  // likewise in `exclude`
+  std::vector<bool> used_;          // one for each pattern of `include`
+  std::vector<bool> used_to_skip_;  // one for each pattern of `exclude`
   std::vector<std::string> seen_;   // every file that was tested
 };
 

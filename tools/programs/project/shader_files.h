@@ -15,11 +15,11 @@
 namespace penumbra::project {
 
 struct ShaderSelection {
-  // Folders and files to look at; empty: Assets/ and Packages/ of the project. An .hlsl file is found only
-  // when it is named here itself.
+  // The folders and files to search; if empty, Assets/ and Packages/ of the project. An .hlsl file is found
+  // only when it is named here itself.
   std::vector<std::filesystem::path> places;
-  // Patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They apply to files
-  // named in `places`, too: hooks name the files of a commit, and their settings leave folders out.
+  // These are patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They apply
+  // to files named in `places`, too: hooks name the files of a commit, and their settings leave folders out.
   std::vector<std::string> include;
   std::vector<std::string> exclude;
 };
@@ -27,11 +27,11 @@ struct ShaderSelection {
 struct ShaderFile {
   std::filesystem::path path;
   std::string shown;   // relative to the project where it is below it, with '/'
-  bool named = false;  // by the user; else it was found in a folder
+  bool named = false;  // named by the user; else it was found in a folder
 };
 
 struct ShaderFiles {
-  std::vector<ShaderFile> files;  // by `shown`
+  std::vector<ShaderFile> files;  // sorted by `shown`
   std::vector<hlsl::Diagnostic>
       problems;  // warnings: a folder that cannot be listed, a link to nothing, a pattern without a match,
                  // Shader Graphs; notes: named files that a pattern leaves out

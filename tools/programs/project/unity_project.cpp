@@ -64,7 +64,7 @@ std::optional<EditorVersion> read_editor_version(const fs::path& file,
   return std::nullopt;
 }
 
-// Packages/FOLDER/package.json; the first by folder where two have one name.
+// Returns the packages with a Packages/FOLDER/package.json; the first by folder where two have one name.
 std::map<std::string, PackageRoot> embedded_packages(const fs::path& packages, const IncludeBounds& bounds,
                                                      std::vector<hlsl::Diagnostic>& problems) {
   std::map<std::string, PackageRoot> embedded;

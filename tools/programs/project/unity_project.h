@@ -1,17 +1,16 @@
-// A Unity project folder, read without Unity: where its packages lie and which editor it is for.
+// A Unity project folder, read without Unity: the places of its packages, and the editor that it is for.
 //
-// A package is looked for where Unity's Package Manager looks, in its order (Unity manual, "Embedded
+// A package is searched where Unity's Package Manager searches, in its order (Unity manual, "Embedded
 // dependencies", "Local folder or tarball paths", "Git dependencies", "Lock files"):
-//   1. roots given by hand;
-//   2. a folder of Packages/ that holds a package.json; the name in there counts, not the folder's;
-//   3. "file:PATH" in Packages/manifest.json, relative to Packages/;
-//   4. Library/PackageCache: of several versions the one that packages-lock.json names, then manifest.json,
-//   else
-//      the highest, with a note.
-// One that lies outside of the project and its repository after links are followed is a warning and left out,
-// unless it was given by hand. The packages are those that manifest and lock ask for and what these depend
-// on; without either file all that the cache holds. Engine modules (com.unity.modules.*) are built into the
-// editor and have no files.
+// 1. roots given by hand;
+// 2. a folder of Packages/ that holds a package.json; the name in there counts, not the folder's;
+// 3. "file:PATH" in Packages/manifest.json, relative to Packages/;
+// 4. Library/PackageCache: of several versions the one that packages-lock.json names, then manifest.json,
+//    else the highest, with a note.
+// A package that lies outside of the project and its repository after links are followed is left out with a
+// warning, unless it was given by hand. The packages are those that manifest and lock request and their
+// dependencies; without either file they are all that the cache holds. Engine modules (com.unity.modules.*)
+// are built into the editor and have no files.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +26,8 @@ namespace penumbra::project {
 struct UnityProject {
   std::filesystem::path directory;
   std::optional<EditorVersion> editor;     // ProjectSettings/ProjectVersion.txt
-  std::vector<PackageRoot> packages;       // one for each name, by name
-  std::vector<hlsl::Diagnostic> problems;  // what was not as it should be, and choices made: notes to errors
+  std::vector<PackageRoot> packages;       // one for each name, sorted by name
+  std::vector<hlsl::Diagnostic> problems;  // problems and choices, from notes to errors
 };
 
 // Throws InputError when the folder is missing or no Unity project (it holds neither Assets/ nor Packages/),

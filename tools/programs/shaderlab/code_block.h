@@ -13,7 +13,7 @@
 
 namespace penumbra::shaderlab {
 
-// The language and kind of an opening keyword (HLSLPROGRAM, CGINCLUDE, ...), case-insensitive.
+// Returns the language and kind of an opening keyword (HLSLPROGRAM, CGINCLUDE, ...), case-insensitive.
 struct BlockKeyword {
   Language language;
   bool is_include;
@@ -21,9 +21,9 @@ struct BlockKeyword {
 std::optional<BlockKeyword> block_keyword(std::string_view word);
 
 struct BlockEnd {
-  Place end;            // of the closing keyword
-  std::size_t after{};  // offset right after it
-  // If there is no closing keyword: the message and its location.
+  Place end;            // place of the closing keyword
+  std::size_t after{};  // offset right after the closing keyword
+  // The message and its location if there is no closing keyword.
   std::string problem;
   Place problem_place;
 };

@@ -99,7 +99,8 @@ const Words& words_of(Values values) {
   return none;
 }
 
-// The largest number of the values, which count from 0: those of UnityEngine.Rendering's enumerations.
+// Returns the largest number of the values, which count from 0: those of UnityEngine.Rendering's
+// enumerations.
 std::optional<int> largest_number(Values values) {
   switch (values) {
     case Values::toggle:
@@ -145,7 +146,7 @@ bool is_on(const std::string& word) {
 }
 
 std::string listed(const Words& words) {
-  constexpr std::size_t most = 12;  // BlendOp's are too many for a message
+  constexpr std::size_t most = 12;  // BlendOp has too many for a message
   std::string text;
   for (std::size_t i = 0; i < words.size() && i < most; ++i) text += (i == 0 ? "" : ", ") + words[i];
   return words.size() > most ? text + ", ..." : text;

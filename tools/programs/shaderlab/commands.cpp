@@ -23,7 +23,7 @@ enum class Operands {
   expression   // combine texture * primary DOUBLE, constant
 };
 
-// Which commands are allowed in which braces.
+// The braces in which a command is allowed.
 enum class Scope { pass, stencil, fog, material, channels, texture };
 
 struct Shape {
@@ -31,7 +31,7 @@ struct Shape {
   Scope scope;
   Operands operands;
   std::optional<Scope> block;        // the scope of its braces
-  Values values = Values::anything;  // of its words
+  Values values = Values::anything;  // the values of its words
 };
 
 constexpr std::array kShapes{
@@ -140,12 +140,13 @@ class CommandParser {
     command_.values.push_back({value_kind(token.kind), std::string(token.spelling), token.place});
   }
 
-  // A required value: if there is a command's name instead, the value is missing.
+  // Reads a required value: if there is a command's name instead, the value is missing.
   void value() {
     if (!at_value(cursor_) || find_shape(cursor_, scope_) != nullptr)
       cursor_.fail("a value for " + command_.name.text);
     const bool numeric = values_ == Values::number || values_ == Values::stencil_number;
-    if (numeric && cursor_.at(Token::Kind::identifier)) {  // which may be a command with a typing error
+    // The identifier may be a command with a typing error.
+    if (numeric && cursor_.at(Token::Kind::identifier)) {
       const Token& word = cursor_.peek();
       cursor_.error(word.place, "expected a number for " + command_.name.text + ", found '" +
                                     std::string(word.spelling.substr(0, 40)) + "'");
@@ -248,7 +249,7 @@ class CommandParser {
   }
 
   void block(Scope scope) {
-    // Only SetTexture may omit its braces.
+    // SetTexture alone may omit its braces.
     if (scope == Scope::texture && !cursor_.at_punctuation('{')) return;
     cursor_.expect_mark('{', "after " + command_.name.text);
     while (!cursor_.take_punctuation('}')) {
@@ -278,7 +279,7 @@ class CommandParser {
   Command command_;
 };
 
-// From '{' to its '}'; true when a program stands between.
+// Skips from '{' to its '}'; returns true when a program stands between.
 bool skip_block(Cursor& cursor, const Token& owner) {
   const Place open = cursor.take().place;
   bool holds_program = false;

@@ -21,7 +21,7 @@ struct KernelDefine {
 
 struct Kernel {
   Name function;
-  Place place;  // of the '#'
+  Place place;  // place of the '#'
   std::vector<KernelDefine> defines;
 };
 

@@ -10,7 +10,7 @@
 
 namespace penumbra::shaderlab {
 
-// Ends the parse; caught by parse_shader alone.
+// Ends the parse; only parse_shader() catches it.
 struct SyntaxError {
   Place place;
   std::string message;
@@ -25,7 +25,7 @@ class Cursor {
 
   bool at(Token::Kind kind) const { return peek().kind == kind; }
   bool at_punctuation(char mark) const;
-  bool at_word(std::string_view keyword) const;  // case ignored
+  bool at_word(std::string_view keyword) const;  // ignores case
   bool take_punctuation(char mark);
   bool take_word(std::string_view keyword);
   bool at_end() const { return at(Token::Kind::end); }
@@ -37,7 +37,7 @@ class Cursor {
   Name expect_word(std::string_view what);
   double expect_number(std::string_view what);
 
-  // Reports at the next token: "expected <what>, found <token>".
+  // Reports "expected <what>, found <token>" at the next token.
   [[noreturn]] void fail(std::string_view what) const;
   [[noreturn]] void fail_at(const Place& place, const std::string& message) const;
   // These three record a message, and the parse continues.
@@ -61,8 +61,8 @@ class Cursor {
 
 Name name_of(const Token& token);
 
-// "did you mean 'Cull'?", or nothing when no known name is near or the given one is too long to be a typing
-// error.
+// Returns "did you mean 'Cull'?", or nothing when no known name is near or the given one is too long to be a
+// typing error.
 std::string near_name_hint(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace penumbra::shaderlab

@@ -10,7 +10,7 @@ namespace penumbra::shaderlab {
 
 namespace {
 
-// A readable form of a character: itself, or its code.
+// Returns a readable form of a character: itself, or its code.
 std::string shown(char c) {
   constexpr char digits[] = "0123456789abcdef";
   if (c > ' ' && c < 0x7F) return {'\'', c, '\''};
@@ -109,8 +109,8 @@ class Lexer {
     }
   }
 
-  // -1.5e+3, .5, 7. with the sign; at_ when there is none. 2D and 1.0f are identifiers: ShaderLab has no
-  // suffixes.
+  // Finds the end of -1.5e+3, .5, 7. with the sign; returns at_ when there is none. 2D and 1.0f are
+  // identifiers: ShaderLab has no suffixes.
   std::size_t end_of_number() const {
     std::size_t i = at_;
     if (at(i) == '+' || at(i) == '-') ++i;
@@ -171,8 +171,8 @@ class Lexer {
     advance_to(close + 1);
   }
 
-  // The ']' outside parentheses and strings; only parentheses may span lines. A quote after an identifier (5"
-  // pipe) or alone on its line is a character of a label.
+  // Finds the ']' outside parentheses and strings; only parentheses may span lines. A quote after an
+  // identifier (5" pipe) or alone on its line is a character of a label.
   std::size_t end_of_bracket() const {
     std::size_t depth = 0;
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {

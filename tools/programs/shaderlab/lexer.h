@@ -19,7 +19,7 @@ namespace penumbra::shaderlab {
 struct Token {
   enum class Kind { identifier, number, string, bracket, punctuation, program, end, broken };
   Kind kind = Kind::end;
-  std::string_view spelling;  // of a string and of a bracket its contents, trimmed
+  std::string_view spelling;  // the contents of a string or a bracket, trimmed
   Place place;
   std::size_t program = 0;  // index into Lexed::programs
 };
@@ -33,7 +33,7 @@ struct Lexed {
   std::vector<Token> tokens;  // the last is end or broken
   std::vector<CodeBlock> programs;
   std::vector<CodeBlock> includes;
-  std::string broken_message;  // of the broken token
+  std::string broken_message;  // message of the broken token
   std::vector<Remark> warnings;
 };
 

@@ -1,7 +1,8 @@
 // Reads a .shader file.
 //
-// What Unity's ShaderLab reference describes (https://docs.unity3d.com/Manual/SL-Reference.html, the legacy
-// fixed-function commands included) becomes a tree. Keywords are read without regard to case.
+// The tree has everything that Unity's ShaderLab reference describes
+// (https://docs.unity3d.com/Manual/SL-Reference.html, the legacy fixed-function commands included). Keywords
+// are read without regard to case.
 //
 // Guarantees: any bytes are read in linear time with bounded nesting. A syntax error ends the parse, and the
 // tree then contains what precedes it. After an unknown command or an unknown value, which are errors,
@@ -20,11 +21,11 @@ namespace penumbra::shaderlab {
 
 struct ParsedShader {
   Shader shader;
-  bool complete = true;  // false: `shader` ends at an error
+  bool complete = true;  // if false, `shader` ends at an error
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// `file`: its name in diagnostics. Line endings and a byte order mark are normalised first.
+// `file` is its name in diagnostics. Line endings and a byte order mark are normalised first.
 ParsedShader parse_shader(std::string_view bytes, const std::string& file);
 
 }  // namespace penumbra::shaderlab

@@ -33,7 +33,7 @@ class PragmaScan {
     }
   }
 
-  // Blanks, joined lines and comments; false at the end of the line, which it leaves in place.
+  // Skips blanks, joined lines and comments; returns false at the end of the line, which it leaves in place.
   bool skip_blanks() {
     while (!at_end() && here() != '\n') {
       if (is_blank(here())) {
@@ -58,7 +58,7 @@ class PragmaScan {
     advance(2);
   }
 
-  // To the newline, over joined lines.
+  // Skips to the newline, over joined lines.
   void rest_of_line() {
     while (!at_end() && here() != '\n') advance(starts("\\\n") ? 2 : 1);
   }

@@ -11,9 +11,9 @@
 namespace penumbra::shaderlab {
 
 struct PragmaLine {
-  Place place;              // of '#'
-  Place end;                // after the last token
-  std::vector<Name> words;  // after #pragma, with their locations
+  Place place;              // place of '#'
+  Place end;                // place after the last token
+  std::vector<Name> words;  // the words after #pragma, with their locations
   bool has_line_comment = false;
 };
 

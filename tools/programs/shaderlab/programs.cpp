@@ -34,8 +34,8 @@ class ProgramText {
 
   std::string_view file_;
   std::string text_;
-  std::size_t at_ = 0;  // in the file
-  int line_ = 0;        // where the last block ended
+  std::size_t at_ = 0;  // offset in the file
+  int line_ = 0;        // the line on which the last block ended
 };
 
 std::string program_text(const Shader& shader, const CodeBlock& program) {

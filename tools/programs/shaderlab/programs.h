@@ -5,10 +5,10 @@
 // for the preprocessor's __LINE__. #line directives are added only where a block must move: an include block
 // after the program, or one that ends on the line on which the next begins.
 //
-// Which include blocks apply: "Unity includes this code in all shader programs that are defined in
-// HLSLPROGRAM blocks, anywhere in this source file"
+// The include blocks that apply follow Unity's rule: "Unity includes this code in all shader programs that
+// are defined in HLSLPROGRAM blocks, anywhere in this source file"
 // (https://docs.unity3d.com/Manual/shader-shaderlab-code-blocks.html), likewise CGINCLUDE in CGPROGRAM and
-// GLSLINCLUDE in GLSLPROGRAM. So those of one language, in source order, before the program, whatever
+// GLSLINCLUDE in GLSLPROGRAM. So those of one language apply, in source order, before the program, whatever
 // SubShader or Pass they are in.
 #pragma once
 
@@ -24,28 +24,29 @@ struct Program {
   std::string file;
   std::string text;
   Language language = Language::hlsl;
-  Place place;  // of HLSLPROGRAM
+  Place place;  // place of HLSLPROGRAM
   // Unity puts HLSLSupport.cginc and UnityShaderVariables.cginc before CGPROGRAM code
   // (https://docs.unity3d.com/Manual/SL-BuiltinIncludes.html). They are not in `text`.
   bool implicit_includes = false;
   bool is_surface_shader = false;  // #pragma surface: Unity generates the passes
   bool is_ray_tracing = false;     // #pragma raytracing: no stage of the raster pipeline
-  int sub_shader_index = 0;        // in the order of the file
-  int pass_index = -1;             // in its SubShader, including UsePass and GrabPass; -1 outside any Pass
-  // Into the tree given to programs().
+  int sub_shader_index = 0;        // index in the order of the file
+  int pass_index = -1;  // index in its SubShader, including UsePass and GrabPass; -1 outside any Pass
+  // These point into the tree given to programs().
   const Shader* shader = nullptr;
   const SubShader* sub_shader = nullptr;
   const Pass* pass = nullptr;  // nullptr outside any Pass
 };
 
-// In the order of SubShaders and Passes. The pointers are valid as long as `shader` stays at its address.
+// The programs are in the order of SubShaders and Passes. The pointers are valid as long as `shader` stays at
+// its address.
 std::vector<Program> programs(const Shader& shader);
 
-// The name of the program's Pass as written, or "".
+// Returns the name of the program's Pass as written, or "".
 std::string_view pass_name(const Program& program);
 
-// The value of a tag that applies to the program: of its Pass, else of its SubShader, else of the Categories
-// around it from the inside out; nullptr if none has it.
+// Returns the value of a tag that applies to the program: that of its Pass, else of its SubShader, else of
+// the Categories around it from the inside out; nullptr if none has it.
 const std::string* effective_tag(const Program& program, std::string_view key);
 
 }  // namespace penumbra::shaderlab

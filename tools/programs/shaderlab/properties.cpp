@@ -25,7 +25,7 @@ constexpr std::array kTypes{
     TypeName{"Rect", PropertyType::texture},
 };
 
-// Toggle(_ON) into Toggle and "_ON".
+// Separates Toggle(_ON) into Toggle and "_ON".
 Attribute attribute_of(const Token& token) {
   const std::size_t open = std::min(token.spelling.find('('), token.spelling.size());
   const std::size_t close = token.spelling.rfind(')');
@@ -110,7 +110,7 @@ class PropertyParser {
     cursor_.expect_mark(')', "after the default of " + property_.name.text);
   }
 
-  // "white" {}: the braces once held options of fixed-function texturing.
+  // In "white" {}, the braces once held options of fixed-function texturing.
   void texture() {
     property_.default_texture = cursor_.expect_text("the default texture of " + property_.name.text).text;
     if (!cursor_.at_punctuation('{')) return;

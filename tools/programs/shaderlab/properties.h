@@ -7,7 +7,7 @@
 
 namespace penumbra::shaderlab {
 
-// After the word Properties; appends what its braces hold.
+// Called after the word Properties; appends what its braces hold.
 void parse_properties(Cursor& cursor, std::vector<Property>& properties);
 
 }  // namespace penumbra::shaderlab

@@ -5,7 +5,7 @@
 namespace penumbra::shaderlab {
 namespace {
 
-// Without the zeros behind the point: "4", "0.5".
+// The text is without the zeros behind the point: "4", "0.5".
 std::string number_text(double number) {
   std::string text = std::to_string(number);
   text.erase(text.find_last_not_of('0') + 1);

@@ -40,7 +40,7 @@ class StructureParser {
   }
 
  private:
-  // Whose braces are being read.
+  // The owner of the braces that are being read.
   struct Owner {
     const char* kind;
     int line;
@@ -147,7 +147,7 @@ class StructureParser {
     }
   }
 
-  // GrabPass { }, GrabPass { "_TextureName" }, also with Name and Tags.
+  // Reads GrabPass { }, GrabPass { "_TextureName" }, also with Name and Tags.
   void grab_pass(SubShader& sub_shader) {
     Pass grab{Pass::Kind::grab_pass, cursor_.take().place, {}, {}, {}};
     const Owner owner{"GrabPass", grab.place.line};
@@ -210,7 +210,7 @@ class StructureParser {
     }
   }
 
-  // A token that none of the owner's rules accepts.
+  // Reports a token that none of the owner's rules accepts.
   void other(const Owner& owner, const std::vector<std::string>& known) {
     if (cursor_.at(Token::Kind::program)) cursor_.fail_at(cursor_.peek().place, misplaced_program(owner));
     if (!cursor_.at(Token::Kind::identifier) || at_command(cursor_))
@@ -232,7 +232,7 @@ class StructureParser {
   void trailing() {
     if (cursor_.at_end()) return;
     const Token first = cursor_.peek();
-    if (first.kind == Token::Kind::broken) cursor_.take();  // says why
+    if (first.kind == Token::Kind::broken) cursor_.take();  // reports the token's problem
     while (!cursor_.at_end()) {
       if (cursor_.at(Token::Kind::program) || cursor_.at_word("SubShader") || cursor_.at_word("Pass"))
         cursor_.fail_at(first.place, "the Shader ended before this '" + std::string(first.spelling) +

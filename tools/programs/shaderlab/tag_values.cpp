@@ -20,7 +20,7 @@ const std::vector<KnownTag>& known_tags() {
   static const std::vector<std::string> truth{"True", "False"};
   static const std::vector<KnownTag> tags{
       {"Queue", {"Background", "Geometry", "AlphaTest", "Transparent", "Overlay"}},
-      // The last two are of older versions, and of Unity's own pages about them.
+      // The last two belong to older versions, and to Unity's own pages about them.
       {"RenderPipeline",
        {"UniversalPipeline", "HDRenderPipeline", "UniversalRenderPipeline", "LightweightPipeline"},
        true},
@@ -32,7 +32,7 @@ const std::vector<KnownTag>& known_tags() {
   return tags;
 }
 
-// "Transparent" of "Transparent+10".
+// Returns "Transparent" for "Transparent+10".
 std::string_view without_offset(std::string_view queue) {
   return trimmed(queue.substr(0, queue.find_first_of("+-")));
 }

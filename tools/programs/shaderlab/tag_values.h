@@ -10,7 +10,7 @@
 
 namespace penumbra::shaderlab {
 
-// Why the tag's value has no effect; empty for a known one, and for tags with arbitrary names.
+// Says why the tag's value has no effect; empty for a known one, and for tags with arbitrary names.
 std::string tag_problem(const Tag& tag);
 
 }  // namespace penumbra::shaderlab

@@ -26,16 +26,16 @@ struct Name {
 
 enum class Language { hlsl, cg, glsl };
 
-// HLSLPROGRAM ... ENDHLSL and similar: the code is between begin and end.
+// HLSLPROGRAM ... ENDHLSL and similar blocks: the code is between begin and end.
 struct CodeBlock {
   Language language = Language::hlsl;
   bool is_include = false;  // HLSLINCLUDE rather than HLSLPROGRAM
-  Place keyword;            // of the opening keyword
+  Place keyword;            // place of the opening keyword
   Place begin;              // right after that keyword
-  Place end;                // of the closing keyword
+  Place end;                // place of the closing keyword
 };
 
-// Cull [_Cull], Blend One Zero, Stencil { Ref 2 Comp Always }.
+// A command, such as Cull [_Cull], Blend One Zero, or Stencil { Ref 2 Comp Always }.
 struct Command {
   struct Value {
     enum class Kind {
@@ -59,13 +59,13 @@ struct Tag {
   Name value;
 };
 
-// PackageRequirements { "com.unity.render-pipelines.universal": "[10.2,10.4]" }
+// An entry of PackageRequirements { "com.unity.render-pipelines.universal": "[10.2,10.4]" }.
 struct PackageRequirement {
   Name package;
   Name versions;  // empty when any version will do
 };
 
-// What Pass, SubShader and Category have in common.
+// The settings that Pass, SubShader and Category have in common.
 struct Settings {
   std::vector<Tag> tags;
   std::vector<Command> commands;
@@ -82,19 +82,19 @@ struct Pass {
   std::vector<CodeBlock> programs;
 };
 
-// Its tags, commands and LOD hold for every SubShader inside.
+// A Category's tags, commands and LOD hold for every SubShader inside.
 struct Category {
   Place place;
-  int parent = -1;  // index into Shader::categories; -1: none
+  int parent = -1;  // index into Shader::categories; -1 for none
   Settings settings;
 };
 
 struct SubShader {
   Place place;
-  int category = -1;  // index into Shader::categories; -1: none
+  int category = -1;  // index into Shader::categories; -1 for none
   Settings settings;
-  std::vector<Pass> passes;         // with UsePass and GrabPass, in the order of the file
-  std::vector<CodeBlock> programs;  // those outside any Pass: surface shaders
+  std::vector<Pass> passes;         // passes with UsePass and GrabPass, in the order of the file
+  std::vector<CodeBlock> programs;  // programs outside any Pass: surface shaders
 };
 
 enum class PropertyType { float_, range, int_, integer, color, vector, texture };
@@ -116,13 +116,13 @@ struct Property {
   std::vector<Attribute> attributes;
 };
 
-// Dependency "BaseMapShader" = "Other/Shader"
+// A dependency: Dependency "BaseMapShader" = "Other/Shader".
 struct Dependency {
   Name role;
   Name shader;
 };
 
-// CustomEditorForRenderPipeline "Editor" "PipelineAsset"; CustomEditor has no pipeline.
+// An editor: CustomEditorForRenderPipeline "Editor" "PipelineAsset"; CustomEditor has no pipeline.
 struct CustomEditor {
   Name editor;
   Name pipeline;
@@ -141,7 +141,7 @@ struct Shader {
   std::vector<CustomEditor> custom_editors;
 };
 
-// The tag's value, or nullptr; keys are compared as Unity does, by case.
+// Returns the tag's value, or nullptr; keys are compared as Unity does, by case.
 const std::string* find_tag(const std::vector<Tag>& tags, std::string_view key);
 
 const char* language_name(Language language);  // "HLSL"; with PROGRAM, INCLUDE or after END a keyword

@@ -1,4 +1,4 @@
-// Finds the Pass a UsePass names.
+// Finds the Pass that a UsePass names.
 //
 // UsePass "Shader/Name/PASSNAME" takes the Pass PASSNAME of the shader Shader/Name. Unity keeps the names of
 // passes in upper case (https://docs.unity3d.com/Manual/SL-Name.html) and its manual requires that spelling
@@ -20,8 +20,8 @@ struct FoundPass {
   const Shader* shader = nullptr;  // the shader with the Pass; nullptr if there is none
   const SubShader* sub_shader = nullptr;
   const Pass* pass = nullptr;
-  // Why there is none: a warning when the shader is not among those given (Unity may have it built in), an
-  // error when it lacks the Pass.
+  // The reason why there is none: a warning when the shader is not among those given (Unity may have it built
+  // in), an error when it lacks the Pass.
   std::optional<hlsl::Diagnostic> diagnostic;
 };
 

@@ -17,7 +17,7 @@ std::uint64_t key(Id id, std::uint32_t member_plus_one = 0) {
 
 struct SpirvReader {
   Code& code;
-  std::size_t at = 5;  // behind the header
+  std::size_t at = 5;  // the first word behind the header
   Place place;
 
   void read(const spv_parsed_instruction_t& parsed) {

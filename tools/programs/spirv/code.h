@@ -21,7 +21,7 @@ namespace penumbra::spirv {
 
 using Id = std::uint32_t;
 
-// The source location given by OpLine; line 0: none.
+// The source location that OpLine gives; line 0 means none.
 struct Place {
   Id file = 0;  // an OpString
   int line = 0;
@@ -39,8 +39,8 @@ struct Instruction {
 
 struct Block {
   Id label = 0;
-  std::size_t begin = 0;  // after the label; indices into Code::instructions()
-  std::size_t end = 0;    // after the terminator
+  std::size_t begin = 0;  // the first instruction after the label; indices into Code::instructions()
+  std::size_t end = 0;    // the index after the terminator
 };
 
 struct Function {
@@ -62,28 +62,29 @@ class Code {
   const std::vector<Function>& functions() const { return functions_; }
   std::size_t id_bound() const { return definitions_.size(); }
 
-  // The operands that are ids, not literals.
+  // Returns the operands that are ids, not literals.
   std::span<const Id> ids(const Instruction& instruction) const {
     return std::span(ids_).subspan(instruction.ids_begin, instruction.ids_end - instruction.ids_begin);
   }
 
-  // Null if the id is not defined.
+  // Returns null if the id is not defined.
   const Instruction* definition(Id id) const;
   spv::Op op(Id id) const;  // OpNop for an unknown id
   const Function* function(Id id) const;
-  Id entry_function() const { return entry_function_; }  // 0: none
+  Id entry_function() const { return entry_function_; }  // 0 if there is none
 
   std::string name(Id id) const;
   std::string member_name(Id type, std::uint32_t member) const;
   std::string file_name(Id file) const;
-  // The first literal of the decoration, 0 if it has none; nothing if the id does not have the decoration.
+  // Returns the first literal of the decoration, 0 if it has none; nothing if the id does not have the
+  // decoration.
   std::optional<std::uint32_t> decoration(Id id, spv::Decoration kind) const;
   std::optional<std::uint32_t> member_decoration(Id type, std::uint32_t member, spv::Decoration kind) const;
 
-  // The type that a pointer points to, and its storage class.
+  // These return the type that a pointer points to, and its storage class.
   Id pointee(Id pointer_type) const;
   std::optional<spv::StorageClass> storage_class(Id pointer_type) const;
-  // The value of an integer OpConstant (sign extended), nothing for anything else.
+  // Returns the value of an integer OpConstant (sign extended), nothing for anything else.
   std::optional<std::int64_t> integer(Id id) const;
 
  private:
@@ -93,7 +94,7 @@ class Code {
   std::vector<std::uint32_t> words_;
   std::vector<Instruction> instructions_;
   std::vector<Id> ids_;
-  std::vector<std::uint32_t> definitions_;  // by id: index into instructions_ + 1, 0 for none
+  std::vector<std::uint32_t> definitions_;  // for each id: index into instructions_ + 1, 0 for none
   std::vector<Function> functions_;
   std::map<Id, std::size_t> function_index_;
   std::map<std::uint64_t, std::string> names_;  // id << 32 | member + 1, or id << 32 for the id itself

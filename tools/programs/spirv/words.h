@@ -20,12 +20,12 @@ inline spv::Op opcode(Words instruction) {
   return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
 }
 
-// Word `number` of the instruction; 0 where it is shorter.
+// Returns word `number` of the instruction; 0 where it is shorter.
 inline std::uint32_t operand(Words instruction, std::size_t number) {
   return number < instruction.size() ? instruction[number] : 0;
 }
 
-// A literal string, up to the NUL that ends it.
+// Returns a literal string, up to the NUL that ends it.
 inline std::string literal_text(Words words) {
   std::string text;
   for (const std::uint32_t word : words) {
@@ -38,8 +38,8 @@ inline std::string literal_text(Words words) {
   return text;
 }
 
-// visit(Words) for each instruction after the header; visit(WrittenWords) if the module is not const. Returns
-// false and stops where the words are malformed.
+// Calls visit(Words) for each instruction after the header, or visit(WrittenWords) if the module is not
+// const. Returns false and stops where the words are malformed.
 template <typename SomeModule, typename Visit>
 bool for_each_instruction(SomeModule& module, Visit visit) {
   for (std::size_t at = header_words; at < module.size();) {
@@ -51,7 +51,7 @@ bool for_each_instruction(SomeModule& module, Visit visit) {
   return true;
 }
 
-// The instructions for which `keep(Words)` is true; the module itself if its words are malformed.
+// Returns the instructions for which `keep(Words)` is true; the module itself if its words are malformed.
 template <typename Keep>
 Module with_instructions(const Module& module, Keep keep) {
   if (module.size() < header_words) return module;

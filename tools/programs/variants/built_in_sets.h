@@ -40,14 +40,15 @@ struct BuiltInSets {
   std::vector<Clause> clauses;
 };
 
-// "multi_compile_fog" and so on; nothing for other names.
+// Returns the sets of "multi_compile_fog" and so on; nothing for other names.
 std::optional<BuiltInSets> built_in_sets(std::string_view pragma);
 
 std::vector<std::string> built_in_set_names();
 
-// The keywords that Unity adds to every graphics program and strips where XR is off (Unity Manual, "Default
-// shader keywords"): _, STEREO_INSTANCING_ON, STEREO_MULTIVIEW_ON, UNITY_SINGLE_PASS_STEREO, of which `modes`
-// selects some. STEREO_CUBEMAP_RENDER_ON is for capturing panoramas in the editor and not included.
+// Returns the keywords that Unity adds to every graphics program and strips where XR is off (Unity Manual,
+// "Default shader keywords"): _, STEREO_INSTANCING_ON, STEREO_MULTIVIEW_ON, UNITY_SINGLE_PASS_STEREO, of
+// which `modes` selects some. STEREO_CUBEMAP_RENDER_ON is for capturing panoramas in the editor and not
+// included.
 KeywordSet stereo_set(const Keywords& modes);
 
 }  // namespace penumbra::variants

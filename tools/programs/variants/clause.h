@@ -21,7 +21,7 @@ struct Clause {
   Keywords any_of;
   bool whole = false;          // applies only to programs that declare every keyword of any_of
   bool of_their_sets = false;  // narrows each set on its own instead of the whole variant
-  bool or_none = false;        // with of_their_sets
+  bool or_none = false;        // used with of_their_sets
   std::string said_by;         // its origin, for messages: "--keywords -A", "rules.json:3:5"
 };
 

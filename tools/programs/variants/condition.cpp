@@ -169,12 +169,12 @@ class Expansion {
         const Tokens& argument = (*given)[static_cast<std::size_t>(parameter - parameters.begin())];
         replaced.insert(replaced.end(), argument.begin(), argument.end());
       }
-      if (replaced.size() > most_tokens) return replaced;  // too long, which expand() reports
+      if (replaced.size() > most_tokens) return replaced;  // the result is too long, which expand() reports
     }
     return replaced;
   }
 
-  // The arguments of a call whose '(' is next; nothing if its ')' is missing.
+  // Returns the arguments of a call whose '(' is next; nothing if its ')' is missing.
   static std::optional<std::vector<Tokens>> arguments(Tokens& waiting) {
     std::vector<Tokens> found(1);
     waiting.pop_back();

@@ -1,8 +1,8 @@
 // Evaluates the condition of an #if, with the macros known so far. Internal to this folder.
 //
-// C's rules (ISO C 6.10.1): integers, defined, ! ~ - + * / % << >> comparisons == != & ^ | && || ?: and
-// parentheses; an identifier that is not a macro is 0. The use of a macro whose replacement list has # or ##,
-// or with a wrong number of arguments, counts as 0 and is reported as the problem. Arithmetic wraps at 64
+// The rules are C's (ISO C 6.10.1): integers, defined, ! ~ - + * / % << >> comparisons == != & ^ | && || ?:
+// and parentheses; an identifier that is not a macro is 0. The use of a macro whose replacement list has # or
+// ##, or with a wrong number of arguments, counts as 0 and is reported as the problem. Arithmetic wraps at 64
 // bits. Nesting is bounded, and so is the work: `budget` is the remaining number of tokens for all conditions
 // of one program.
 #pragma once

@@ -24,7 +24,7 @@ class LogicalLines {
  public:
   explicit LogicalLines(std::string_view text) : text_(text) {}
 
-  // False at the end of the text. Lines that are not directives are skipped.
+  // Returns false at the end of the text. Lines that are not directives are skipped.
   bool next(std::vector<PlacedCharacter>& line) {
     line.clear();
     if (at_ == text_.size()) return false;

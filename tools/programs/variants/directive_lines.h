@@ -19,8 +19,8 @@ struct Word {
 
 struct DirectiveLine {
   std::string name;  // "pragma", "if", ...; empty for a lone '#'
-  std::string rest;  // what follows the name, trimmed
-  int line = 0;      // of the '#'
+  std::string rest;  // the text behind the name, trimmed
+  int line = 0;      // line of the '#'
   int column = 0;
   std::vector<Word> words;  // `rest`, split at white space
 };

@@ -20,8 +20,8 @@ namespace penumbra::variants {
 // Throws InputError with the wrong term and the correct syntax.
 std::vector<Clause> parse_keyword_expression(std::string_view expression);
 
-// A message for each keyword of the clauses that no program declares: "no program declares 'X'; did you mean
-// 'Y'?". A misspelt exclusion excludes nothing, so this is reported.
+// Returns a message for each keyword of the clauses that no program declares: "no program declares 'X'; did
+// you mean 'Y'?". A misspelt exclusion excludes nothing, so this is reported.
 std::vector<std::string> unknown_keywords(const std::vector<Clause>& clauses,
                                           const std::vector<const Pragmas*>& programs);
 

@@ -55,7 +55,7 @@ std::string places_of(const std::vector<const JoinedSet*>& members) {
   return places;
 }
 
-// Every distinct union of one alternative of each.
+// Returns every distinct union of one alternative of each.
 std::vector<Choice> combinations(const std::vector<const JoinedSet*>& members) {
   if (members.size() == 1) return members.front()->alternatives;
   std::vector<Choice> choices{{}};
@@ -107,8 +107,8 @@ struct Grouping {
     for (std::size_t i = 0; i < sets.size(); ++i) group_of.push_back(groups.find(i));
   }
 
-  std::vector<std::size_t> group_of;                     // by set; the number of the group's first set
-  std::vector<std::pair<const Tie*, std::size_t>> ties;  // with a set of the group it is for
+  std::vector<std::size_t> group_of;                     // for each set, the number of the group's first set
+  std::vector<std::pair<const Tie*, std::size_t>> ties;  // each tie with a set of the group that it is for
   const Tie* unsatisfiable = nullptr;                    // no remaining set can satisfy it
 };
 

@@ -13,7 +13,7 @@ using Choice = std::vector<int>;
 // A choice among alternatives, before its dependencies are known.
 struct JoinedSet {
   std::vector<Choice> alternatives;  // no two equal
-  std::string place;                 // for messages
+  std::string place;                 // used in messages
 };
 
 // A clause with keyword numbers: `when` (or -1: always) requires one of `any_of`.
@@ -25,7 +25,7 @@ struct Tie {
 
 struct Axes {
   std::vector<std::vector<Choice>>
-      choices;  // of each axis: distinct, in the order of the sets, the first varying slowest
+      choices;  // choices of each axis: distinct, in the order of the sets, the first varying slowest
   std::vector<std::size_t> axis_of_set;
   std::string emptied_by;  // the tie that left an axis empty
 };

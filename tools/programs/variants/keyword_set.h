@@ -1,4 +1,4 @@
-// One set of shader keywords: the declaration of one `#pragma multi_compile` or `shader_feature` line.
+// A set of shader keywords: the declaration of one `#pragma multi_compile` or `shader_feature` line.
 //
 // A set is a choice: every variant takes exactly one of its alternatives. An alternative is the list of
 // keywords that are then defined: none for `_`, one for an ordinary keyword, several where a shortcut such as
@@ -18,7 +18,7 @@ namespace penumbra::variants {
 
 using Keywords = std::vector<std::string>;
 
-// Which stages a set is for. Ray tracing stages are known by name and never compiled here.
+// The stages that a set is for. Ray tracing stages are known by name and never compiled here.
 class StageSet {
  public:
   StageSet() = default;
@@ -44,10 +44,10 @@ class StageSet {
 struct KeywordSet {
   enum class Kind { multi_compile, shader_feature };
   Kind kind = Kind::multi_compile;
-  std::string pragma;  // as written: "multi_compile_local_fragment", "multi_compile_fog"
+  std::string pragma;  // the pragma as written: "multi_compile_local_fragment", "multi_compile_fog"
   bool local = false;
   StageSet stages = StageSet::all();
-  std::vector<Keywords> alternatives;  // in the order written, no two equal
+  std::vector<Keywords> alternatives;  // alternatives in the order written, no two equal
   Place place;
 };
 
@@ -60,15 +60,15 @@ struct DynamicKeyword {
   Place place;
 };
 
-// Unity's names of the empty keyword: "_", "__" and longer.
+// Returns whether it is one of Unity's names of the empty keyword: "_", "__" and longer.
 bool is_empty_keyword(const std::string& name);
 
 bool contains(const Keywords& keywords, const std::string& keyword);
 
-// Every keyword of the set once, in the order written.
+// Returns every keyword of the set once, in the order written.
 Keywords keywords_of(const KeywordSet& set);
 
-// "_ A B": the set as it is written in a pragma.
+// Returns the set as it is written in a pragma: "_ A B".
 std::string label_of(const KeywordSet& set);
 
 }  // namespace penumbra::variants

@@ -111,7 +111,7 @@ class Narrower {
   std::map<std::string, std::vector<std::size_t>> sets_with_;
 };
 
-// The alternative of a shader_feature set that a material with these keywords uses.
+// Returns the alternative of a shader_feature set that a material with these keywords uses.
 const Keywords& used_by(const Keywords& material, const KeywordSet& set) {
   const Keywords* fallback = &set.alternatives.front();
   for (const Keywords& alternative : set.alternatives) {
@@ -143,7 +143,7 @@ class Numbering {
   Keywords names_;
 };
 
-// All shader_feature sets as one: an alternative for each distinct material.
+// Joins all shader_feature sets into one: an alternative for each distinct material.
 JoinedSet material_set(const std::vector<KeywordSet>& sets, const std::vector<Keywords>& materials,
                        Numbering& numbering) {
   JoinedSet joined;

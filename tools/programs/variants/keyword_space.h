@@ -41,10 +41,10 @@ namespace penumbra::variants {
 
 struct Narrowing {
   std::vector<Clause> clauses;
-  std::optional<std::vector<Keywords>> materials;  // absent: shader_feature sets span all combinations
-  Keywords stereo_modes;                           // see stereo_set() in built_in_sets.h; empty: no XR
+  std::optional<std::vector<Keywords>> materials;  // if absent, shader_feature sets span all combinations
+  Keywords stereo_modes;                           // see stereo_set() in built_in_sets.h; empty for no XR
   std::string tiers_for;                           // renderer for which hardware_tier_variants count
-  std::vector<std::string> unused_passes{};  // by name or LightMode tag: none of their variants is built
+  std::vector<std::string> unused_passes{};        // names or LightMode tags: none of their variants is built
 };
 
 // Adapts a narrowing to a graphics API: OpenGL ES draws both eyes by multiview instead of instancing (Unity
@@ -55,7 +55,7 @@ Narrowing on_api(Narrowing narrowing, GraphicsApi api);
 class VariantList {
  public:
   VariantCount count() const;
-  // The keywords that are defined, in the order of their declaration. Throws std::out_of_range.
+  // Returns the keywords that are defined, in the order of their declaration. Throws std::out_of_range.
   Keywords at(std::uint64_t index) const;
 
   class Iterator {
@@ -99,14 +99,15 @@ class KeywordSpace {
   const VariantList& variants(hlsl::Stage stage) const;
   const VariantList& whole_program() const { return whole_; }
 
-  const std::vector<KeywordSet>& sets() const { return sets_; }  // after the narrowing of each set on its own
+  // Sets after the narrowing of each set on its own.
+  const std::vector<KeywordSet>& sets() const { return sets_; }
   const std::vector<DynamicKeyword>& dynamic_keywords() const { return dynamic_; }
 
-  // The number of variants of the stage (without one: of the whole program) if the set were fixed at its
-  // empty keyword, or at its first alternative if it has none.
+  // Returns the number of variants of the stage (without one: of the whole program) if the set were fixed at
+  // its empty keyword, or at its first alternative if it has none.
   VariantCount count_without(std::size_t set, std::optional<hlsl::Stage> stage) const;
 
-  // Why there are no variants, or empty.
+  // Returns why there are no variants, or empty.
   const std::string& emptied_by() const { return emptied_by_; }
 
  private:
@@ -114,7 +115,7 @@ class KeywordSpace {
   std::vector<std::size_t> axis_of_set_;
   std::vector<DynamicKeyword> dynamic_;
   VariantList whole_;
-  std::vector<VariantList> of_stage_;  // by hlsl::Stage
+  std::vector<VariantList> of_stage_;  // indexed by hlsl::Stage
   std::string emptied_by_;
 };
 

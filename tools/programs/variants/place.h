@@ -11,7 +11,7 @@ struct Place {
   int column = 0;  // 1-based
 };
 
-// "file:line:column"
+// Returns "file:line:column".
 inline std::string text_of(const Place& place) {
   return place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }

@@ -15,7 +15,7 @@ struct Saving {
   VariantCount left;
 };
 
-// The --keywords term that fixes a set.
+// Returns the --keywords term that fixes a set.
 std::string pin_of(const KeywordSet& set) {
   const bool can_be_off = std::any_of(set.alternatives.begin(), set.alternatives.end(),
                                       [](const Keywords& alternative) { return alternative.empty(); });
@@ -28,7 +28,7 @@ std::string pin_of(const KeywordSet& set) {
   return pin;
 }
 
-// The first set of each label.
+// Returns the first set of each label.
 std::map<std::string, std::size_t> sets_by_label(const PlannedProgram& program) {
   std::map<std::string, std::size_t> places;
   const std::vector<KeywordSet>& sets = program.space->sets();
@@ -51,7 +51,7 @@ VariantCount total_without(const PlannedProgram& program, std::size_t set) {
 std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, VariantCount total) {
   struct Candidate {
     std::string pin;
-    std::map<std::size_t, VariantCount> left;  // by program that has the set
+    std::map<std::size_t, VariantCount> left;  // by number of the program that has the set
   };
   std::map<std::string, Candidate> candidates;  // by label
   for (std::size_t i = 0; i < programs.size(); ++i) {

@@ -13,7 +13,7 @@ namespace penumbra::variants {
 struct PlannedProgram {
   std::string name;  // "Lit.shader: ForwardLit"
   const KeywordSpace* space = nullptr;
-  std::vector<hlsl::Stage> stages;  // for kernels one compute each
+  std::vector<hlsl::Stage> stages;  // the program's stages; one compute stage for each kernel
 };
 
 struct StagePlan {
@@ -34,16 +34,16 @@ struct Plan {
 
 Plan plan(const std::vector<PlannedProgram>& programs);
 
-// "Lit.shader: ForwardLit   vertex 512   fragment 8,192" a line, and the total.
+// Returns a line "Lit.shader: ForwardLit   vertex 512   fragment 8,192" for each program, and the total.
 std::string text_of(const Plan& plan);
 
-// The same, with the changed count in parentheses after each: "vertex 512 (256)". `what_if` counts the same
-// programs, and `condition` in the last line names the change.
+// Returns the same, with the changed count in parentheses after each: "vertex 512 (256)". `what_if` counts
+// the same programs, and `condition` in the last line names the change.
 std::string text_of(const Plan& plan, const Plan& what_if, const std::string& condition);
 
-// Empty if the total is within the limit. Otherwise: the count, the largest programs, the sets that multiply
-// the number most, with the number left if each were fixed at its empty keyword (or its first) in all
-// programs, and how to narrow them.
+// Returns an empty text if the total is within the limit. Otherwise it has the count, the largest programs,
+// the sets that multiply the number most, with the number left if each were fixed at its empty keyword (or
+// its first) in all programs, and advice on how to narrow them.
 std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit);
 
 }  // namespace penumbra::variants

@@ -46,12 +46,12 @@ inline constexpr GraphicsApi all_graphics_apis[] = {GraphicsApi::d3d11, Graphics
                                                     GraphicsApi::metal, GraphicsApi::glcore,
                                                     GraphicsApi::gles3, GraphicsApi::nintendo_switch};
 
-// As #pragma only_renderers spells it: d3d11, vulkan, metal, glcore, gles3, switch.
+// Returns the name in #pragma only_renderers: d3d11, vulkan, metal, glcore, gles3, switch.
 const char* renderer_name(GraphicsApi api);
 std::optional<GraphicsApi> find_graphics_api(std::string_view renderer);
 
-// Whether a stage-specific keyword (multi_compile_fragment and others) is defined in its stage alone. For
-// OpenGL and Vulkan the editor defines it in all stages (Unity Manual, "Declaring and using shader
+// Returns whether a stage-specific keyword (multi_compile_fragment and others) is defined in its stage alone.
+// For OpenGL and Vulkan the editor defines it in all stages (Unity Manual, "Declaring and using shader
 // keywords").
 bool keeps_stage_keywords(GraphicsApi api);
 
@@ -59,19 +59,19 @@ struct Platform {
   GraphicsApi api = GraphicsApi::vulkan;
   bool mobile = false;
   int unity_version = 202230;
-  // CGPROGRAM: HLSLSupport.cginc is included first and detects the compiler itself.
+  // For CGPROGRAM, HLSLSupport.cginc is included first and detects the compiler itself.
   bool includes_hlsl_support = false;
 };
 
-// UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch, "2022.3";
-// nothing if the text is not a version.
+// Returns UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch,
+// "2022.3"; nothing if the text is not a version.
 std::optional<int> unity_version_number(std::string_view version);
 
-// The macros for conditions around #pragma lines: the platform's constants, without stage, target and
+// Returns the macros for conditions around #pragma lines: the platform's constants, without stage, target and
 // compiler.
 std::map<std::string, std::string> pragma_defines(const Platform& platform);
 
-// Everything in the table, for one stage at one shader target.
+// Returns everything in the table, for one stage at one shader target.
 std::map<std::string, std::string> platform_defines(const Platform& platform, hlsl::Stage stage,
                                                     int shader_target);
 

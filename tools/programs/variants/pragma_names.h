@@ -14,7 +14,7 @@
 
 namespace penumbra::variants {
 
-// multi_compile_local_fragment, parsed; suffixes may be in any order, each at most once.
+// A name such as multi_compile_local_fragment, parsed; suffixes may be in any order, each at most once.
 struct KeywordPragmaName {
   enum class Base { multi_compile, shader_feature, dynamic_branch };
   Base base = Base::multi_compile;
@@ -23,15 +23,15 @@ struct KeywordPragmaName {
 };
 std::optional<KeywordPragmaName> keyword_pragma_name(std::string_view name);
 
-// Known pragmas that have no effect here.
+// Returns whether it is a known pragma that has no effect here.
 bool is_option_pragma(std::string_view name);
 
 const std::vector<std::string>& pragma_names();  // every known name, for "did you mean"
 const std::vector<std::string>& renderer_names();
-const std::vector<std::string>& feature_names();  // of #pragma require
+const std::vector<std::string>& feature_names();  // names for #pragma require
 const std::vector<std::string>& instancing_option_names();
 
-// "4.5", "es3.1": the value of SHADER_TARGET, or nothing.
+// Returns the value of SHADER_TARGET for "4.5", "es3.1", or nothing.
 std::optional<int> shader_model(std::string_view name);
 
 }  // namespace penumbra::variants

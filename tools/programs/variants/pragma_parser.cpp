@@ -126,7 +126,7 @@ void PragmaParser::say(hlsl::Severity severity, const Place& place, const std::s
          message + (said == kMostOfALine ? " (further ones of this line are not listed)" : ""));
 }
 
-// Unity Manual, "Shader keyword limits".
+// The limit is that of the Unity Manual, "Shader keyword limits".
 constexpr std::size_t kMostKeywords = 65534;
 
 bool PragmaParser::is_keyword(const Word& word, const Line& line) {

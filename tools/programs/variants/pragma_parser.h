@@ -20,13 +20,14 @@ class PragmaParser {
 
   void read(const DirectiveLine& directive, const std::string& file);
 
-  // Checks that need all lines: procedural instancing, and keywords that are both dynamic and static.
+  // Makes the checks that need all lines: procedural instancing, and keywords that are both dynamic and
+  // static.
   void finish();
 
  private:
   struct Line {
     std::string name;
-    std::vector<Word> words;  // after the name
+    std::vector<Word> words;  // words after the name
     Place place;
   };
 
@@ -47,11 +48,11 @@ class PragmaParser {
   KeywordSet set_of(const Line& line);
   bool is_keyword(const Word& word, const Line& line);
 
-  // "; did you mean 'NAME'?" for the first messages; empty for later ones and where no name is near.
+  // Returns "; did you mean 'NAME'?" for the first messages; empty for later ones and where no name is near.
   std::string hint(const std::string& given, const std::vector<std::string>& known);
   Place place_of(const Line& line, const Word& word) const;
-  // Not more than a few of a severity for one line: each message holds the line, which may have a million
-  // words.
+  // Emits only a few messages of a severity for one line: each message holds the line, which may have a
+  // million words.
   void say(hlsl::Severity severity, const Place& place, const std::string& message);
   void error(const Place& place, const std::string& message) { say(hlsl::Severity::error, place, message); }
   void warn(const Place& place, const std::string& message) { say(hlsl::Severity::warning, place, message); }
@@ -59,8 +60,8 @@ class PragmaParser {
   Pragmas& pragmas_;
   Say say_;
   Place said_at_;                  // the last place of a message
-  std::size_t said_errors_ = 0;    // of its line
-  std::size_t said_warnings_ = 0;  // likewise
+  std::size_t said_errors_ = 0;    // errors of its line
+  std::size_t said_warnings_ = 0;  // warnings of its line
   std::set<std::string> keywords_;
   bool said_too_many_ = false;
   int hints_ = 0;

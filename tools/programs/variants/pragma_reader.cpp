@@ -48,7 +48,7 @@ std::string leading_name(const std::string& text) {
   return text.substr(0, end);
 }
 
-// "name" or <name>, without the quotes; empty when neither.
+// Returns "name" or <name> without the quotes; empty when it is neither.
 std::string quoted_name(const std::string& rest) {
   if (rest.size() < 2 || (rest[0] != '"' && rest[0] != '<')) return {};
   const std::size_t close = rest.find(rest[0] == '"' ? '"' : '>', 1);
@@ -73,9 +73,9 @@ class PragmaReader {
   }
 
  private:
-  // One #if ... #endif.
+  // The state of one #if ... #endif.
   struct Branch {
-    bool outer = true;  // whether the text around it counts
+    bool outer = true;  // true if the text around it counts
     bool taken = false;
     bool active = false;
     std::set<std::string> consulted;
@@ -238,7 +238,7 @@ class PragmaReader {
   std::set<std::string> once_;
   std::vector<std::string> open_;
   std::vector<Branch> branches_;
-  std::vector<Branch> conditional_;  // closed ones with a pragma in them
+  std::vector<Branch> conditional_;  // closed branches that have a pragma in them
   std::size_t condition_budget_ = most_condition_tokens;
   std::size_t includes_ = 0;
   std::size_t bytes_ = 0;

@@ -1,8 +1,8 @@
 // The #pragma lines of a shader program: entry points, keywords, targets and the rest of what Unity's
 // importer reads before anything is compiled.
 //
-// Which lines count, as in Unity (Unity Manual, "pragma directives in HLSL", SL-PragmaDirectives, and
-// "include and include_with_pragmas directives"):
+// The lines that count are those that count in Unity (Unity Manual, "pragma directives in HLSL",
+// SL-PragmaDirectives, and "include and include_with_pragmas directives"):
 // - the program's own text, with the blocks that the .shader file puts before it, and files that it includes
 //   by #include_with_pragmas, directly or indirectly. Files included by a plain #include do not count:
 //   neither their pragmas nor, here, their #defines;
@@ -43,7 +43,7 @@ struct ProgramText {
   std::string file;
   std::string text;                            // LF line ends; lines and columns are the file's own
   std::map<std::string, std::string> defines;  // see platform_defines.h
-  FindIncluded find_included;                  // may be empty: nothing is found
+  FindIncluded find_included;                  // if empty, nothing is found
 };
 
 struct EntryPoint {
@@ -52,15 +52,15 @@ struct EntryPoint {
   Place place;
 };
 
-// #pragma kernel NAME MACRO=VALUE ...
+// The pragma is #pragma kernel NAME MACRO=VALUE ...
 struct Kernel {
   std::string function;
-  std::vector<std::pair<std::string, std::string>> defines;  // MACRO alone: value "1"
+  std::vector<std::pair<std::string, std::string>> defines;  // MACRO alone has the value "1"
   Place place;
 };
 
-// #pragma surface FUNCTION MODEL OPTION...: the editor writes the program from it, so it cannot be compiled
-// without the editor; a warning says so.
+// The pragma is #pragma surface FUNCTION MODEL OPTION...: the editor writes the program from it, so it cannot
+// be compiled without the editor; a warning says so.
 struct SurfaceFunction {
   std::string function;
   std::string lighting_model;
@@ -68,15 +68,15 @@ struct SurfaceFunction {
   Place place;
 };
 
-// #pragma target MODEL KEYWORD...: 4.5 is 45, the value of SHADER_TARGET. Without keywords it is for every
-// variant, with keywords for those where one of them is on.
+// The pragma is #pragma target MODEL KEYWORD...: 4.5 is 45, the value of SHADER_TARGET. Without keywords it
+// is for every variant, with keywords for those where one of them is on.
 struct ShaderTarget {
   int model = 0;
   Keywords keywords;
   Place place;
 };
 
-// #pragma require FEATURE... : KEYWORD...
+// The pragma is #pragma require FEATURE... : KEYWORD...
 struct Requirement {
   std::vector<std::string> features;
   Keywords keywords;
@@ -94,31 +94,32 @@ struct Pragmas {
   std::vector<EntryPoint> entry_points;  // at most one per stage: the last one
   std::vector<Kernel> kernels;
   std::optional<SurfaceFunction> surface;
-  std::vector<KeywordSet> keyword_sets;  // in source order; shortcuts as their sets
+  std::vector<KeywordSet> keyword_sets;  // sets in source order; shortcuts as their sets
   std::vector<DynamicKeyword> dynamic_keywords;
-  std::vector<Clause> clauses;  // from skip_variants, and the shortcuts' constraints on their keywords
+  std::vector<Clause> clauses;  // clauses of skip_variants, and the shortcuts' constraints on their keywords
   std::vector<ShaderTarget> targets;
   std::vector<Requirement> requirements;
-  std::vector<std::string> only_renderers;  // empty: all
+  std::vector<std::string> only_renderers;  // if empty, all
   std::vector<std::string> excluded_renderers;
-  std::vector<std::string> tier_renderers;  // of hardware_tier_variants
-  std::string procedural_function;          // of instancing_options procedural:NAME
+  std::vector<std::string> tier_renderers;  // renderers of hardware_tier_variants
+  std::string procedural_function;          // name in instancing_options procedural:NAME
   std::vector<PragmaOption> options;
-  std::vector<std::string> files;  // in the order they were read, the program's own first
+  std::vector<std::string> files;  // files in the order in which they were read, the program's own first
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
 Pragmas read_pragmas(const ProgramText& program);
 
-// Whether the program is meant for a graphics API, by its name in only_renderers: "vulkan", "d3d11", "gles3".
+// Returns whether the program is meant for a graphics API, by its name in only_renderers: "vulkan", "d3d11",
+// "gles3".
 bool compiles_for(const Pragmas& pragmas, const std::string& renderer);
 
-// Whether a #pragma use_dxc selects DXC on that graphics API.
+// Returns whether a #pragma use_dxc selects DXC on that graphics API.
 bool compiles_with_dxc(const Pragmas& pragmas, const std::string& renderer);
 
-// SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a geometry
-// and 46 with a tessellation stage, 50 for compute shaders (Unity Manual, "Targeting shader models and GPU
-// features", SL-ShaderCompileTargets).
+// Returns SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a
+// geometry and 46 with a tessellation stage, 50 for compute shaders (Unity Manual, "Targeting shader models
+// and GPU features", SL-ShaderCompileTargets).
 int shader_target(const Pragmas& pragmas, const Keywords& variant);
 
 }  // namespace penumbra::variants

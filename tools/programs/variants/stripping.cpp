@@ -140,7 +140,7 @@ std::vector<Keywords> read_materials(const LocatedJson& document) {
 }
 
 struct NamedUses {
-  std::set<std::string> taken_back;  // "both"
+  std::set<std::string> taken_back;  // keywords set to "both"
   std::vector<Clause> clauses;
 };
 
@@ -166,7 +166,7 @@ NamedUses read_keywords(JsonObject keywords) {
   return uses;
 }
 
-// Whether the clause decides one of the keywords on its own account.
+// Returns whether the clause decides one of the keywords on its own account.
 bool decides(const Clause& clause, const std::set<std::string>& keywords) {
   if (!clause.when.empty()) return clause.any_of.empty() && keywords.contains(clause.when);
   return clause.any_of.size() == 1 && keywords.contains(clause.any_of.front());

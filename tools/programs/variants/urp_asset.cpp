@@ -15,7 +15,8 @@ struct Line {
   std::string_view value;
 };
 
-// "  m_Name: value": fields of the one object that such an asset holds. False for any other line.
+// Reads "  m_Name: value", a field of the one object that such an asset holds. Returns false for any other
+// line.
 bool take_field(std::string_view text, Line& line) {
   if (text.substr(0, 4) != "  m_") return false;
   text.remove_prefix(2);

@@ -64,7 +64,7 @@ class Clauses {
   void tie(const std::string& keyword, const Keywords& any_of) {
     list.push_back(needs(keyword, any_of, said_by_));
   }
-  // Of the keywords the one at `chosen` (none when it is out of range) is on, the others never.
+  // The keyword at `chosen` is on (none when it is out of range), and the others never.
   void choose(const Keywords& keywords, int chosen) {
     for (std::size_t i = 0; i < keywords.size(); ++i) {
       if (static_cast<int>(i) == chosen) {
