@@ -18,7 +18,7 @@ bool begins_a_token(char c) {
   return word || marks.find(c) != std::string_view::npos;
 }
 
-// The character that begins here, or its byte value if it is not valid UTF-8.
+// Returns the character that begins here, or its byte value if it is not valid UTF-8.
 std::string in_words(std::string_view line, std::size_t at) {
   std::size_t end = at + 1;
   while (end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) ++end;

@@ -4,7 +4,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// In a row-major matrix, the components of a column are one row stride apart.
+// The components of a column in a row-major matrix are one row stride apart.
 void move_to_part(BlockPlace& place, const BlockType& type) {
   if (type.op == spv::OpTypeMatrix)
     place.component_words = place.value.row_major ? place.value.matrix_stride / word_bytes : 1;

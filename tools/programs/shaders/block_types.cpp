@@ -65,7 +65,7 @@ void BlockTypes::read(spirv::Words instruction) {
 void BlockTypes::decorate_member(spirv::Words instruction) {
   if (instruction.size() < 4) return;
   std::vector<BlockMember>& members = places_[instruction[1]];
-  constexpr std::uint32_t most_members = 1U << 16U;  // of a struct (SPIR-V specification, 2.17)
+  constexpr std::uint32_t most_members = 1U << 16U;  // limit for a struct (SPIR-V specification, 2.17)
   if (instruction[2] >= most_members) return;
   if (members.size() <= instruction[2]) members.resize(instruction[2] + std::size_t{1});
   BlockMember& member = members[instruction[2]];
@@ -90,7 +90,7 @@ bool BlockTypes::fits(std::uint32_t id, BlockRule rule) const {
 }
 
 bool BlockTypes::fills_tails(std::uint32_t id) const {
-  std::uint32_t end = 0;  // of the last array or struct, including its padding
+  std::uint32_t end = 0;  // end of the last array or struct, including its padding
   for (const BlockMember& member : find(id)->members) {
     if (member.offset < end) return true;
     const BlockType* type = find(member.type);

@@ -12,7 +12,7 @@
 
 namespace penumbra::shaders {
 
-// Bytes, as the module decorates them.
+// The sizes are in bytes, as the module decorates them.
 struct BlockMember {
   std::uint32_t type = 0;
   std::uint32_t offset = 0;
@@ -22,8 +22,8 @@ struct BlockMember {
 
 struct BlockType {
   spv::Op op = spv::OpNop;
-  std::uint32_t element = 0;       // type of a component, a column or an element
-  std::uint32_t count = 0;         // components, columns, elements, or bits of a number; 0: runtime array
+  std::uint32_t element = 0;  // type of a component, a column or an element
+  std::uint32_t count = 0;    // components, columns, elements, or bits of a number; 0 for a runtime array
   std::uint32_t array_stride = 0;  // bytes
   std::vector<BlockMember> members;
 };
@@ -35,16 +35,17 @@ class BlockTypes {
  public:
   explicit BlockTypes(const SpirvModule& module);
 
-  // Null for a type that no block contains.
+  // Returns null for a type that no block contains.
   const BlockType* find(std::uint32_t id) const;
-  // The value of a 32-bit integer constant.
+  // Returns the value of a 32-bit integer constant.
   std::optional<std::uint32_t> constant(std::uint32_t id) const;
-  // Whether every member has exactly the offset that the rule gives it.
+  // Returns whether every member has exactly the offset that the rule gives it.
   bool fits(std::uint32_t structure, BlockRule rule) const;
-  // Whether a member begins in the padding after the last element of the array or struct before it, as in
-  // HLSL's cbuffers; Vulkan allows that only for matrices (specification, "Offset and Stride Assignment").
+  // Returns whether a member begins in the padding after the last element of the array or struct before it,
+  // as in HLSL's cbuffers; Vulkan allows that only for matrices (specification, "Offset and Stride
+  // Assignment").
   bool fills_tails(std::uint32_t structure) const;
-  // The size of a uniform block in registers of four words.
+  // Returns the size of a uniform block in registers of four words.
   std::uint32_t registers(std::uint32_t structure) const;
 
  private:
@@ -64,7 +65,8 @@ class BlockTypes {
   std::unordered_map<std::uint32_t, BlockType> types_;
   std::unordered_map<std::uint32_t, std::uint32_t> constants_;
   std::unordered_map<std::uint32_t, std::uint32_t> array_strides_;
-  std::unordered_map<std::uint32_t, std::vector<BlockMember>> places_;  // of structs, before they are defined
+  // Members of structs, before these are defined.
+  std::unordered_map<std::uint32_t, std::vector<BlockMember>> places_;
 };
 
 }  // namespace penumbra::shaders

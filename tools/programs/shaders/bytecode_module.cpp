@@ -22,8 +22,8 @@ Words text_words(const std::string& text) {
   return words;
 }
 
-// vkd3d's module with our names, and its buffers that are only read as storage buffers, in place of images of
-// one row: hosts bind them, and texels are counted, as those of compile()'s modules.
+// Gives vkd3d's module our names, and makes its buffers that are only read storage buffers, in place of
+// images of one row: hosts bind them, and texels are counted, as in compile()'s modules.
 class Renaming {
  public:
   Renaming(SpirvModule module, const std::vector<BytecodeResource>& resources, std::string entry)
@@ -129,9 +129,10 @@ class Renaming {
   const std::vector<BytecodeResource>& resources_;
   const std::string entry_;
   ModuleRewrite to_;
-  std::map<std::uint32_t, const BytecodeResource*> bound_;   // by variable
-  std::map<std::uint32_t, std::uint32_t> pointees_, types_;  // of pointer types; of variables, what they hold
-  std::map<std::uint32_t, std::uint32_t> loaded_;            // variables, by what was loaded from them
+  std::map<std::uint32_t, const BytecodeResource*> bound_;  // by variable
+  // Pointee of each pointer type; type of each variable's content.
+  std::map<std::uint32_t, std::uint32_t> pointees_, types_;
+  std::map<std::uint32_t, std::uint32_t> loaded_;  // variables, by what was loaded from them
   std::set<Words> decorations_;
   bool declared_ = false;
 };

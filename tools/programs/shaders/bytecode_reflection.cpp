@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// D3D_SHADER_INPUT_TYPE
+// The values are those of D3D_SHADER_INPUT_TYPE.
 enum Input : std::uint32_t {
   cbuffer = 0,
   texture = 2,
@@ -28,7 +28,7 @@ constexpr std::uint32_t most_types = 1U << 18U;  // a constant buffer has 2^16 b
 constexpr std::uint32_t largest_block = 1U << 16U;
 constexpr std::size_t longest_name = 4096;
 
-// D3D_SHADER_VARIABLE_CLASS
+// The values are those of D3D_SHADER_VARIABLE_CLASS.
 enum Class : std::uint32_t { matrix_rows = 2, matrix_columns = 3, structure = 5 };
 
 struct Type {
@@ -36,7 +36,7 @@ struct Type {
   std::uint32_t scalar = 0;
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
-  std::uint32_t elements = 0;  // 0: no array
+  std::uint32_t elements = 0;  // 0 if it is no array
   std::uint32_t members = 0;
   std::size_t first_member = 0;
 
@@ -165,7 +165,7 @@ class DefinitionReader {
   // Each element of an array begins a register.
   std::uint32_t element_bytes(const Type& of) const { return (bytes_of(of) + 15U) / 16U * 16U; }
 
-  // Of one element, without padding behind it.
+  // Returns the bytes of one element, without padding behind it.
   std::uint32_t bytes_of(const Type& of, int depth = 0) const {
     require_shallow(depth);
     if (of.kind == matrix_rows) return 16 * (of.rows - 1) + 4 * of.columns;

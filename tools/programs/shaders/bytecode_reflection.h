@@ -1,5 +1,5 @@
-// What FXC's bytecode says of its resources and its inputs and outputs, in the terms of reflect.h and
-// stage_signature.h. Internal to this folder.
+// The resources, inputs and outputs of FXC's bytecode, in the terms of reflect.h and stage_signature.h.
+// Internal to this folder.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct BytecodeResource {
   Resource resource;  // name, kind and, of a uniform block, size and members; "$Global" as reflect() has it
   RegisterKind registers = RegisterKind::constants;
   std::uint32_t index = 0;  // its register
-  bool buffer = false;      // of texels, structures or bytes: no image
+  bool buffer = false;      // a buffer of texels, structures or bytes: no image
 };
 
-// Both throw std::invalid_argument for bytes that are not a container's, and for arrays of resources.
+// These throw std::invalid_argument for bytes that are not a container's, and for arrays of resources.
 std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode);
 Signature bytecode_signature(std::string_view bytecode);  // locations are registers
 

@@ -41,7 +41,7 @@ std::vector<vkd3d_shader_resource_binding> bindings_of(const std::vector<Bytecod
   return bindings;
 }
 
-// vkd3d prints what it skips, such as the type of a texture that the declaration tells, too.
+// vkd3d prints what it skips, such as the type of a texture, which the declaration also has.
 void silence_once() {
 #ifndef _WIN32
   static const int done = ::setenv("VKD3D_SHADER_DEBUG", "none", 0);  // NOLINT(concurrency-mt-unsafe)

@@ -1,4 +1,4 @@
-// The call of vkd3d-shader, or what stands for it where it is not at hand. Internal to this folder.
+// The call of vkd3d-shader, or its replacement where it is not installed. Internal to this folder.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace penumbra::shaders {
 
-// Resource n of `resources` has descriptor set 0 and binding n. Throws as bytecode_module().
+// Resource n of `resources` has descriptor set 0 and binding n. Throws as bytecode_module() does.
 SpirvModule translated_bytecode(const std::string& bytecode, const std::vector<BytecodeResource>& resources);
 
 }  // namespace penumbra::shaders

@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// The module for SPIRV-Cross; nothing if it has no such gather, or one whose offset is not constant.
+// Returns the module for SPIRV-Cross; nothing if it has no such gather, or one whose offset is not constant.
 std::optional<SpirvModule> with_marked_gathers(const SpirvModule& module);
 
 // Restores the gathers in the text emitted for that module.

@@ -62,7 +62,7 @@ class Search final : public glslang::TIntermTraverser {
   std::vector<ModuleProblem> found;
 
  private:
-  // Empty if it is not a variable.
+  // Returns an empty name if it is not a variable.
   static std::string sampler_of(const glslang::TIntermTyped& pair) {
     const glslang::TIntermAggregate* made = pair.getAsAggregate();
     if (made == nullptr || made->getSequence().size() < 2) return "";

@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// In the whole syntax tree, because SPIR-V is generated for all of it.
+// Finds them in the whole syntax tree, because SPIR-V is generated for all of it.
 std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

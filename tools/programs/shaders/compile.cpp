@@ -61,7 +61,7 @@ hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
-// "INTERNAL ERROR" and "UNIMPLEMENTED" also occur with a success status.
+// The texts "INTERNAL ERROR" and "UNIMPLEMENTED" also occur with a success status.
 bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(log, sources);
   return std::any_of(lines.begin(), lines.end(),
@@ -92,8 +92,8 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
   return false;
 }
 
-// Messages of the SPIR-V back end: anything that it does not support is an error, otherwise the module would
-// silently lack it.
+// Anything that the SPIR-V back end reports as not supported is an error, otherwise the module would silently
+// lack it.
 bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
   spv::SpvBuildLogger logger;
   result.spirv = generated_words(tree, source.request.debug_lines, logger);
@@ -125,14 +125,14 @@ bool report(const Source& source, const hlsl::SourceFiles& sources,
   return !problems.empty();
 }
 
-// Where the syntax tree's meaning differs from HLSL's.
+// Corrects the syntax tree where its meaning differs from HLSL's.
 bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                CompileResult& result) {
   put_operations_right(tree);
   return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
-// Valid SPIR-V that HLSL does not allow.
+// Reports valid SPIR-V that HLSL does not allow.
 void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    bool divides, CompileResult& result) {
   report(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
@@ -199,8 +199,8 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-// For a source with errors: further errors, on other lines. The validator's messages are omitted, because
-// they are about a module that the program's author did not write.
+// Adds further errors, on other lines, for a source with errors. The validator's messages are omitted,
+// because they are about a module that the program's author did not write.
 void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
   CompileResult built;
   build(source, sources, built);

@@ -24,37 +24,37 @@ using project::PackageRoot;
 struct CompileRequest {
   std::filesystem::path file;  // names the source in messages; read from disk unless text is given
   std::optional<std::string> text;
-  // Of a text that this program writes itself: the user's file that it is written for, into whose tree
-  // includes may lead (project/include_bounds.h); empty: none. `file` is then a mere name, and no place on
-  // the disk.
+  // For a text that this program writes itself, the user's file that it is written for, into whose tree
+  // includes may lead (project/include_bounds.h); else empty. `file` is then a mere name, and no place on the
+  // disk.
   std::optional<std::filesystem::path> written_for{};
   std::string entry = "Main";
   hlsl::Stage stage = hlsl::Stage::compute;
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
-  std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
-  std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
-  // Whether HLSL that Unity's compilers accept and glslang does not is rewritten (preparation/prepare.h). The
-  // library's own shaders compile without it; glslang then warns of [fastopt].
+  std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty if there is no project
+  std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty if they are not available
+  // If true, HLSL that Unity's compilers accept and glslang does not is rewritten (preparation/prepare.h).
+  // The library's own shaders compile without it; glslang then warns of [fastopt].
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
-  bool keep_unoptimised = false;               // CompileResult::unoptimised and legalised
+  bool keep_unoptimised = false;               // keeps CompileResult::unoptimised and legalised
   VulkanVersion vulkan = VulkanVersion::v1_1;  // the module's environment
-  hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; line 0: none
-  bool half_is_16_bits = false;  // half and min16float are 16 bits wide (capability Float16), else 32
+  hlsl::TokenPlace entry_place{};  // place of the #pragma that names the entry point; line 0 means none
+  bool half_is_16_bits = false;    // half and min16float are 16 bits wide (capability Float16), else 32
   bool dxc = false;  // #pragma use_dxc: HLSL that DXC accepts and FXC, Unity's default, rejects is accepted
   bool rasterized = true;  // a vertex program's output goes to the rasterizer: no hull or geometry program
 };
 
 // A source after includes and macros, and after preparation if requested.
 struct PreprocessedSource {
-  std::string text;  // with #line directives; empty when a diagnostic is an error
+  std::string text;  // has #line directives; empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
   hlsl::SourceFiles sources;                        // every text that was read, by its name in diagnostics
   std::vector<std::filesystem::path> dependencies;  // every file that was read
-  // Candidates that did not exist, searched before the file that was found: one that appears would take
+  // The candidates that did not exist, searched before the file that was found: one that appears would take
   // precedence.
   std::vector<std::filesystem::path> absent{};
   bool found_by_case =
@@ -62,10 +62,11 @@ struct PreprocessedSource {
   // The include that ended the compilation, if it is one that ships only with the Unity editor
   // (project/editor_includes.h): reports count these separately from errors of the shader.
   std::string missing_editor_include{};
-  // A text whose identifiers are suggested in place of unknown ones; empty: `text`, which is then not a part
-  // of another.
+  // A text whose identifiers are suggested in place of unknown ones; if it is empty, `text` is used, which is
+  // then not a part of another.
   std::string suggested{};
-  std::vector<preparation::SemanticPlace> semantics{};  // of the entry point, where the source is prepared
+  // Those of the entry point, where the source is prepared.
+  std::vector<preparation::SemanticPlace> semantics{};
 };
 
 class SourceMemory;  // source_memory.h: files read once for many compilations
@@ -79,32 +80,34 @@ struct TargetDiagnostics {
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
   // The same shader before optimisation and with debug_lines, and legalised (inlined, in SSA form) but not
-  // yet optimised; empty unless kept, or when `spirv` is.
+  // yet optimised. Both are empty unless kept, or when `spirv` is.
   std::vector<std::uint32_t> unoptimised;
   std::vector<std::uint32_t> legalised;
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<TargetDiagnostics> of_targets;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
-  std::string missing_editor_include{};             // as in PreprocessedSource
+  std::string missing_editor_include{};             // see PreprocessedSource
   hlsl::SourceFiles sources;                        // the texts of all file names in messages and OpLine
-  Signature signature;                              // of the entry point; empty when there is no module
+  Signature signature;                              // the entry point's; empty when there is no module
 };
 
 // These functions do not throw for an invalid shader; expand() and its callers throw InputError if `file`
 // itself cannot be read. Reentrant. A returned module has passed SPIR-V validation for `vulkan`.
-PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory);  // includes and macros
-void prepare(const CompileRequest& request, PreprocessedSource& expanded);       // if the request says so
-PreprocessedSource preprocess(const CompileRequest& request);                    // both
+// Expands includes and macros.
+PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory);
+// Prepares it if the request says so.
+void prepare(const CompileRequest& request, PreprocessedSource& expanded);
+PreprocessedSource preprocess(const CompileRequest& request);  // does both
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
-CompileResult compile(const CompileRequest& request);  // all three
+CompileResult compile(const CompileRequest& request);  // does all three
 
 struct FrontEndMessages {
   std::vector<hlsl::Diagnostic> messages;
-  bool complete = true;  // every declaration without an error among them has none
+  bool complete = true;  // true if every declaration without an error among them has none
 };
 
-// All diagnostics of a preprocessed source up to linking, including those in functions that its entry point
-// does not reach: if none is an error, the front end accepts it.
+// Returns all diagnostics of a preprocessed source up to linking, including those in functions that its entry
+// point does not reach: if none is an error, the front end accepts it.
 FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source);
 
 }  // namespace penumbra::shaders

@@ -47,8 +47,8 @@ int read_place(ByteReader& in) {
 
 }  // namespace
 
-// A structured binding of all members: adding a member to the struct breaks the build until it is serialised,
-// too.
+// A structured binding takes all members: adding a member to the struct breaks the build until it is
+// serialised, too.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, written_for, entry, stage, defines, roots, directories, project, cginc_root,
                prepare, optimise, debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc,

@@ -10,10 +10,10 @@ namespace penumbra::shaders {
 struct CompilerFailure {
   std::string problem;  // "the compiler crashed with SIGSEGV", and the end of its output
   std::string way_out;
-  bool limited = false;  // it exceeded a limit of time or memory
+  bool limited = false;  // true if it exceeded a limit of time or memory
 };
 
-// For an outcome without a response.
+// Describes an outcome without a response.
 CompilerFailure compiler_failure(const platform::WorkerOutcome& outcome);
 
 }  // namespace penumbra::shaders

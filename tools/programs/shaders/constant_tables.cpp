@@ -71,8 +71,8 @@ class ConstantTables {
     if (!is_new && known->second != value) refuse(variable);
   }
 
-  // A word that may be a variable, or a part of one, in an instruction that does not merely read it. Literals
-  // that look like an id only cost the variable its initialiser.
+  // Refuses a word that may be a variable, or a part of one, in an instruction that does not merely read it.
+  // Literals that look like an id only cost the variable its initialiser.
   void refuse(std::uint32_t word) {
     const std::uint32_t variable = variable_of(word);
     local_.erase(variable);
@@ -90,8 +90,8 @@ class ConstantTables {
 
   std::set<std::uint32_t> constants_;
   std::set<std::uint32_t> local_;                    // local variables that may still be tables
-  std::map<std::uint32_t, std::uint32_t> parts_;     // pointer into a local variable: the variable
-  std::map<std::uint32_t, std::uint32_t> contents_;  // local variable: the constant that it holds
+  std::map<std::uint32_t, std::uint32_t> parts_;     // the local variable of each pointer into one
+  std::map<std::uint32_t, std::uint32_t> contents_;  // the constant that each local variable holds
 };
 
 }  // namespace

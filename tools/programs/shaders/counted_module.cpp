@@ -45,7 +45,7 @@ bool tells_the_source(spv::Op op) {
 bool ends_a_block(spv::Op op) {
   switch (op) {
     case spv::OpSelectionMerge:
-    case spv::OpLoopMerge:  // before the branch
+    case spv::OpLoopMerge:  // the count comes before the branch
     case spv::OpBranch:
     case spv::OpBranchConditional:
     case spv::OpSwitch:
@@ -58,7 +58,7 @@ bool ends_a_block(spv::Op op) {
   }
 }
 
-// Scalar operations of an instruction, as counted_module.h defines them.
+// Counts the scalar operations of an instruction, as counted_module.h defines them.
 class OperationCount {
  public:
   OperationCount(const spirv::Code& code, const std::set<Id>& uncounted)
@@ -88,7 +88,8 @@ class OperationCount {
     return converts || calculates || widens || compares || of_bits || derives;
   }
 
-  // Of a product with a matrix: how many products add up to each scalar of the result. 0: of anything else.
+  // Returns for a product with a matrix how many products add up to each scalar of the result, and 0 for
+  // anything else.
   std::uint32_t products_of_each(const spirv::Instruction& one) const {
     switch (one.op) {
       case spv::OpVectorTimesMatrix:
@@ -178,9 +179,9 @@ class OperationsOfBlocks {
     return terminator(block).op == spv::OpBranch && terminator(block).operands[0] == label;
   }
 
-  // SPIRV-Tools, when it unrolls a loop, loses what the block of the loop's test adds: its value after the
-  // loop is that of the first test. So the blocks that branch to the loop's head add it: as often, since a
-  // test follows each time.
+  // When SPIRV-Tools unrolls a loop, it loses the addition in the block of the loop's test: its value after
+  // the loop is that of the first test. So the blocks that branch to the loop's head make the addition, which
+  // is as frequent, since a test follows each time.
   void move_out_of_test(const spirv::Function& function, const spirv::Block& head) {
     if (!has_unrolled_loop(head) || terminator(head).op != spv::OpBranch) return;
     const Id test = terminator(head).operands[0];
@@ -210,7 +211,7 @@ class OperationsOfBlocks {
 struct EntryFacts {
   Id function = 0;
   bool fragment = false;
-  Id position = 0;  // the variable with FragCoord or GlobalInvocationId; 0: none
+  Id position = 0;  // the variable with FragCoord or GlobalInvocationId; 0 for none
   std::uint32_t colour_outputs = 0;
   bool tests_depth_first = false;
 };
@@ -340,7 +341,7 @@ class Counting {
     rewrite_.keep(words);
   }
 
-  // Since SPIR-V 1.4 the interface has all global variables, before it inputs and outputs alone.
+  // The interface has all global variables since SPIR-V 1.4, before it only inputs and outputs.
   void keep_entry_point(spirv::Words one) {
     Words operands(one.begin() + 1, one.end());
     if (facts_.position == 0) operands.push_back(position_);
@@ -400,8 +401,8 @@ class Counting {
 
   Id private_counter(Id wanted) { return variable(uint_, spv::StorageClassPrivate, wanted, uint(0)); }
 
-  // SPIR-V 1.3 has a storage class for storage buffers; before it they are decorated blocks in the Uniform
-  // class.
+  // SPIR-V 1.3 has a storage class for storage buffers; in earlier versions they are decorated blocks in the
+  // Uniform class.
   void declare_counts() {
     const bool own_class = module_[1] >= 0x00010300U;
     storage_ = own_class ? spv::StorageClassStorageBuffer : spv::StorageClassUniform;
@@ -483,14 +484,14 @@ class Counting {
     return rewrite_.result(spv::OpIAdd, uint_, {first, uint(words)});
   }
 
-  // The word before the addition.
+  // Returns the word before the addition.
   Id add_atomically(Id index, Id count) {
     return rewrite_.result(
         spv::OpAtomicIAdd, uint_,
         {word_pointer(index), uint(spv::ScopeDevice), uint(spv::MemorySemanticsMaskNone), count});
   }
 
-  // Two words: 32 bits are too few for all operations of a picture.
+  // The count has two words: 32 bits are too few for all operations of a picture.
   void add_operations(Id first) {
     const Id count = loaded(operations_);
     const Id before = add_atomically(place_after(first, 2), count);
@@ -505,9 +506,9 @@ class Counting {
   const OperationsOfBlocks operations_of_blocks_;
   std::uint32_t of_block_ = 0;  // operations of the block that is visited, until they are added
   ModuleRewrite rewrite_;
-  Id function_ = 0;  // that is visited
+  Id function_ = 0;  // the function that is visited
   bool depth_first_told_ = false;
-  Id add_counts_ = 0;  // the function
+  Id add_counts_ = 0;  // the function that adds the counts
   Id position_ = 0, counts_ = 0, fetches_ = 0, written_ = 0, operations_ = 0;
   Id position_type_ = 0, coordinate_type_ = 0;
   Id void_ = 0, function_type_ = 0, uint_ = 0, bool_ = 0;

@@ -45,9 +45,9 @@ inline constexpr std::size_t texel_counts_header = 4;       // words before the 
 inline constexpr std::size_t texel_counts_invocations = 3;  // the word of the header
 inline constexpr std::size_t texel_counts_per_cell = 4;
 
-// For CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute shader; the result
-// has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for words that are not
-// SPIR-V, another entry point or another stage; std::logic_error if the result is invalid.
+// The function takes CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute
+// shader; the result has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for
+// words that are not SPIR-V, another entry point or another stage; std::logic_error if the result is invalid.
 // Instructions with the results `uncounted` are no operations.
 spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
                              VulkanVersion vulkan = VulkanVersion::v1_1,

@@ -21,7 +21,7 @@ struct TargetTraits {
   Target target;
   const char* name;
   TargetLanguage language;
-  unsigned version;  // in SPIRV-Cross's format
+  unsigned version;  // version in SPIRV-Cross's format
 };
 
 constexpr std::array<TargetTraits, std::size(all_targets)> all_traits{
@@ -94,7 +94,7 @@ void combine_samplers(const SpirvCrossSession& session) {
   }
 }
 
-// Consecutive numbers from 0 over resources of several kinds.
+// Gives consecutive numbers from 0 to resources of several kinds.
 void number_from_zero(const SpirvCrossSession& session, std::initializer_list<spvc_resource_type> types) {
   spvc_resources resources = nullptr;
   session.require(spvc_compiler_create_shader_resources(session.compiler(), &resources));
@@ -113,8 +113,8 @@ void number_bindings(const SpirvCrossSession& session, Target target) {
   number_from_zero(session, {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER});
   if (target_language(target) == TargetLanguage::hlsl) {
     number_from_zero(session, {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS});
-    // A buffer is a t or a u register, depending on its use: both are numbered together, with the scarce u
-    // first.
+    // A buffer is a t or a u register, depending on its use: both are numbered together, and the scarce u
+    // come first.
     number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_IMAGE,
                                SPVC_RESOURCE_TYPE_SEPARATE_IMAGE});
   } else {
@@ -146,7 +146,7 @@ std::string emit_module(const SpirvCrossModule& module, Target target) {
   return layer.completed(text);
 }
 
-// SPIRV-Cross's own output for this module would be wrong or missing.
+// Amends a module for which SPIRV-Cross's own output would be wrong or missing.
 std::string emit_amended(const SpirvCrossModule& module, const SpirvModule& spirv, Target target) {
   if (target_language(target) == TargetLanguage::hlsl)
     if (const std::optional<SpirvModule> gathers = with_marked_gathers(spirv))

@@ -53,7 +53,7 @@ class CrossCompiler {
   std::unique_ptr<SpirvCrossModule> module_;  // created for the first target
 };
 
-// For a single target.
+// Compiles for a single target.
 CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target);
 
 }  // namespace penumbra::shaders

@@ -11,7 +11,7 @@ namespace penumbra::shaders {
 // OpLine applies up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
 class DebugLines {
  public:
-  // To be called for every instruction in order; returns its location.
+  // Must be called for every instruction in order; returns its location.
   const SourcePlace& visit(spirv::Words instruction) {
     const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpString && instruction.size() > 2)

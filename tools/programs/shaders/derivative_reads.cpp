@@ -13,7 +13,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// The operation's name in HLSL; nullptr if it needs no derivatives.
+// Returns the operation's name in HLSL; nullptr if it needs no derivatives.
 const char* name_of(glslang::TOperator op) {
   switch (op) {
     case glslang::EOpTexture:

@@ -16,10 +16,11 @@
 
 namespace penumbra::shaders {
 
-// In the whole syntax tree, each with its location.
+// Finds them in the whole syntax tree, each with its location.
 std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage);
 
-// Those of `written` of which the module, which keeps its debug lines, has an instruction on the same line.
+// Returns those of `written` for which the module, which keeps its debug lines, has an instruction on the
+// same line.
 std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module);
 
 }  // namespace penumbra::shaders

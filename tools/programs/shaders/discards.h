@@ -1,4 +1,4 @@
-// Where a fragment shader gives its pixel up.
+// The instructions with which a fragment shader discards its pixel.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,8 @@
 
 namespace penumbra::shaders {
 
-// `discard` or `clip` of an optimised module; line 0 in a module without debug lines. Empty: there is none.
+// Returns the place of `discard` or `clip` in an optimised module, with line 0 if it has no debug lines. The
+// result is empty if there is none.
 std::optional<SourcePlace> first_discard(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

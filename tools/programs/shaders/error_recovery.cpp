@@ -38,12 +38,12 @@ bool is_of_syntax(const hlsl::Diagnostic& error) {
   return error.message.starts_with("expected") || error.message.starts_with("unexpected");
 }
 
-// The error that results from removing a return statement.
+// Returns whether the error results from removing a return statement.
 bool is_own_making(const hlsl::Diagnostic& error) {
   return error.message.starts_with("function '") && error.message.ends_with("' must return a value");
 }
 
-// Whether an error is the previous one, or a consequence of its removal.
+// Returns whether an error is the previous one, or a consequence of its removal.
 bool is_still_there(const hlsl::Diagnostic& before, const hlsl::Diagnostic& now) {
   if (now.file != before.file || now.line != before.line) return false;
   return now.message == before.message || is_of_syntax(now) || is_of_syntax(before);

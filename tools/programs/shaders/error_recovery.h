@@ -15,12 +15,13 @@
 namespace penumbra::shaders {
 
 struct FoundErrors {
-  std::vector<hlsl::Diagnostic> errors;  // in source order, at least one; those with the same text once
+  // Errors in source order, at least one; those with the same text once.
+  std::vector<hlsl::Diagnostic> errors;
   // The text without the code of the errors, if the parser accepts it and no error was left out.
   std::optional<std::string> rest{};
 };
 
-// `log`: the parser's messages about the source.
+// `log` has the parser's messages about the source.
 FoundErrors errors_of(const Source& source, const std::string& log, const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::shaders

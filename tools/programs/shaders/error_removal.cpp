@@ -13,7 +13,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-struct Range {  // of tokens, inclusive
+struct Range {  // a range of tokens, inclusive
   std::size_t first;
   std::size_t last;
 };
@@ -34,12 +34,12 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
   }
 }
 
-// One text and the code that can be removed around a token of it.
+// A text and the code that can be removed around a token of it.
 class Remedy {
  public:
   explicit Remedy(std::string& text) : text_(text), tokens_(hlsl::lex(text)) {}
 
-  // The last token that begins there or before; of an operator of two characters, its first.
+  // Returns the last token that begins there or before; for an operator of two characters, its first.
   std::size_t token_at(std::size_t place) const {
     const auto after = std::upper_bound(
         tokens_.begin(), tokens_.end(), place, [this](std::size_t wanted, const hlsl::Token& token) {
@@ -48,8 +48,8 @@ class Remedy {
     return after == tokens_.begin() ? 0 : static_cast<std::size_t>(after - tokens_.begin()) - 1;
   }
 
-  // False if the token is in no function's body, or its function was already emptied. `lacks_semicolon`: the
-  // token is the first one after the statement.
+  // Returns false if the token is in no function's body, or its function was already emptied.
+  // `lacks_semicolon` means that the token is the first one after the statement.
   bool apply(std::size_t token, bool lacks_semicolon, std::set<std::string>& emptied) {
     const std::optional<hlsl::Declaration> function = function_around(token);
     if (!function) return false;
@@ -62,7 +62,7 @@ class Remedy {
     return empty_around(token, emptied);
   }
 
-  // The same with the whole body of its function.
+  // Removes the whole body of its function.
   bool empty_around(std::size_t token, std::set<std::string>& emptied) {
     const std::optional<hlsl::Declaration> function = function_around(token);
     if (!function) return false;
@@ -86,8 +86,8 @@ class Remedy {
     return std::nullopt;
   }
 
-  // The statement of that token without its ';', or a declaration from its '=' on; nothing if the rest would
-  // not be valid HLSL.
+  // Returns the statement of that token without its ';', or a declaration from its '=' on; nothing if the
+  // rest would not be valid HLSL.
   std::optional<Range> part_around(const hlsl::Declaration& function, std::size_t token,
                                    bool lacks_semicolon) const {
     const std::optional<Range> statement = statement_around(function, token);
@@ -113,10 +113,10 @@ class Remedy {
     return Range{equals, last - 1};
   }
 
-  // From after the ';' or brace before the token to its own ';'.
+  // The statement extends from after the ';' or brace before the token to its own ';'.
   std::optional<Range> statement_around(const hlsl::Declaration& function, std::size_t token) const {
     std::size_t first = function.open + 1;
-    std::size_t depth = 0;  // of ( and [
+    std::size_t depth = 0;  // depth of ( and [
     for (std::size_t i = first; i < function.close; ++i) {
       if (is(i, "(") || is(i, "[")) ++depth;
       if ((is(i, ")") || is(i, "]")) && depth > 0) --depth;
@@ -138,7 +138,7 @@ class Remedy {
     const std::size_t open = offset(function.open);
     const std::size_t close = offset(function.close);
     blank(text_, open + 1, close);
-    // On the line of the '}': a value of any type, or the missing return would be an error.
+    // The value, of any type, is on the line of the '}': without it the missing return would be an error.
     if (type != "void ") text_.insert(close, type + "penumbra_unset; return penumbra_unset; ");
     return true;
   }

@@ -17,10 +17,10 @@ class ErrorRemoval {
 
   // Removes the code around the token that begins at `offset` of the current text: the initialiser or the
   // statement that contains it, or else the whole body of its function, which is replaced by a return
-  // statement. False if the token is in no function, or its function was already emptied; the text is then
-  // unchanged. `lacks_semicolon`: the token is the first one after the statement.
+  // statement. Returns false if the token is in no function, or its function was already emptied; the text is
+  // then unchanged. `lacks_semicolon` means that the token is the first one after the statement.
   bool remove_part(std::size_t offset, bool lacks_semicolon);
-  bool remove_body(std::size_t offset);  // the whole body at once
+  bool remove_body(std::size_t offset);  // removes the whole body at once
 
   const std::string& text() const { return text_; }
 

@@ -12,10 +12,10 @@ namespace {
 // The module's declarations, read in the order that SPIR-V prescribes.
 struct Inputs {
   bool fragment = false;
-  std::size_t first_type = 0;  // where the decorations end
+  std::size_t first_type = 0;  // the end of the decorations
   std::unordered_set<std::uint32_t> flat_ids;
   std::unordered_set<std::uint32_t> integers;  // types: int, and vectors and arrays of it
-  std::unordered_set<std::uint32_t> pointers;  // to such inputs
+  std::unordered_set<std::uint32_t> pointers;  // pointers to such inputs
   std::vector<std::uint32_t> missing;
 };
 

@@ -7,7 +7,7 @@
 
 namespace penumbra::shaders {
 
-// Whether a function of that name, with any parameters, returns more than one number.
+// Returns whether a function of that name, with any parameters, returns more than one number.
 bool returns_several_numbers(const SpirvModule& module, const std::string& function);
 
 }  // namespace penumbra::shaders

@@ -8,10 +8,11 @@
 
 namespace penumbra::shaders {
 
-// By the request's SHADER_TARGET; of one without, which may use all of shader model 5, 5.0.
+// The profile follows the request's SHADER_TARGET; a request without one, which may use all of shader model
+// 5, gets 5.0.
 std::string fxc_profile(const CompileRequest& request);
 
-// expanded: the request's text without includes and macros, of expand() or of preprocess() without
+// `expanded` is the request's text without includes and macros, from expand() or from preprocess() without
 // preparation.
 fxc::Program fxc_program(const CompileRequest& request, const std::string& expanded);
 

@@ -7,7 +7,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// HLSL has no gather with a bias that could need it.
+// No gather of HLSL has a bias that could need it.
 bool asks_for_gather_bias(spirv::Words one) {
   if (spirv::opcode(one) == spv::OpCapability)
     return one.size() > 1 && one[1] == spv::CapabilityImageGatherBiasLodAMD;

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines,
                             spv::SpvBuildLogger& logger) {
   glslang::SpvOptions options;
-  options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
+  options.disableOptimizer = true;  // our code calls SPIRV-Tools
   options.generateDebugInfo = debug_lines;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines,
                             spv::SpvBuildLogger& logger);
 
-// The same with debug lines, for the locations of diagnostics; empty if it cannot be optimised.
+// Generates the same with debug lines, for the locations of diagnostics; empty if it cannot be optimised.
 SpirvModule words_with_lines(const glslang::TIntermediate& tree, bool optimised, VulkanVersion vulkan);
 
 }  // namespace penumbra::shaders

@@ -120,8 +120,8 @@ std::string nth_line(const std::string& text, int number) {
   return line;
 }
 
-// Mesa: "0:12(5): error: ...": string, line, column. Lines of another form keep their text, without a
-// location.
+// Mesa's form is "0:12(5): error: ...": string, line, column. Lines of another form keep their text, without
+// a location.
 hlsl::Diagnostic parse_line(const std::string& line, const std::string& text) {
   hlsl::Diagnostic diagnostic;
   int string_number = 0;
@@ -188,7 +188,7 @@ void link_program(const GlFunctions& gl, GLuint program, std::vector<hlsl::Diagn
   append(out, parse_gl_log(log, {}, linked != GL_TRUE));
 }
 
-// This thread's context of a dialect, made current: Mesa has one current context per thread.
+// Returns this thread's context of a dialect and makes it current: Mesa has one current context per thread.
 Context& thread_context(Target target) {
   thread_local std::map<Target, Context> contexts;
   Context& context = contexts.try_emplace(target, target).first->second;

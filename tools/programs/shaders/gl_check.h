@@ -1,8 +1,8 @@
 // An independent check of emitted GLSL and ESSL: this machine's GL driver compiles and links it.
 //
-// Headless, through EGL's surfaceless platform (Mesa's llvmpipe if there is no GPU). Every thread has its own
-// contexts. GLSL is checked in a desktop OpenGL 4.5 core context, ESSL in an OpenGL ES 3.1 context, each by
-// its own rules.
+// It is headless, through EGL's surfaceless platform (Mesa's llvmpipe if there is no GPU). Every thread has
+// its own contexts. GLSL is checked in a desktop OpenGL 4.5 core context, ESSL in an OpenGL ES 3.1 context,
+// each by its own rules.
 #pragma once
 
 #include <string>
@@ -19,12 +19,12 @@ struct GlStage {
   std::string text;
 };
 
-// The driver's errors and warnings, with locations in the emitted text; `file` is the target's name. Several
-// stages are linked with each other, a single one as a separable program. Target: essl310 or glsl450. Throws
-// EnvironmentError if there is no EGL or no such context.
+// Returns the driver's errors and warnings, with locations in the emitted text; `file` is the target's name.
+// Several stages are linked with each other, a single one as a separable program. The target is essl310 or
+// glsl450. Throws EnvironmentError if there is no EGL or no such context.
 std::vector<hlsl::Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target);
 
-// GL_VERSION of the context that checks the target, for reports.
+// Returns GL_VERSION of the context that checks the target, for reports.
 std::string gl_driver(Target target);
 
 }  // namespace penumbra::shaders

@@ -6,7 +6,7 @@
 
 namespace penumbra::shaders {
 
-// HLSL's name; empty if GLSL has no such name, or HLSL the same.
+// Returns HLSL's name; empty if GLSL has no such name, or HLSL the same.
 std::string_view hlsl_name(std::string_view glsl);
 
 }  // namespace penumbra::shaders

@@ -21,7 +21,7 @@ constexpr std::uint64_t kMostThreads = 1024;
 constexpr std::uint64_t kMostShared = 32768;  // bytes
 constexpr std::uint64_t kTooLarge = std::uint64_t{1} << 40;
 
-// Of a module's types and variables, in the order of their declarations.
+// The memory of a module's types and variables, in the order of their declarations.
 class SharedMemory {
  public:
   explicit SharedMemory(const SpirvModule& module) {
@@ -62,7 +62,7 @@ class SharedMemory {
   std::uint64_t bytes_ = 0;
 };
 
-// The index of the last such identifier before `end`.
+// Returns the place of the last such identifier before `end`.
 SourcePlace place_of(std::string_view word, const std::vector<hlsl::Token>& tokens, std::size_t end,
                      const std::string& file) {
   for (std::size_t at = end; at-- > 0;)
@@ -71,7 +71,7 @@ SourcePlace place_of(std::string_view word, const std::vector<hlsl::Token>& toke
   return {};
 }
 
-// The index of the entry point's name where it is defined or declared last.
+// Returns the index of the entry point's name where it is defined or declared last.
 std::size_t entry_of(const std::vector<hlsl::Token>& tokens, std::string_view name) {
   for (std::size_t at = tokens.size(); at-- > 0;)
     if (tokens[at].spelling == name) return at;

@@ -29,8 +29,8 @@ std::vector<ModuleProblem> shown_by(const SpirvModule& module, hlsl::Stage stage
   return problems;
 }
 
-// Reachable divisions by a constant zero; a division x / x in the source itself looks like a mark and is
-// excluded.
+// Finds reachable divisions by a constant zero; a division x / x in the source itself looks like a mark and
+// is excluded.
 std::vector<ModuleProblem> divisions_by_zero(const glslang::TIntermediate& tree, VulkanVersion vulkan) {
   spv::SpvBuildLogger said_before;
   SpirvModule marked = generated_words(tree, true, said_before);

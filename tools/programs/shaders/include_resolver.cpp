@@ -18,7 +18,7 @@ struct Place {
   int column = 0;
 };
 
-// The offset of an #include of that name in a line; npos if there is none.
+// Returns the offset of an #include of that name in a line; npos if there is none.
 std::size_t column_of_include(std::string_view line, std::string_view asked) {
   const std::size_t hash = line.find('#');
   if (hash == std::string_view::npos) return hash;
@@ -27,7 +27,7 @@ std::size_t column_of_include(std::string_view line, std::string_view asked) {
   return line.find(asked, word);
 }
 
-// The first line that includes the name; the file's first line if the name comes from a macro.
+// Returns the first line that includes the name; the file's first line if the name comes from a macro.
 Place place_of_include(std::string_view text, std::string_view asked) {
   int number = 0;
   for (std::size_t start = 0; start < text.size(); ++number) {
@@ -62,7 +62,7 @@ IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFile
       undefined_(std::move(undefined_by_main_file)),
       open_{request.file.string()} {}
 
-// The name of the file, which is now open.
+// Returns the name of the file, which is now open.
 std::optional<std::string> IncludeResolver::open(const std::string& asked, const std::string& includer) {
   // A file that includes itself twice would be read as often as there are paths to the greatest depth.
   if (failure_) return std::nullopt;
@@ -134,8 +134,8 @@ bool IncludeResolver::fail(const std::string& problem) {
   return false;
 }
 
-// The file as the preprocessor sees it: empty, the second time, for a file with `#pragma once` or with an
-// include guard that is still defined.
+// Returns the file as the preprocessor sees it: empty, the second time, for a file with `#pragma once` or
+// with an include guard that is still defined.
 const SourceToExpand* IncludeResolver::to_read(const std::string& name) {
   const SourceToExpand& prepared = memory_.prepared(name);
   const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;
@@ -150,7 +150,7 @@ std::string IncludeResolver::text_to_read(const std::string& name) {
   return prepared == nullptr ? std::string() : arguments_.rewritten(prepared->text);
 }
 
-// Once for each #include, however often its file is read.
+// The warning appears once for each #include, however often its file is read.
 void IncludeResolver::warn(const std::string& includer, const std::string& asked,
                            const std::string& problem) {
   const Place place =
@@ -163,7 +163,7 @@ void IncludeResolver::warn(const std::string& includer, const std::string& asked
                        sources_.line(includer, place.line)});
 }
 
-// "a.hlsl -> b.hlsl -> a.hlsl": the shortest tail of the open files that closes on itself.
+// Returns "a.hlsl -> b.hlsl -> a.hlsl": the shortest tail of the open files that ends where it begins.
 std::string IncludeResolver::chain_to(const std::string& name) const {
   auto start = std::find(open_.rbegin(), open_.rend(), name);
   const auto from = start == open_.rend() ? open_.size() - std::min<std::size_t>(open_.size(), 8)

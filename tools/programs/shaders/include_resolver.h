@@ -31,21 +31,21 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
   void releaseInclude(IncludeResult* result) override;
 
-  // Of a request that is prepared.
+  // Used for a request that is prepared.
   std::optional<preprocessing::IncludedFile> enter(const std::string& asked,
                                                    const std::string& includer) override;
   void leave() override { open_.pop_back(); }
 
-  // Candidates for an #include that did not exist, searched before the file that was found.
+  // Returns the candidates for an #include that did not exist, searched before the file that was found.
   const std::set<std::string>& absent() const { return absent_; }
   bool found_by_case() const { return found_by_case_; }
 
-  // Why the first failed #include failed.
+  // Returns why the first failed #include failed.
   const std::optional<std::string>& failure() const { return failure_; }
 
-  // The editor-only include of the first failure; empty if it is another file.
+  // Returns the editor-only include of the first failure; empty if it is another file.
   const std::string& missing_editor_include() const { return missing_editor_include_; }
-  // Includes that were found under a different spelling.
+  // Returns warnings about includes that were found under a different spelling.
   const std::vector<hlsl::Diagnostic>& warnings() const { return warnings_; }
 
  private:
@@ -73,7 +73,7 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   std::vector<hlsl::Diagnostic> warnings_;
 };
 
-// The include depth of a sensible library; deeper is a cycle.
+// No sensible library has deeper includes, so a deeper one is a cycle.
 constexpr std::size_t max_include_depth = 100;
 
 }  // namespace penumbra::shaders

@@ -15,7 +15,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// The members of structs that are such matrices or arrays of them, by name.
+// Finds the members of structs that are such matrices or arrays of them, by name.
 class MatrixSearch {
  public:
   std::set<std::string> run(const SpirvModule& module) {
@@ -57,11 +57,11 @@ class MatrixSearch {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> names_;
   std::set<std::uint32_t> integers_;
   std::set<std::uint32_t> vectors_;
-  std::set<std::uint32_t> matrices_;  // and arrays of them
+  std::set<std::uint32_t> matrices_;  // such matrices and arrays of them
   std::set<std::string> found_;
 };
 
-// "int4x4", "uint2x3", ...
+// Returns whether the type is "int4x4", "uint2x3" or similar.
 bool is_integer_matrix(std::string_view type) {
   return (type.starts_with("int") || type.starts_with("uint")) && type.size() > 5 &&
          type[type.size() - 2] == 'x';
@@ -72,7 +72,7 @@ struct Declared {
   std::string rows = "int4 rows[4]";  // the array in its stead
 };
 
-// `int4x4 name`, the first of those.
+// Finds the first `int4x4 name`.
 Declared declaration_of(const std::string& name, const std::string& text, const std::string& file) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
   for (std::size_t at = 1; at < tokens.size(); ++at) {

@@ -9,7 +9,7 @@
 
 namespace penumbra::shaders {
 
-// Those that remain in `optimised`; `text` and `file`: its source, for the locations.
+// Finds those that remain in `optimised`; `text` and `file` are its source, for the locations.
 std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// The operands of a reading instruction that may be textures and samplers.
+// Returns the operands of a reading instruction that may be textures and samplers.
 spirv::Words handles(spirv::Words instruction) {
   const spv::Op op = spirv::opcode(instruction);
   const bool reads = (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageQuerySamples) ||
@@ -65,8 +65,8 @@ class LostSearch final : public ModuleSearch {
            "separate function for each");
   }
 
-  std::map<std::uint32_t, std::string> kinds_;      // of types
-  std::map<std::uint32_t, std::string> undefined_;  // values
+  std::map<std::uint32_t, std::string> kinds_;      // kinds of types
+  std::map<std::uint32_t, std::string> undefined_;  // undefined values
 };
 
 }  // namespace

@@ -13,8 +13,8 @@
 
 namespace penumbra::shaders {
 
-// Each once; empty if every texture and sampler that is read is known. For modules after legalisation: before
-// that, resources may still be passed by value. Accepts malformed words.
+// Reports each once; empty if every texture and sampler that is read is known. It is for modules after
+// legalisation: before that, resources may still be passed by value. Accepts malformed words.
 std::vector<ModuleProblem> lost_resources(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

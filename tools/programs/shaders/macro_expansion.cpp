@@ -41,7 +41,7 @@ bool lacks_arguments(const LogLine& line) {
   return line.token == "macro expansion" && line.message.starts_with("Too few args");
 }
 
-// "2 compilation errors.  No code generated."
+// Returns whether the line is "2 compilation errors.  No code generated."
 bool is_count(const LogLine& line) {
   return line.file.empty() && line.message.ends_with("No code generated.");
 }
@@ -50,7 +50,7 @@ std::string last_word(const std::string& message) {
   return message.substr(message.rfind(' ') + 1);
 }
 
-// The rest of a log without these.
+// Returns the rest of a log without these.
 std::string without_redefinitions(const std::string& log) {
   std::string rest;
   std::istringstream lines(log);
@@ -59,10 +59,11 @@ std::string without_redefinitions(const std::string& log) {
   return rest;
 }
 
-using Place = std::pair<std::string, int>;                      // file and line
-using Definitions = std::map<std::string, std::vector<Place>>;  // of each macro, whatever the conditions
+using Place = std::pair<std::string, int>;  // file and line
+// Places of each macro, whatever the conditions.
+using Definitions = std::map<std::string, std::vector<Place>>;
 
-// One reading of the source by glslang's preprocessor.
+// A reading of the source by glslang's preprocessor.
 struct Reading {
   std::string text;
   std::vector<LogLine> errors;
@@ -88,7 +89,7 @@ class MacroExpansion {
   }
 
  private:
-  // Nothing if glslang's preprocessor has to read the source.
+  // Returns nothing if glslang's preprocessor has to read the source.
   std::optional<Reading> read_by_own() {
     const CompileRequest& request = source_.request;
     if (memory_.glslang_alone() || !request.prepare) return std::nullopt;
@@ -165,7 +166,8 @@ class MacroExpansion {
     return std::any_of(reading.errors.begin(), reading.errors.end(), lacks_arguments);
   }
 
-  // Records the definitions of the files read so far; true if the set of calls to rewrite has changed.
+  // Records the definitions of the files read so far; returns true if the set of calls to rewrite has
+  // changed.
   bool learn() {
     for (const std::string& name : out_.sources.names())
       if (known_.insert(name).second) arguments_.read(out_.sources.text(name));

@@ -45,7 +45,7 @@ class MatrixOperations final : public TreeRewrite {
   // An operand's rows before they are combined.
   struct Rows {
     std::vector<TIntermTyped*> rows;         // one for each row, or one scalar for all
-    std::vector<TIntermTyped*> assignments;  // that are evaluated first
+    std::vector<TIntermTyped*> assignments;  // assignments that are evaluated first
   };
 
   TIntermTyped* of_aggregate(TIntermAggregate& node) override {
@@ -81,7 +81,7 @@ class MatrixOperations final : public TreeRewrite {
     return combined(node, by_rows_operator(op), node.getLeft(), node.getRight());
   }
 
-  // m * n whose operand types were unknown to the preparation.
+  // Expands m * n whose operand types were unknown to the preparation.
   TIntermTyped* of_product(TIntermBinary& node) {
     const TType& left = node.getLeft()->getType();
     const TType& right = node.getRight()->getType();
@@ -102,7 +102,7 @@ class MatrixOperations final : public TreeRewrite {
                    });
   }
 
-  // m /= s  ->  m = m / s
+  // Expands m /= s to m = m / s.
   TIntermTyped* of_assignment(TIntermBinary& node, TOperator plain) {
     if (!may_be_repeated(node.getLeft()))
       return refuse(node,
@@ -128,7 +128,7 @@ class MatrixOperations final : public TreeRewrite {
         });
   }
 
-  // any(m)  ->  any(m[0]) || any(m[1])
+  // Expands any(m) to any(m[0]) || any(m[1]).
   TIntermTyped* of_condition(TIntermUnary& node) {
     Rows of = rows_of(node.getOperand(), false);
     TIntermTyped* all = nullptr;
@@ -180,7 +180,7 @@ class MatrixOperations final : public TreeRewrite {
     return made;
   }
 
-  // `beside_others`: whether evaluating another operand might change what this one names.
+  // `beside_others` says whether evaluating another operand might change what this one names.
   Rows rows_of(TIntermTyped* operand, bool beside_others) {
     Rows of;
     if (const glslang::TIntermConstantUnion* constant = operand->getAsConstantUnion()) {
@@ -235,7 +235,7 @@ class MatrixOperations final : public TreeRewrite {
     return all;
   }
 
-  // The operand's value in a variable of its own, assigned first.
+  // Puts the operand's value into a variable of its own, assigned first.
   TIntermTyped* in_variable(TIntermTyped* value, std::vector<TIntermTyped*>& assignments) {
     TType type;
     type.shallowCopy(value->getType());

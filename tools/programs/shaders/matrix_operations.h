@@ -18,7 +18,7 @@
 
 namespace penumbra::shaders {
 
-// The operations that it cannot expand, in order.
+// Returns the operations that it cannot expand, in order.
 std::vector<ModuleProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
 
 }  // namespace penumbra::shaders

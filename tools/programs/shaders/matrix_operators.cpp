@@ -28,8 +28,8 @@ bool is_comparison(TOperator op) {
   }
 }
 
-// Of a binary node, componentwise; the back end does + - * of float matrices itself, and m / s as m * (1 /
-// s).
+// A binary node is componentwise except where the back end does it: + - * of float matrices, and m / s as m *
+// (1 / s).
 bool is_componentwise(TOperator op, const TType& result) {
   switch (op) {
     case glslang::EOpDiv:

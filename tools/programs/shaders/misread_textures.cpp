@@ -52,7 +52,7 @@ class MisreadSearch final : public ModuleSearch {
     }
   }
 
-  // A value's type, and the variable from which it was loaded.
+  // Records a value's type, and the variable from which it was loaded.
   void remember(spv::Op op, spirv::Words instruction) {
     bool has_result = false;
     bool has_type = false;
@@ -67,7 +67,8 @@ class MisreadSearch final : public ModuleSearch {
     const auto given = vectors_.find(types_[coordinate]);
     if (given == vectors_.end()) return;
     std::uint32_t type = types_[image];
-    while (textures_.count(type) == 0 && sources_.count(image) != 0) {  // of a pair with its sampler
+    // The image may be a pair with its sampler.
+    while (textures_.count(type) == 0 && sources_.count(image) != 0) {
       image = sources_[image];
       type = types_[image];
     }
@@ -81,10 +82,10 @@ class MisreadSearch final : public ModuleSearch {
   }
 
   std::map<std::uint32_t, std::string> names_;
-  std::map<std::uint32_t, std::uint32_t> textures_;  // coordinates of each image type
-  std::map<std::uint32_t, std::uint32_t> vectors_;   // components of each vector type
-  std::map<std::uint32_t, std::uint32_t> types_;     // of values
-  std::map<std::uint32_t, std::uint32_t> sources_;   // values to their sources
+  std::map<std::uint32_t, std::uint32_t> textures_;  // number of coordinates of each image type
+  std::map<std::uint32_t, std::uint32_t> vectors_;   // number of components of each vector type
+  std::map<std::uint32_t, std::uint32_t> types_;     // types of values
+  std::map<std::uint32_t, std::uint32_t> sources_;   // sources of values
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace penumbra::shaders {
 
-// Each once, with the texture's name if the module has names. For modules after legalisation. Accepts
-// malformed words.
+// Reports each once, with the texture's name if the module has names. It is for modules after legalisation.
+// Accepts malformed words.
 std::vector<ModuleProblem> misread_textures(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

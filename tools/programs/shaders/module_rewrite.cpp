@@ -22,7 +22,7 @@ bool is_type(spv::Op op) {
   return op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer;
 }
 
-// Types that type() may be asked for.
+// Returns whether type() takes this kind of type: a module may have each of them once.
 bool is_there_once(spv::Op op) {
   return op == spv::OpTypeVoid || op == spv::OpTypeBool || op == spv::OpTypeInt || op == spv::OpTypeFloat ||
          op == spv::OpTypeVector || op == spv::OpTypePointer || op == spv::OpTypeFunction;

@@ -20,16 +20,16 @@ class ModuleRewrite {
 
   std::uint32_t new_id() { return next_++; }
 
-  // Copies an instruction unchanged; in the order of the module.
+  // Copies an instruction unchanged; called in the order of the module.
   void keep(spirv::Words instruction);
 
   // Appends an instruction; returns its result id, which is a new one unless one is given.
   std::uint32_t result(spv::Op op, std::uint32_t type, const Words& operands, std::uint32_t wanted = 0);
   void code(spv::Op op, const Words& operands);
 
-  // A type that must be unique: the existing one, or a new one.
+  // Returns a type that must be unique: the existing one, or a new one.
   std::uint32_t type(spv::Op op, const Words& operands);
-  // A type that need not be unique.
+  // Adds a type that need not be unique.
   std::uint32_t new_type(spv::Op op, const Words& operands);
   std::uint32_t uint_type();
   std::uint32_t uint_constant(std::uint32_t value);

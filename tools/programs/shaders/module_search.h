@@ -31,7 +31,7 @@ class ModuleSearch {
  protected:
   virtual void visit(spirv::Words instruction) = 0;
 
-  // For the current instruction.
+  // Reports a problem of the current instruction.
   void report(std::string message) {
     ModuleProblem problem{place_, std::move(message)};
     if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())

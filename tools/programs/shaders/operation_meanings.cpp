@@ -27,7 +27,7 @@ class OperationMeanings final : public TreeRewrite {
                                              glslang::TType(glslang::EbtUint, glslang::EvqConst, size));
   }
 
-  // A uint in HLSL, and an int in GLSL, where it is not converted implicitly.
+  // The sample number is a uint in HLSL, and an int in GLSL, where it is not converted implicitly.
   static TIntermTyped* with_int_sample(glslang::TIntermAggregate& node) {
     TIntermTyped* sample = node.getSequence()[1]->getAsTyped();
     if (sample->getBasicType() == glslang::EbtUint)

@@ -101,7 +101,7 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
     compile.defines.emplace_back(name, value);
   }
   for (const std::string& keyword : on) compile.defines.emplace_back(keyword, "1");
-  // Of Unity's APIs only OpenGL does not reverse depth. These programs run on Vulkan with both depth
+  // OpenGL alone among Unity's APIs does not reverse depth. These programs run on Vulkan with both depth
   // directions; Vulkan defines what OpenGL leaves undefined.
   if (platform.api == variants::GraphicsApi::glcore)
     compile.defines.emplace_back("PENUMBRA_RAW_DEPTH_READS", "1");

@@ -21,42 +21,44 @@ class PackageShader {
   // its interface are used.
   explicit PackageShader(const std::filesystem::path& file, std::vector<PackageRoot> package_roots = {});
 
-  // How to compile a stage of a pass. Keywords that the pass does not declare are off in it, as in Unity. The
-  // depth convention is Vulkan's if reversed, else OpenGL's. Throws InputError for an unknown pass.
+  // Returns the request that compiles a stage of a pass. Keywords that the pass does not declare are off in
+  // it, as in Unity. The depth convention is Vulkan's if reversed, else OpenGL's. Throws InputError for an
+  // unknown pass.
   CompileRequest request(const std::string& pass, hlsl::Stage stage, const std::vector<std::string>& keywords,
                          bool reversed_z) const;
 
-  // Its render state: shaderlab::render_commands().
+  // Returns the pass's render state: shaderlab::render_commands().
   std::vector<shaderlab::RenderCommand> render_commands(const std::string& pass) const;
 
   const std::string& name() const { return shader_->name.text; }
-  std::vector<std::string> pass_names() const;  // of the first SubShader
+  std::vector<std::string> pass_names() const;  // passes of the first SubShader
 
-  // The keywords that the pass declares, in order of declaration. Throws as request() does.
+  // Returns the keywords that the pass declares, in order of declaration. Throws as request() does.
   std::vector<std::string> declared(const std::string& pass, const std::vector<std::string>& keywords) const;
 
-  // The pass's variants, for every graphics API the same: each is a program of a vertex and a fragment stage.
+  // Counts the pass's variants, which are the same for every graphics API: each is a program of a vertex and
+  // a fragment stage.
   std::uint64_t variant_count(const std::string& pass) const;
 
  private:
   const shaderlab::Program& program(const std::string& pass) const;
 
   std::shared_ptr<const shaderlab::Shader> shader_;  // programs_ points into it
-  std::vector<shaderlab::Program> programs_;         // of the first SubShader
+  std::vector<shaderlab::Program> programs_;         // programs of the first SubShader
   std::vector<PackageRoot> package_roots_;
   bool prepare_;
 };
 
-// With this library, and stubs of URP's interface if there is no root for URP.
+// Adds this library, and stubs of URP's interface if there is no root for URP.
 std::vector<PackageRoot> with_stand_ins(std::vector<PackageRoot> package_roots);
 
-// How to compile a kernel of a .compute file with these roots. The depth convention is that of
-// PackageShader::request().
+// Returns the request that compiles a kernel of a .compute file with these roots. The depth convention is
+// that of PackageShader::request().
 CompileRequest kernel_request(const std::filesystem::path& file, const std::string& kernel,
                               const std::vector<std::string>& keywords, bool reversed_z,
                               std::vector<PackageRoot> package_roots = {});
 
-// The shipped shaders: the passes of a frame, and the debug views.
+// Returns the shipped shaders: the passes of a frame, and the debug views.
 std::filesystem::path package_shader_file();
 std::filesystem::path debug_shader_file();
 

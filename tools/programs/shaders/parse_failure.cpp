@@ -38,7 +38,7 @@ void step_back_to_directive(LogLine& line, const hlsl::SourceFiles& sources) {
   if (!is_there(line.line) && is_there(line.line - 1)) --line.line;
 }
 
-// The original text of #error: glslang's has a space between any two tokens.
+// Returns the original text of #error: glslang's has a space between any two tokens.
 std::string error_directive(const std::string& text) {
   const std::size_t word = text.find("error");
   const std::size_t start = word == std::string::npos ? word : text.find_first_not_of(" \t", word + 5);
@@ -69,7 +69,7 @@ hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
   return {line.file, line.line, column_of_directive(line, text), line.severity, message, text};
 }
 
-// Of the '"' that is not closed; 0 if every one is.
+// Returns the column of the '"' that is not closed; 0 if every one is.
 int column_of_open_quote(const std::string& text) {
   std::size_t open = std::string::npos;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -104,7 +104,7 @@ hlsl::Diagnostic at_place(const hlsl::TokenPlace& place, std::string message,
           std::move(message), sources.line(place.file, place.line)};
 }
 
-// The index of the token that the parser reported; nothing if it now reports another error.
+// Returns the index of the token that the parser reported; nothing if it now reports another error.
 std::optional<std::size_t> find_token(const ParseFailure& failure, const LogLine& error,
                                       const hlsl::TokenPlaces& places, const hlsl::SourceFiles& sources) {
   if (!failure.log_of || places.size() == 0) return std::nullopt;
@@ -128,14 +128,14 @@ Surroundings surroundings(const hlsl::TokenPlaces& places, std::size_t at) {
   return around;
 }
 
-// Of "1.5.5" the parser reads 1.5 and then .5: both together, or empty.
+// The parser reads "1.5.5" as 1.5 and then .5; this returns both together, or empty.
 std::string number_in_two(const hlsl::TokenPlaces& places, std::size_t at) {
   const bool numbers = at > 0 && places[at].kind == hlsl::Token::Kind::number &&
                        places[at - 1].kind == hlsl::Token::Kind::number;
   return numbers ? std::string(places[at - 1].spelling).append(places[at].spelling) : std::string();
 }
 
-// The '-' of "float name[-2]": the parser accepts it and then finds every index outside.
+// Returns the '-' of "float name[-2]": the parser accepts it and then finds every index outside.
 std::optional<std::size_t> negative_size(const hlsl::TokenPlaces& places, std::size_t index) {
   std::size_t bracket = index;
   while (bracket > 0 && places[bracket].spelling != "[") --bracket;
@@ -158,7 +158,7 @@ std::size_t start_of_call(const hlsl::TokenPlaces& places, std::size_t at) {
   return at;
 }
 
-// "Blend(float a, float b)" from its name on.
+// Returns "Blend(float a, float b)", from the function's name on.
 std::string signature(const hlsl::TokenPlaces& places, std::size_t name) {
   constexpr std::size_t longest = 160;
   std::string text;
@@ -275,7 +275,7 @@ PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& s
   const LogLine* error = first_error_line(lines);
   if (error != nullptr && failure.include_failure)
     return {of_include(*error, *failure.include_failure, sources), {}};
-  // Takes precedence over the parser's messages: a bracket or condition that a file leaves open.
+  // A bracket or condition that a file leaves open takes precedence over the parser's messages.
   if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
     return {of_open_place(*open, sources), {}};
   const bool placed = error != nullptr && error->line > 0;

@@ -1,6 +1,6 @@
 // Turns glslang's log into diagnostics. Internal to this folder.
 //
-// Of one parse, the first error is reported and the rest is dropped (error_recovery.h finds the others).
+// The first error of a parse is reported and the rest is dropped (error_recovery.h finds the others).
 // glslang's HLSL parser does not recover: after an error it abandons one production after the other, each
 // with its own message, most of them in the wrong file. All warnings are kept, once each. glslang reports
 // only lines; the column is found by parsing the expanded text again with one token per line
@@ -25,21 +25,22 @@ struct ParseFailure {
   std::string main_file;
   std::optional<std::string> include_failure;
   std::string preprocessed;  // glslang's own preprocessor output, may be empty
-  std::function<std::string(const std::string& text)> log_of;  // of the same shader with another text
-  const std::string* suggested = nullptr;  // the text whose names are suggested; null: `preprocessed`
+  // Returns the log of the same shader with another text.
+  std::function<std::string(const std::string& text)> log_of;
+  const std::string* suggested = nullptr;  // the text whose names are suggested; null means `preprocessed`
 };
 
 struct PlacedError {
   hlsl::Diagnostic diagnostic;
-  // Where in the preprocessed text the token begins at which the parser stopped; nothing if that is unknown,
-  // and if the error is elsewhere (a bracket that is never closed).
+  // The place in the preprocessed text at which the token begins where the parser stopped. It is empty if
+  // that is unknown, and if the error is elsewhere (a bracket that is never closed).
   std::optional<std::size_t> offset;
 };
 
 PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 
-// The entry point, and where it is named; line 0: nowhere.
+// The entry point, and the place that names it; line 0 means none.
 struct NamedEntry {
   const std::string& name;
   const hlsl::TokenPlace& place;

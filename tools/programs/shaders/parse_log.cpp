@@ -32,7 +32,7 @@ bool take_line_number(std::string_view& rest, int& line) {
   return true;
 }
 
-// The file name may contain colons and spaces: it is matched against the files of this compilation, longest
+// The file name may contain colons and spaces, so it is compared with the files of this compilation, longest
 // first.
 void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLine& out) {
   std::vector<std::string> names = sources.names();
@@ -47,7 +47,7 @@ void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLin
   }
 }
 
-// "'token' : message"; the token may contain quotes.
+// The form is "'token' : message"; the token may contain quotes.
 void take_token(std::string_view& rest, LogLine& out) {
   const std::size_t end = rest.find("' : ");
   if (rest.empty() || rest[0] != '\'' || end == std::string_view::npos) return;

@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// One line of the log: "ERROR: file:line: 'token' : message".
+// A line of the log: "ERROR: file:line: 'token' : message".
 struct LogLine {
   hlsl::Severity severity = hlsl::Severity::error;
   std::string file;
@@ -21,7 +21,7 @@ struct LogLine {
 
 std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources);
 
-// 1-based column of the token if it occurs exactly once in the line as a whole token, else 0.
+// Returns the 1-based column of the token if it occurs exactly once in the line as a whole token, else 0.
 int column_of(std::string_view token, std::string_view line);
 
 }  // namespace penumbra::shaders

@@ -83,7 +83,7 @@ constexpr std::array<Phrase, 45> phrases{{
     {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
-// Trimmed, without quotes around it.
+// Returns the text trimmed, without quotes around it.
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string_view::npos) return {};
@@ -92,7 +92,7 @@ std::string trimmed(std::string_view text) {
   return std::string(quoted ? text.substr(1, text.size() - 2) : text);
 }
 
-// " (can't read from writeonly object)" as ": can't read ..."; " 4" as it is.
+// Turns " (can't read from writeonly object)" into ": can't read ..."; " 4" stays as it is.
 std::string as_reason(const std::string& rest) {
   if (rest.size() > 2 && rest.front() == '(' && rest.back() == ')')
     return ": " + rest.substr(1, rest.size() - 2);
@@ -117,7 +117,7 @@ std::string fill(std::string_view words, const LogLine& line, std::string_view r
   return text;
 }
 
-// The grammar's name of the missing part; punctuation and keywords of HLSL are quoted.
+// Returns the grammar's name of the missing part; punctuation and keywords of HLSL are quoted.
 std::string in_words(const std::string& part) {
   static const std::map<std::string, std::string> words{
       {"declaration", "a declaration"},
@@ -161,7 +161,8 @@ std::string vector_or_matrix(const std::string& size, const std::string& kind, c
   return type + shape;
 }
 
-// Inside one quoted type: storage qualifiers are removed, "N-component vector of T" becomes TN.
+// Converts the inside of one quoted type: storage qualifiers are removed, "N-component vector of T" becomes
+// TN.
 std::string hlsl_type(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;

@@ -24,17 +24,17 @@ struct Surroundings {
 
 std::string sentence(const LogLine& line, const Surroundings& around);
 
-// "in 3-component vector of float" as "float3".
+// Turns "in 3-component vector of float" into "float3".
 std::string with_hlsl_types(const std::string& message);
 
-// "; did you mean 'x'?", from the identifiers in the text and HLSL's own, "; HLSL has 'x'" for a name of
-// GLSL, or empty.
+// Returns "; did you mean 'x'?", from the identifiers in the text and HLSL's own, "; HLSL has 'x'" for a name
+// of GLSL, or empty.
 std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text);
 
-// The same among the functions that the text defines.
+// Returns the same among the functions that the text defines.
 std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces& text);
 
-// The same among HLSL's texture and buffer methods.
+// Returns the same among HLSL's texture and buffer methods.
 std::string nearest_method(const std::string& unknown);
 
 bool is_intrinsic(const std::string& name);  // a function that HLSL itself has

@@ -60,11 +60,12 @@ constexpr std::pair<spvc_resource_type, DescriptorKind> descriptor_kinds[] = {
     {SPVC_RESOURCE_TYPE_SUBPASS_INPUT, DescriptorKind::input_attachment},
 };
 
-// More than any device supports: an array of that size is an error, or malicious.
+// No device supports so many: an array of that size is an error, or malicious.
 constexpr std::uint64_t most_elements = 1 << 20;
 constexpr std::uint64_t most_locations = 128;
 
-// Elements over all dimensions of an array; 1 for anything else and where a dimension has no literal size.
+// Returns the elements over all dimensions of an array; 1 for anything else and where a dimension has no
+// literal size.
 std::uint32_t element_count(const Reflected& variable, std::uint64_t most) {
   std::uint64_t count = 1;
   for (unsigned i = 0; i < spvc_type_get_num_array_dimensions(variable.type); ++i) {

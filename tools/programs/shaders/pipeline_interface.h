@@ -1,5 +1,5 @@
-// What a Vulkan pipeline must know about a module: descriptors, push constants, and the variables that are
-// passed between stages. For a host that creates pipelines from arbitrary shaders.
+// The facts that a Vulkan pipeline needs about a module: descriptors, push constants, and the variables that
+// are passed between stages. It is for a host that creates pipelines from arbitrary shaders.
 //
 // Based on the Vulkan specification, "Shader Interfaces": locations, components and descriptor types.
 #pragma once
@@ -32,7 +32,7 @@ struct Descriptor {
 
 enum class ScalarType { float32, int32, uint32 };
 
-// One location of a stage's inputs or outputs; matrices and arrays take several.
+// A location of a stage's inputs or outputs; matrices and arrays take several.
 struct StageLocation {
   std::uint32_t location = 0;
   std::uint32_t component = 0;   // first
@@ -42,14 +42,14 @@ struct StageLocation {
 
 struct PipelineInterface {
   std::vector<Descriptor> descriptors;
-  std::uint32_t push_constant_bytes = 0;  // from offset 0
-  std::vector<StageLocation> inputs;      // without built-ins; by location
+  std::uint32_t push_constant_bytes = 0;  // counted from offset 0
+  std::vector<StageLocation> inputs;      // without built-ins; sorted by location
   std::vector<StageLocation> outputs;
 };
 
-// The interface that the entry point can reach. Throws std::invalid_argument if the words are not a SPIR-V
-// module or have no such entry point, if an input or output has a type with other than 32 bits, and for
-// arrays larger than any device binds.
+// Returns the interface that the entry point can reach. Throws std::invalid_argument if the words are not a
+// SPIR-V module or have no such entry point, if an input or output has a type with other than 32 bits, and
+// for arrays larger than any device binds.
 PipelineInterface pipeline_interface(const std::vector<std::uint32_t>& spirv, const std::string& entry);
 
 }  // namespace penumbra::shaders

@@ -19,7 +19,7 @@ bool is_copy(std::string_view word) {
   return word.substr(0, 8) == "mp_copy_" || word.substr(0, 8) == "hp_copy_";
 }
 
-// ` = value` and not ` == value`.
+// Returns whether ` = value` follows, and not ` == value`.
 bool is_set_at(std::string_view text, std::size_t at) {
   return text.substr(at, 3) == " = ";
 }
@@ -34,7 +34,7 @@ bool is_relaxed_precision(spirv::Words words) {
 
 bool reads_lost_copy(std::string_view essl) {
   std::unordered_set<std::string_view> known;
-  std::vector<std::vector<std::string_view>> blocks(1);  // what each open block declares
+  std::vector<std::vector<std::string_view>> blocks(1);  // the declarations of each open block
   for (std::size_t at = 0; at < essl.size();) {
     if (essl[at] == '{') blocks.emplace_back();
     if (essl[at] == '}' && blocks.size() > 1) {

@@ -10,11 +10,11 @@
 
 namespace penumbra::shaders {
 
-// Whether the text reads a precision copy whose declaration is out of scope.
+// Returns whether the text reads a precision copy whose declaration is out of scope.
 bool reads_lost_copy(std::string_view essl);
 
-// Everything in full precision, which relaxed precision allows (SPIR-V specification, 3.20:
-// RelaxedPrecision).
+// Returns the module with everything in full precision, which relaxed precision allows (SPIR-V specification,
+// 3.20: RelaxedPrecision).
 SpirvModule without_relaxed_precision(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -1,6 +1,6 @@
-// Which of glslang's matrix products are operators. Its syntax tree has one kind of node for mul(m, n), the
-// product of linear algebra, and for m * n, which HLSL does element by element; their source locations
-// differ. Internal to this folder.
+// A record of glslang's matrix products that are operators. Its syntax tree has one kind of node for mul(m,
+// n), the product of linear algebra, and for m * n, which HLSL does element by element; their source
+// locations differ. Internal to this folder.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

@@ -66,7 +66,7 @@ UniformLeaf leaf_at(const SpirvCrossSession& session, const MemberPlace& place, 
   return leaf;
 }
 
-// False for arrays of arrays.
+// Returns false for arrays of arrays.
 bool add_leaves(const SpirvCrossSession& session, const MemberPlace& place,
                 std::vector<UniformLeaf>& leaves) {
   const spvc_compiler compiler = session.compiler();

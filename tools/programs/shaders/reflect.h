@@ -15,9 +15,9 @@ struct UniformLeaf {
   std::string path;          // the uniform's name with subscripts and fields: "_Lights[1].colour"
   std::uint32_t offset = 0;  // bytes in the block
   ScalarKind scalar = ScalarKind::float32;
-  std::uint32_t rows = 1;  // for a vector, its components
+  std::uint32_t rows = 1;  // for a vector, the number of its components
   std::uint32_t columns = 1;
-  std::uint32_t matrix_stride = 0;  // as in UniformMember, 0 if not a matrix
+  std::uint32_t matrix_stride = 0;  // see UniformMember; 0 if not a matrix
   bool row_major = false;
 };
 
@@ -28,9 +28,9 @@ struct UniformMember {
   std::uint32_t array_length = 0;  // 0 when not an array
   std::uint32_t array_stride = 0;
   std::uint32_t matrix_stride = 0;  // 0 when not a matrix
-  bool row_major = false;           // as SPIR-V decorates it
+  bool row_major = false;           // SPIR-V's decoration
   bool read = false;                // the module reads at least a part of it
-  // In declaration order, arrays element by element. Empty for arrays of arrays.
+  // The leaves are in declaration order, arrays element by element. They are empty for arrays of arrays.
   std::vector<UniformLeaf> leaves{};
 };
 
@@ -42,7 +42,7 @@ struct ImageType {
   bool cube = false;
   bool arrayed = false;
   bool multisampled = false;
-  ScalarKind texel = ScalarKind::float32;  // what a read returns components of
+  ScalarKind texel = ScalarKind::float32;  // type of the components that a read returns
 };
 
 struct Resource {

@@ -18,7 +18,7 @@ bool is_atomic(spv::Op op) {
   return op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
 }
 
-// The index of the pointer operand in an instruction that reads or writes memory; 0 for others.
+// Returns the index of the pointer operand in an instruction that reads or writes memory; 0 for others.
 std::size_t pointer_word(spv::Op op) {
   if (op == spv::OpStore || op == spv::OpAtomicStore) return 1;
   return is_atomic(op) || op == spv::OpLoad || op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain
@@ -42,7 +42,8 @@ class MemorySearch final : public ModuleSearch {
     if (makes_pointer && instruction.size() > 2) classes_[instruction[2]] = class_of(instruction[1]);
   }
 
-  // Buffers whose struct has members that may not be written, and the variables behind pointers into them.
+  // Records buffers whose struct has members that may not be written, and the variables behind pointers into
+  // them.
   void note_read_only(spv::Op op, spirv::Words instruction) {
     if (op == spv::OpMemberDecorate && instruction.size() > 3 && instruction[3] == spv::DecorationNonWritable)
       read_only_.insert(instruction[1]);
@@ -58,7 +59,7 @@ class MemorySearch final : public ModuleSearch {
       report("an Interlocked function changes a buffer that can only be read: declare it as an RW buffer");
   }
 
-  // Of a pointer's type, and of a pointer.
+  // Returns the storage class of a pointer's type, or of a pointer.
   std::uint32_t class_of(std::uint32_t id) const {
     const auto found = classes_.find(id);
     return found == classes_.end() ? std::uint32_t{spv::StorageClassMax} : found->second;
@@ -76,7 +77,7 @@ class MemorySearch final : public ModuleSearch {
 
   hlsl::Stage stage_;
   std::set<std::uint32_t> read_only_;               // structs, pointer types, variables and pointers
-  std::map<std::uint32_t, std::uint32_t> classes_;  // of storage, by pointer and type of pointers
+  std::map<std::uint32_t, std::uint32_t> classes_;  // storage class of each pointer and type of pointers
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace penumbra::shaders {
 namespace {
 
-// Empty for other operators.
+// Returns an empty name for other operators.
 std::string_view bit_operator(glslang::TOperator op) {
   switch (op) {
     case glslang::EOpAnd:
@@ -72,7 +72,7 @@ class Search final : public glslang::TIntermTraverser {
   std::vector<ModuleProblem> found;
 
  private:
-  // 0: not known.
+  // Returns 0 if it is not known.
   static int coordinates(const glslang::TSampler& type) {
     const int layer = type.isArrayed() ? 1 : 0;
     switch (type.dim) {

@@ -1,4 +1,4 @@
-// % and fmod, whose result has the sign of the dividend in HLSL: (-7) % 2 is -1. glslang emits the
+// The result of % and fmod has the sign of the dividend in HLSL: (-7) % 2 is -1. glslang emits the
 // instructions of GLSL's mod(), whose result has the sign of the divisor.
 #pragma once
 

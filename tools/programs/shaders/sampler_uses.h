@@ -1,5 +1,5 @@
-// Which samplers of a SPIR-V module are used for comparisons and which are not. glslang gives both kinds of
-// sampler one type, so it accepts a comparison sampler in a read without comparison; devices do not.
+// The samplers of a SPIR-V module that are used for comparisons, and those that are not. glslang gives both
+// kinds of sampler one type, so it accepts a comparison sampler in a read without comparison; devices do not.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 namespace penumbra::shaders {
 
 struct SamplerUse {
-  std::string sampler;  // as the shader declares it
+  std::string sampler;  // the name that the shader declares
   bool compares = false;
-  std::string opcode;  // for example "OpImageGather"
+  std::string opcode;  // the instruction, for example "OpImageGather"
   SourcePlace place;   // line 0 in a module without debug lines
 };
 
-// For a module that is legalised and optimised, in its order.
+// Returns the uses in a module that is legalised and optimised, in its order.
 std::vector<SamplerUse> sampler_uses(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -1,4 +1,4 @@
-// any(x) and all(x) of a scalar, which HLSL has
+// The functions any(x) and all(x) of a scalar, which HLSL has
 // (docs.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-any). glslang emits OpAny and OpAll for
 // them, which only accept vectors (SPIR-V specification 3.42.15); for a single bool the result is that bool.
 #pragma once

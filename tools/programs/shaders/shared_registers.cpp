@@ -48,7 +48,7 @@ class RegisterReader {
     return value;
   }
 
-  // `a : register(t0), b[2] : register(t1, space1)` from its first name to `end`.
+  // Reads `a : register(t0), b[2] : register(t1, space1)` from its first name to `end`.
   void read(std::size_t name, std::size_t end) {
     Placed placed{name, "", 0, 1};
     for (std::size_t at = name + 1; at < end; ++at) {
@@ -82,7 +82,7 @@ bool overlap(const Placed& a, const Placed& b) {
   return a.register_set == b.register_set && a.first < b.first + b.count && b.first < a.first + a.count;
 }
 
-// The names of a module's resources; of a block that of its type.
+// Returns the names of a module's resources; for a block that of its type.
 std::set<std::string> used_names(const SpirvModule& module) {
   std::map<std::uint32_t, std::string> names;
   std::map<std::uint32_t, std::uint32_t> pointed;  // by pointer type

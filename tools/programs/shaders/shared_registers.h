@@ -10,7 +10,8 @@
 
 namespace penumbra::shaders {
 
-// `optimised`: the module with the names of the resources that it still uses; `text` and `file`: its source.
+// `optimised` is the module with the names of the resources that it still uses; `text` and `file` are its
+// source.
 std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

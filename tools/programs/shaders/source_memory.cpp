@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-constexpr char separator = '\0';  // in no path
+constexpr char separator = '\0';  // a character that no path has
 
 }  // namespace
 
@@ -60,7 +60,7 @@ const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text) 
   return cut_text_;
 }
 
-// Only the includer's folder matters, and whether there is an includer.
+// The result depends only on the includer's folder, and on whether there is an includer.
 const project::IncludeSearch& SourceMemory::find(const project::IncludeRoots& roots,
                                                  const std::string& roots_key, std::string_view asked,
                                                  const std::string& includer) {

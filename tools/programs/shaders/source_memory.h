@@ -14,7 +14,7 @@
 
 namespace penumbra::shaders {
 
-// A source as the preprocessor reads it, and what decides whether it is read again.
+// A source as the preprocessor reads it, and the properties that decide whether it is read again.
 struct SourceToExpand {
   std::string text;
   bool once = false;                // preparation::PreparedSource
@@ -30,14 +30,14 @@ struct KnownSource {
 
 class SourceMemory {
  public:
-  // `glslang_alone`: only glslang's preprocessor is used, not the project's own.
+  // With `glslang_alone`, only glslang's preprocessor is used, not the project's own.
   explicit SourceMemory(bool glslang_alone = false) : glslang_alone_(glslang_alone) {}
 
   const KnownSource& read(const std::string& name);
-  const SourceToExpand& prepared(const std::string& name);  // for a file that can be read
+  const SourceToExpand& prepared(const std::string& name);  // only for a file that can be read
 
-  const preprocessing::CutSource& cut(const std::string& name);  // for the text of prepared()
-  // For another text. Valid until the next call.
+  const preprocessing::CutSource& cut(const std::string& name);  // only for the text of prepared()
+  // Cuts another text. The result is valid until the next call.
   const preprocessing::CutSource& cut_text(const std::string& text);
   preprocessing::Preprocessor& preprocessor() { return preprocessor_; }
   bool glslang_alone() const { return glslang_alone_; }
@@ -46,7 +46,7 @@ class SourceMemory {
   std::size_t left_to_glslang() const { return left_to_glslang_; }
   void count_left_to_glslang() { ++left_to_glslang_; }
 
-  // As project::find_include(). `roots_key` must differ for different roots.
+  // Returns the result of project::find_include(). `roots_key` must differ for different roots.
   const project::IncludeSearch& find(const project::IncludeRoots& roots, const std::string& roots_key,
                                      std::string_view asked, const std::string& includer);
 
@@ -70,7 +70,7 @@ class SourceMemory {
 
 SourceToExpand prepared_source(const std::string& text);
 
-// Different for different roots.
+// Returns a key that differs for different roots.
 std::string key_of(const project::IncludeRoots& roots);
 
 }  // namespace penumbra::shaders

@@ -9,7 +9,7 @@ namespace {
 // glslang defines this name for GLSL; in HLSL it is a name like any other, which shaders use for keywords.
 constexpr const char* forgotten = "#undef VULKAN\n";
 
-// The parser's log for another text in place of the source's.
+// Returns the parser's log for another text in place of the source's.
 std::string log_of(const Source& source, const std::string& text) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const Source instead{source.request, source.name, text, {}};

@@ -18,7 +18,7 @@ struct Source {
   std::string name;
   const std::string& text;
   std::string preamble;                    // #define lines before the text that do not count as lines
-  const std::string* suggested = nullptr;  // as in PreprocessedSource; null: the text
+  const std::string* suggested = nullptr;  // see PreprocessedSource; null means the text
 };
 
 EShLanguage language(hlsl::Stage stage);

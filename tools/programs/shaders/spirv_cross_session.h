@@ -36,7 +36,7 @@ class SpirvCrossModule {
   spvc_parsed_ir module_ = nullptr;
 };
 
-// One back end that processes it.
+// A back end that processes the module.
 class SpirvCrossSession {
  public:
   // Throws std::invalid_argument when the module is not one for this back end.

@@ -27,7 +27,7 @@ spv_target_env environment(VulkanVersion vulkan) {
   return SPV_ENV_VULKAN_1_1;
 }
 
-// "GroupNonUniform" for the capability of that number; empty for none.
+// Returns "GroupNonUniform" for the capability of that number; empty for none.
 std::string capability_name(std::uint32_t number) {
   const SpirvModule module{0x07230203, 0x00010600, 0, 1, 0, 0x00020011, number};
   std::string text;
@@ -53,7 +53,7 @@ spvtools::MessageConsumer collect_errors(std::vector<std::string>& problems) {
   };
 }
 
-// The first passes of RegisterLegalizationPasses().
+// These are the first passes of RegisterLegalizationPasses().
 void inline_all(spvtools::Optimizer& to) {
   to.RegisterPass(spvtools::CreateWrapOpKillPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
@@ -105,8 +105,8 @@ bool run_passes(SpirvModule& module, VulkanVersion vulkan, void (*passes)(spvtoo
   return optimizer.Run(module.data(), module.size(), &module, options);
 }
 
-// The number of the instruction (1 is the first after the header) for which SPIRV-Tools reports the first
-// problem.
+// Returns the number of the instruction (1 is the first after the header) for which SPIRV-Tools reports the
+// first problem.
 std::optional<std::size_t> problem_instruction(const SpirvModule& module, VulkanVersion vulkan) {
   std::optional<std::size_t> found;
   spvtools::SpirvTools tools(environment(vulkan));
@@ -129,7 +129,7 @@ SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) 
   return found;
 }
 
-// Of variables, with one number.
+// Visits the decorations of variables that have one number.
 template <typename Visit>
 void for_each_decoration(SpirvModule& module, spv::Decoration decoration, Visit visit) {
   spirv::for_each_instruction(module, [&](spirv::WrittenWords instruction) {

@@ -20,7 +20,7 @@ void number_bindings(SpirvModule& module);
 // Adds `by` to every descriptor set.
 void move_sets(SpirvModule& module, std::uint32_t by);
 
-// Legalises HLSL's resource parameters, inlines and optimises. False, with the reasons, if it failed.
+// Legalises HLSL's resource parameters, inlines and optimises. Returns false, with the reasons, if it failed.
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
               SpirvModule* legalised = nullptr);
 
@@ -29,19 +29,19 @@ bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string
 bool finish(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
             SpirvModule* legalised = nullptr);
 
-// The problems that SPIRV-Tools finds for that version; empty if valid. Before legalisation, resources may
-// still be passed by value, which is then not reported.
+// Returns the problems that SPIRV-Tools finds for that version; empty if valid. Before legalisation,
+// resources may still be passed by value, which is then not reported.
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
                                              bool before_legalisation);
 
 struct SourcePlace {
   std::string file;
-  int line = 0;  // 1-based; 0: nowhere
+  int line = 0;  // 1-based; 0 if unknown
 };
 
 // A construct in a module that HLSL does not allow.
 struct ModuleProblem {
-  SourcePlace place;  // for modules with debug lines
+  SourcePlace place;  // known in modules with debug lines
   std::string message;
 
   bool operator==(const ModuleProblem& other) const {
@@ -49,7 +49,7 @@ struct ModuleProblem {
   }
 };
 
-// The location of the first problem of an invalid module with debug lines.
+// Returns the location of the first problem of an invalid module with debug lines.
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);
 
 }  // namespace penumbra::shaders

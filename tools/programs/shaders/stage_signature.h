@@ -10,20 +10,20 @@
 
 namespace penumbra::shaders {
 
-// other: bool, and types that stages do not exchange.
+// `other` is bool, and types that stages do not exchange.
 enum class SignatureType { floating, signed_integer, unsigned_integer, other };
 
 struct SignatureElement {
   std::string semantic;  // in capitals, with its number: "TEXCOORD0"; "SV_POSITION" and others without one
   bool output = false;
-  bool per_patch = false;  // of a hull or domain program: not of a control point
-  int location = -1;       // in SPIR-V; -1: a built-in value
+  bool per_patch = false;  // for a hull or domain program: not of a control point
+  int location = -1;       // the location in SPIR-V; -1 for a built-in value
   SignatureType type = SignatureType::other;
-  int components = 0;   // of one semantic, 1 to 4; 0: unknown
+  int components = 0;   // components of one semantic, 1 to 4; 0 if unknown
   int count = 1;        // consecutive semantics: elements of an array, vectors of a matrix
-  bool read = false;    // inputs: by an instruction of the optimised program
-  std::string written;  // the semantic as the source has it
-  std::string file;     // where the source has the semantic; line 0: unknown
+  bool read = false;    // for inputs: an instruction of the optimised program reads it
+  std::string written;  // the semantic as written in the source
+  std::string file;     // the file that has the semantic; line 0 if unknown
   int line = 0;
 
   bool operator==(const SignatureElement&) const = default;

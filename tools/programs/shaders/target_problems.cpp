@@ -76,7 +76,7 @@ class DerivativeKinds final : public ModuleSearch {
   }
 };
 
-// The names of the uniform buffers that are arrays.
+// Collects the names of the uniform buffers that are arrays.
 class BufferArrays {
  public:
   std::set<std::string> run(const SpirvModule& module) {
@@ -116,7 +116,7 @@ class BufferArrays {
   std::set<std::string> found_;
 };
 
-// `> name[`, the first of those.
+// Finds the first `> name[`.
 SourcePlace declaration_of(const std::string& name, const std::string& text, const std::string& file) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
   for (std::size_t at = 1; at + 1 < tokens.size(); ++at)

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t lowest_offset = -8;
 constexpr std::int32_t highest_offset = 7;
 
-// The index of the image operands of an instruction with an offset in texels; 0: none.
+// Returns the index of the image operands of an instruction with an offset in texels; 0 for none.
 std::size_t image_operands(spv::Op op) {
   switch (op) {
     case spv::OpImageSampleImplicitLod:
@@ -55,7 +55,7 @@ class OffsetSearch final : public ModuleSearch {
     }
   }
 
-  // `operands`: the mask, then the operands of its bits from the lowest up; a gradient has two.
+  // `operands` are the mask, then the operands of its bits from the lowest up; a gradient has two.
   void offset(spirv::Words operands) {
     const std::uint32_t mask = operands[0];
     const std::uint32_t wanted = spv::ImageOperandsConstOffsetMask | spv::ImageOperandsOffsetMask;

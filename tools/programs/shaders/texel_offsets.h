@@ -12,7 +12,7 @@
 
 namespace penumbra::shaders {
 
-// Each once. For modules after legalisation. Accepts malformed words.
+// Reports each once. It is for modules after legalisation. Accepts malformed words.
 std::vector<ModuleProblem> refused_offsets(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

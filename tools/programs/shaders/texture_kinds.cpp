@@ -9,9 +9,9 @@
 namespace penumbra::shaders {
 namespace {
 
-// OpTypeImage result type dimension depth arrayed multisampled sampled...
+// The words are OpTypeImage result type dimension depth arrayed multisampled sampled...
 bool is_other_than_2d(spirv::Words image) {
-  constexpr std::uint32_t sampled = 1;  // not a storage image
+  constexpr std::uint32_t sampled = 1;  // a sampled image, not a storage image
   return image.size() > 7 && image[7] == sampled &&
          (static_cast<spv::Dim>(image[3]) != spv::Dim2D || image[5] != 0 || image[6] != 0);
 }
@@ -20,7 +20,7 @@ bool is_other_than_2d(spirv::Words image) {
 
 std::vector<std::string> textures_that_are_not_2d(const SpirvModule& module) {
   std::map<std::uint32_t, std::string> names;
-  std::set<std::uint32_t> types;  // of such images, and pointers to them
+  std::set<std::uint32_t> types;  // types of such images, and of pointers to them
   std::vector<std::string> textures;
   spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     const spv::Op op = spirv::opcode(instruction);

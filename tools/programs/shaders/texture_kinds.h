@@ -1,4 +1,4 @@
-// Which textures of a module are not plain 2D textures.
+// The textures of a module that are not plain 2D textures.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace penumbra::shaders {
 
-// The sampled textures of an optimised module that are cubes, arrays, multisampled, buffers or of another
-// number of dimensions.
+// Returns the sampled textures of an optimised module that are cubes, arrays, multisampled, buffers or of
+// another number of dimensions.
 std::vector<std::string> textures_that_are_not_2d(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

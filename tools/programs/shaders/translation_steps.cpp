@@ -14,7 +14,7 @@ class StepFinder {
  public:
   explicit StepFinder(const spirv::Code& code) : code_(code) {}
 
-  // From the last instruction, so that all uses of a result are known before it.
+  // The search runs from the last instruction, so that all uses of a result are known before it.
   std::set<Id> run() {
     const std::vector<Instruction>& all = code_.instructions();
     for (auto one = all.rbegin(); one != all.rend(); ++one) {
@@ -30,7 +30,7 @@ class StepFinder {
     switch (one.op) {
       case spv::OpSelect:
         return makes_mask(one);
-      case spv::OpINotEqual:  // of which no mask is made, else it is the program's
+      case spv::OpINotEqual:  // it is the program's own if no mask is made of it
         return is_constant(one.operands[1], 0) && !masked_.contains(one.result);
       case spv::OpIAdd:
       case spv::OpIMul:
@@ -57,7 +57,7 @@ class StepFinder {
     return is_constant(select.operands[1], 0xFFFFFFFFU) && is_constant(select.operands[2], 0);
   }
 
-  // Every component of a vector.
+  // Every component of a vector must have the value.
   bool is_constant(Id id, std::uint32_t value) const {
     const Instruction* definition = code_.definition(id);
     if (definition == nullptr) return false;
@@ -69,7 +69,7 @@ class StepFinder {
 
   const spirv::Code& code_;
   std::set<Id> steps_;
-  std::set<Id> masked_;            // conditions that are made masks
+  std::set<Id> masked_;            // conditions that become masks
   std::set<Id> addresses_, kept_;  // used in an address or a shift's number, and otherwise
 };
 

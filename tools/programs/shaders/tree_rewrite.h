@@ -15,7 +15,7 @@ class TreeRewrite {
   void run(glslang::TIntermediate& tree);
 
  protected:
-  // The node's replacement: itself if nothing changes.
+  // Each returns the node's replacement: the node itself if nothing changes.
   virtual glslang::TIntermTyped* of_aggregate(glslang::TIntermAggregate& node);
   virtual glslang::TIntermTyped* of_binary(glslang::TIntermBinary& node);
   virtual glslang::TIntermTyped* of_unary(glslang::TIntermUnary& node);

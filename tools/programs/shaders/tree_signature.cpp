@@ -54,7 +54,7 @@ SignatureType signature_type(glslang::TBasicType type) {
   }
 }
 
-// Locations of the input variables that an instruction of a function refers to.
+// Returns the locations of the input variables that an instruction of a function refers to.
 std::unordered_set<std::uint32_t> read_locations(std::span<const std::uint32_t> spirv) {
   std::unordered_map<std::uint32_t, std::uint32_t> located;  // ids
   std::unordered_set<std::uint32_t> inputs, read;

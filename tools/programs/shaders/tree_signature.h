@@ -12,7 +12,7 @@
 
 namespace penumbra::shaders {
 
-// Inputs and outputs in the order of their declaration, without their places.
+// Returns inputs and outputs in the order of their declaration, without their places.
 Signature tree_signature(const glslang::TIntermediate& tree, std::span<const std::uint32_t> spirv);
 
 // `places` are those of the same entry point.

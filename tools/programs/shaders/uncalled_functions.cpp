@@ -15,7 +15,7 @@ namespace {
 
 using Ids = std::unordered_set<std::uint32_t>;
 
-// Empty for malformed words.
+// Returns an empty list for malformed words.
 std::vector<spirv::Words> instructions(const SpirvModule& module) {
   std::vector<spirv::Words> found;
   const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) { found.push_back(words); });
@@ -42,7 +42,7 @@ Ids called_functions(const std::vector<spirv::Words>& all) {
   return called;
 }
 
-// The id that it defines; 0 when it defines none.
+// Returns the id that the instruction defines, or 0.
 std::uint32_t result(spirv::Words instruction) {
   bool has_result = false;
   bool has_type = false;

@@ -17,15 +17,15 @@ namespace penumbra::shaders {
 
 class VertexLayer {
  public:
-  // To be constructed before the module is compiled. Throws std::invalid_argument if the target cannot
+  // The object must be made before the module is compiled. Throws std::invalid_argument if the target cannot
   // express it.
   VertexLayer(const SpirvCrossSession& session, Target target);
 
-  // Adds to the emitted text what SPIRV-Cross could not write itself.
+  // Adds to the emitted text the parts that SPIRV-Cross could not write itself.
   std::string completed(std::string text) const;
 
  private:
-  std::string stand_in_;  // the semantic the layer is emitted with; empty: its own
+  std::string stand_in_;  // the semantic with which the layer is emitted; empty for its own
 };
 
 }  // namespace penumbra::shaders

@@ -13,8 +13,8 @@ namespace {
 struct Types {
   std::set<std::uint32_t> floats;
   std::map<std::uint32_t, std::uint32_t> vector_components;  // component's type by vector type
-  std::set<std::uint32_t> matrices;                          // of integers and bools
-  std::set<std::uint32_t> counts;                            // of their vectors
+  std::set<std::uint32_t> matrices;                          // matrices of integers and bools
+  std::set<std::uint32_t> counts;                            // counts of their vectors
   std::uint32_t unsigned_type = 0;
 };
 
@@ -34,7 +34,7 @@ Types read_types(const SpirvModule& module) {
 }
 
 bool lies_in_a_buffer(const SpirvModule& module, const Types& types) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> members;  // that are decorated as matrices
+  std::set<std::pair<std::uint32_t, std::uint32_t>> members;  // members that are decorated as matrices
   bool found = false;
   spirv::for_each_instruction(module, [&](spirv::Words words) {
     if (spirv::opcode(words) == spv::OpMemberDecorate && words[3] == spv::DecorationMatrixStride)

@@ -18,7 +18,7 @@ namespace penumbra::shaders {
 namespace {
 
 constexpr std::uint32_t register_words = 4;
-constexpr std::uint32_t most_words = 4096;  // of a value that is read or written whole
+constexpr std::uint32_t most_words = 4096;  // limit for a value that is read or written whole
 
 using Words = ModuleRewrite::Words;
 
@@ -26,7 +26,7 @@ bool is_chain(spirv::Words one) {
   return spirv::opcode(one) == spv::OpAccessChain || spirv::opcode(one) == spv::OpInBoundsAccessChain;
 }
 
-// Instructions that take a pointer, other than those that read and write.
+// Returns whether the instruction takes a pointer and is not one that reads and writes.
 bool passes_pointers(spv::Op op) {
   return (op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor) || op == spv::OpCopyMemory ||
          op == spv::OpCopyObject || op == spv::OpFunctionCall || op == spv::OpPhi || op == spv::OpSelect ||
@@ -54,7 +54,7 @@ class WordBlocks {
   }
 
  private:
-  // First pass: the blocks that do not fit.
+  // The first pass finds the blocks that do not fit.
   void find_block(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBlock)
@@ -84,7 +84,7 @@ class WordBlocks {
     places_[id] = {id, {structure, 0, 0, false}, 0, 1, {}};
   }
 
-  // Second pass: how the pointers into them are used.
+  // The second pass checks how the pointers into them are used.
   void check_use(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (is_chain(one)) {
@@ -109,7 +109,7 @@ class WordBlocks {
     places_[spirv::operand(chain, 2)] = std::move(place);
   }
 
-  // Third pass.
+  // The third pass rewrites the accesses.
   void rewrite(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (op == spv::OpName || op == spv::OpMemberName) return keep_name(one);
@@ -211,7 +211,7 @@ class WordBlocks {
     }
   }
 
-  // Elements of the array at a buffer's end.
+  // Returns the number of elements of the array at a buffer's end.
   void length(spirv::Words one) {
     BlockPlace array = places_.at(spirv::operand(one, 3));
     enter_part(array, types_, spirv::operand(one, 4));
@@ -243,7 +243,7 @@ class WordBlocks {
     name(block.structure, structure);
   }
 
-  // NonWritable and the like.
+  // Copies NonWritable and similar decorations.
   void copy_access(std::uint32_t from, std::uint32_t to) {
     spirv::for_each_instruction(module_, [&](spirv::Words one) {
       if (spirv::opcode(one) != spv::OpMemberDecorate || one.size() != 4 || one[1] != from || one[2] != 0)
@@ -270,10 +270,11 @@ class WordBlocks {
   bool refused_ = false;
   std::unordered_set<std::uint32_t> block_types_;
   std::unordered_set<std::uint32_t> buffer_types_;
-  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> pointers_;  // storage class, to
-  std::map<std::uint32_t, Block> blocks_;                                                // by variable
-  std::unordered_map<std::uint32_t, BlockPlace> places_;                                 // by pointer
-  std::unordered_map<std::uint32_t, Words> names_;  // of the blocks' structs
+  // Storage class and pointee of each pointer type.
+  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> pointers_;
+  std::map<std::uint32_t, Block> blocks_;                 // by variable
+  std::unordered_map<std::uint32_t, BlockPlace> places_;  // by pointer
+  std::unordered_map<std::uint32_t, Words> names_;        // names of the blocks' structs
 };
 
 }  // namespace

@@ -14,12 +14,13 @@
 
 namespace penumbra::shaders {
 
-// not_for_gl: blocks that are neither std140 nor, for storage buffers, std430. not_for_vulkan: uniform blocks
-// with a member in the padding of an array or struct before it, which is never valid SPIR-V.
+// not_for_gl means blocks that are neither std140 nor, for storage buffers, std430. not_for_vulkan means
+// uniform blocks with a member in the padding of an array or struct before it, which is never valid SPIR-V.
 enum class BlocksAsWords { not_for_gl, not_for_vulkan };
 
-// The module with those blocks as words. Nothing if there are none, or if one is used in a way that words do
-// not support: atomics on a member, numbers that do not have 32 bits. The module must be legalised.
+// Returns the module with those blocks as words, or nothing if there are none, or if one is used in a way
+// that words do not support: atomics on a member, numbers that do not have 32 bits. The module must be
+// legalised.
 std::optional<SpirvModule> with_word_blocks(const SpirvModule& module, BlocksAsWords which);
 
 }  // namespace penumbra::shaders

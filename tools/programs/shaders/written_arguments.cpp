@@ -35,7 +35,7 @@ bool is_value(glslang::TIntermTyped& argument) {
   return made != nullptr && is_arithmetic(made->getOp());
 }
 
-// An inout argument of another type, which HLSL converts in both directions and glslang only on input.
+// HLSL converts an inout argument of another type in both directions, glslang only on input.
 bool is_converted(glslang::TIntermTyped& argument) {
   const glslang::TIntermUnary* made = argument.getAsUnaryNode();
   return made != nullptr && made->getOperand()->getBasicType() != argument.getBasicType();

@@ -34,7 +34,7 @@ class Zeros {
   std::set<std::uint32_t> ids_;
 };
 
-// The words at which divisions by zero begin.
+// Returns the words at which divisions by zero begin.
 std::vector<std::size_t> zero_divisions(const SpirvModule& module) {
   std::vector<std::size_t> found;
   Zeros zeros;

@@ -58,9 +58,9 @@ class ZeroedStatics {
     return null;
   }
 
-  std::map<std::uint32_t, std::uint32_t> pointees_;  // of pointers to private variables
-  std::set<std::uint32_t> nullable_;                 // types
-  std::map<std::uint32_t, std::uint32_t> nulls_;     // by type
+  std::map<std::uint32_t, std::uint32_t> pointees_;  // types that pointers to private variables point to
+  std::set<std::uint32_t> nullable_;                 // nullable types
+  std::map<std::uint32_t, std::uint32_t> nulls_;     // null constants by type
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Static variables without an initialiser, which are zero in HLSL
+// Static variables without an initialiser are zero in HLSL
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-variable-syntax). glslang leaves them
 // undefined.
 #pragma once
