@@ -10,7 +10,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The numeric type of the cast, variable, member, element or function result that ends at a token.
+// Returns the numeric type of the cast, variable, member, element or function result that ends at a token.
 std::string_view type_ending_at(const TokenText& text, std::size_t at) {
   const std::string_view word = text[at].spelling;
   if (text.is_identifier(at) && is_number_type(word)) return word;

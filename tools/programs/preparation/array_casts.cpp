@@ -14,7 +14,7 @@ bool is_zero(const TokenText& text, std::size_t at) {
          text[at].spelling.find_first_not_of("0.fFhHuU") == std::string_view::npos;
 }
 
-// The '0' of `(type[2][3])0` if such a cast begins at this '('; else npos.
+// Returns the '0' of `(type[2][3])0` if such a cast begins at this '('; else npos.
 std::size_t cast_zero(const TokenText& text, std::size_t open) {
   if (!text.is(open, "(") || !text.is_identifier(open + 1) || !text.is(open + 2, "[")) return npos;
   std::size_t at = open + 2;

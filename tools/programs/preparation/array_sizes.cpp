@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t most_elements = 65536;  // FXC X3059
 
-// A literal: 1024, 0x400, 1024U.
+// The literal is 1024, 0x400 or 1024U.
 bool is_above(std::string_view literal, std::uint64_t most) {
   const bool hexadecimal = literal.starts_with("0x") || literal.starts_with("0X");
   if (hexadecimal) literal.remove_prefix(2);

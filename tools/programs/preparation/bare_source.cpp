@@ -72,7 +72,7 @@ class BareSource {
   // Skips at least one character, up to the next one of interest.
   std::size_t end_of_plain() const { return std::min(text_.find_first_of("\n\\/\"", at_ + 1), text_.size()); }
 
-  // Includes the lines that '\' joins to it.
+  // The comment includes the lines that '\' joins to it.
   void line_comment() {
     for (; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
       if (text_[at_] != '\\' || peek(1) != '\n') continue;
@@ -122,7 +122,7 @@ class BareSource {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  bool line_is_empty_ = true;  // so far
+  bool line_is_empty_ = true;  // the current line has no code so far
   bool in_directive_ = false;
   std::string out_;
 };

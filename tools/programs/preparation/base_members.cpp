@@ -15,7 +15,7 @@ namespace penumbra::preparation {
 namespace {
 
 constexpr std::size_t most_bases =
-    16;  // of one struct; each base's members are copied to all structs derived from it
+    16;  // limit for one struct; each base's members are copied to all structs derived from it
 
 class BaseMembers {
  public:
@@ -43,7 +43,7 @@ class BaseMembers {
     return types_.declarations()[type.declaration];
   }
 
-  // A struct that is declared earlier, as the language requires, which rules out cycles.
+  // The base is a struct that is declared earlier, as the language requires, which rules out cycles.
   const StructType* base_of(const StructType& type) const {
     const StructType* base = find(type.base);
     const bool before = base != nullptr && declaration(*base).last < declaration(type).first;
@@ -70,7 +70,7 @@ class BaseMembers {
     text_.insert(own.open + 1, inherited);
   }
 
-  // The contents of the braces, without functions that a derived struct redeclares.
+  // Returns the contents of the braces, without functions that a derived struct redeclares.
   std::string members(const StructType& base, const std::vector<const StructType*>& derived) const {
     const hlsl::Declaration& from = declaration(base);
     std::string copied;
@@ -98,7 +98,7 @@ class BaseMembers {
     return false;
   }
 
-  // (A)b, A a = b, a = b and f(b), found at the '(', the '=' or the name.
+  // Converts (A)b, A a = b, a = b and f(b), found at the '(', the '=' or the name.
   void convert(std::size_t at) {
     const bool cast = text_.is(at, "(") && text_.is(at + 2, ")") && find(text_[at + 1].spelling) != nullptr;
     if (cast && !text_.is_identifier(at - 1)) return convert_cast(at);
@@ -108,7 +108,7 @@ class BaseMembers {
       convert_arguments(at);
   }
 
-  // The left side of a '=', declared there or earlier.
+  // Returns the left side of a '=', declared there or earlier.
   const ValueType& assigned(std::size_t at) const {
     const std::size_t index = types_.named(at);
     const bool declared_here = index != npos && types_.declared()[index].name == at;
@@ -175,7 +175,8 @@ class BaseMembers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::map<std::pair<std::string_view, std::string_view>, std::string> functions_;  // by to, from
+  // By target and source type.
+  std::map<std::pair<std::string_view, std::string_view>, std::string> functions_;
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ class BoolSigns {
   }
 
  private:
-  // A '-' with no operand before it, and no part of --, -= or ->.
+  // Returns whether it is a '-' with no operand before it, and no part of --, -= or ->.
   bool is_sign(std::size_t at) const {
     if (!text_.is(at, "-") || text_.is(at + 1, "-") || text_.is(at - 1, "-")) return false;
     if (text_.is(at - 1, ")") || text_.is(at - 1, "]")) return false;
@@ -59,7 +59,7 @@ class BoolSigns {
     return bools.contains(type);
   }
 
-  // Whether the operator with the lowest precedence between the parentheses returns a bool.
+  // Returns whether the operator with the lowest precedence between the parentheses returns a bool.
   bool holds_bool(std::size_t first, std::size_t end) const {
     bool compares = false;
     for (std::size_t at = first; at < end; ++at) {

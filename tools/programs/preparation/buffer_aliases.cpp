@@ -17,7 +17,8 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-// `to` becomes an alias of `from`, both declared values: by an assignment, an initialiser or as an argument.
+// A declared value `to` that becomes an alias of the declared value `from`: by an assignment, an initialiser
+// or as an argument.
 struct Assignment {
   std::size_t to = npos;
   std::size_t from = npos;
@@ -68,14 +69,14 @@ class Aliases {
     return is_alias(declared(index)) && stands_for_[index] != npos && stands_for_[index] != several;
   }
 
-  // The whole buffer that the chain which ends here refers to; npos for everything else.
+  // Returns the whole buffer that the chain which ends here refers to; npos for everything else.
   std::size_t buffer_at(std::size_t last) const {
     if (last >= text_.size() || !text_.is_identifier(last) || types_.begin(last) == npos) return npos;
     const std::size_t index = types_.named(last);
     return index != npos && is_buffer(declared(index).type.name) ? index : npos;
   }
 
-  // `a.b = c;` and `T b = c;`, at the name before the '='.
+  // Finds `a.b = c;` and `T b = c;`, at the name before the '='.
   void find_assignment(std::size_t at) {
     if (!text_.is(at + 1, "=") || text_.is(at + 2, "=")) return;
     const std::size_t to = text_.is_identifier(at) ? types_.named(at) : npos;
@@ -229,10 +230,10 @@ class Aliases {
   TokenText& text_;
   const ValueTypes& types_;
   std::map<std::string_view, std::vector<const FunctionType*>> functions_;
-  std::set<std::string_view> inner_names_;  // of parameters and local variables
+  std::set<std::string_view> inner_names_;  // names of parameters and local variables
   std::vector<Assignment> assignments_;
   std::vector<TokenRange> gone_;         // assignments without their ';', and declarations
-  std::vector<std::size_t> stands_for_;  // of each declared value: a global buffer, npos, or `several`
+  std::vector<std::size_t> stands_for_;  // for each declared value: a global buffer, npos, or `several`
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> others_;
   std::map<std::size_t, std::size_t>
       first_uses_;               // for each buffer: the first place where its name was inserted

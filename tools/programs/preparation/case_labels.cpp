@@ -20,10 +20,10 @@ constexpr int deepest_constant = 200;
 
 struct OpenSwitch {
   std::size_t close = npos;
-  std::map<std::int64_t, std::size_t> labels;  // by value, those that are literals
+  std::map<std::int64_t, std::size_t> labels;  // labels that are literals, by value
 };
 
-// Of 12, 12u, 0xC.
+// Returns the integer of 12, 12u, 0xC.
 std::optional<std::int64_t> integer_of(std::string_view number) {
   const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
   const bool octal = !hexadecimal && number.size() > 1 && number[0] == '0';
@@ -76,7 +76,7 @@ class CaseLabels {
     text_.erase(at, end + 1 - at);
   }
 
-  // The ':' of the label, not one of `a ? b : c` or `A::b`.
+  // Returns the ':' of the label, not one of `a ? b : c` or `A::b`.
   std::size_t label_end(std::size_t at, std::size_t close) const {
     std::size_t choices = 0;
     for (; at < close && !text_.is(at, ";") && !text_.is(at, "{"); ++at) {
@@ -127,7 +127,7 @@ class CaseLabels {
     if (value.place == DeclaredValue::Place::global && !value.is_static) return true;
     if (const auto known = varying_.find(named); known != varying_.end()) return known->second;
     if (depth_ == deepest_constant) return false;
-    varying_[named] = false;  // while its own value is looked at
+    varying_[named] = false;  // while its own value is examined
     ++depth_;
     bool any = false;
     for (std::size_t part = value.end; part < value.last && !any; ++part) any = varies(part);
@@ -135,7 +135,7 @@ class CaseLabels {
     return varying_[named] = any;
   }
 
-  // The value of a literal, or of a constant initialised with one.
+  // Returns the value of a literal, or of a constant initialised with one.
   std::optional<std::int64_t> value_of(std::size_t first, std::size_t end) const {
     const bool negative = text_.is(first, "-");
     const std::size_t number = first + (negative ? 1 : 0);
@@ -172,8 +172,8 @@ class CaseLabels {
   std::vector<std::string_view> functions_;
   std::vector<OpenSwitch> open_;
   int unused_label_ = 2147480000;
-  std::map<std::size_t, bool> varying_;  // of declared values: whether it is no constant
-  int depth_ = 0;                        // of constants that are made of others
+  std::map<std::size_t, bool> varying_;  // for each declared value: true if it is no constant
+  int depth_ = 0;                        // depth in constants that are made of others
 };
 
 }  // namespace

@@ -12,20 +12,19 @@ namespace penumbra::preparation {
 
 inline constexpr std::size_t kRegister = 4;  // words
 
-// In words.
+// The sizes are in words.
 struct Extent {
   std::size_t size = 0;
-  bool of_registers = false;  // begins at a register: a matrix, an array or a struct
+  bool of_registers = false;  // begins at a register, as a matrix, an array or a struct does
 };
 
 // Places members one after the other.
 class Packing {
  public:
-  std::size_t place(const Extent& extent);  // the word it begins at
+  std::size_t place(const Extent& extent);  // returns the word at which it begins
   std::size_t size() const { return next_; }
-  bool in_tail() const {
-    return in_tail_;
-  }  // whether a member shares the last register of a matrix, array or struct
+  // Returns whether a member shares the last register of a matrix, array or struct.
+  bool in_tail() const { return in_tail_; }
 
  private:
   std::size_t next_ = 0;
@@ -37,11 +36,11 @@ class CbufferExtents {
  public:
   explicit CbufferExtents(const TokenText& text) : text_(text), types_(text.types()) {}
 
-  // Nothing for doubles, resources and array sizes that are not literals.
+  // Returns nothing for doubles, resources and array sizes that are not literals.
   std::optional<Extent> of(const DeclaredValue& value) { return of(value, 0); }
 
-  // The members of the structs so far that share the last register of the member before them: indices into
-  // ValueTypes::declared().
+  // Returns the members of the structs so far that share the last register of the member before them, as
+  // indices into ValueTypes::declared().
   const std::vector<std::size_t>& in_tails() const { return in_tails_; }
 
  private:

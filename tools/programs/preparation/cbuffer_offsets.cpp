@@ -27,7 +27,7 @@ class CbufferOffsets {
     for (std::size_t at = buffer.open; at < buffer.close; ++at)
       if (text_.is(at, ":") || text_.is(at, "=")) return;
     Packing packing;
-    std::vector<std::pair<std::size_t, std::size_t>> places;  // which packoffset to insert where
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // token and word of each packoffset to insert
     for (const DeclaredValue& value : types_.declared()) {
       if (value.name == npos || value.name < buffer.open || value.name > buffer.close) continue;
       if (value.place != DeclaredValue::Place::global || value.is_static) return;

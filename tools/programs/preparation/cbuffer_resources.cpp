@@ -34,7 +34,7 @@ class Hoist {
     if (members > 0 && moved == members) text_.erase(buffer.close, buffer.last - buffer.close + 1);
   }
 
-  // The whole statement, whatever it declares.
+  // The whole statement moves, whatever it declares.
   bool move(const DeclaredValue& value, const hlsl::Declaration& buffer) {
     if (!is_resource(value.type.name) && !value.is_static) return false;
     std::size_t end = value.last;
@@ -47,7 +47,7 @@ class Hoist {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::size_t next_ = 0;  // of the declared values: those before it stand before the buffer
+  std::size_t next_ = 0;  // index of the declared values: earlier ones stand before the buffer
 };
 
 }  // namespace

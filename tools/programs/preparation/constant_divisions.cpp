@@ -49,7 +49,7 @@ class ConstantDivisions {
       text_.note(at, hlsl::Severity::error, "an integer is divided by zero");
   }
 
-  // Whether a compiler reports a division in a branch that is not taken is unknown: these are skipped.
+  // It is unknown whether a compiler reports a division in a branch that is not taken, so these are skipped.
   bool is_conditional(std::size_t at) const {
     for (; at > 0 && !text_.is(at, ";") && !text_.is(at, "{") && !text_.is(at, "}"); --at)
       if (text_.is(at, "?") || text_.is(at, "if")) return true;
@@ -58,7 +58,7 @@ class ConstantDivisions {
 
   struct Constants {
     std::set<std::string_view> all;    // integers at file scope, static and const, of one literal
-    std::set<std::string_view> zeros;  // of these
+    std::set<std::string_view> zeros;  // those that are zero
   };
 
   const Constants& constants() {

@@ -21,8 +21,8 @@ struct Operand {
   std::size_t first = npos;
   std::size_t end = npos;
   bool constant = false;
-  bool fractional = false;  // a float is in it
-  bool vector = false;      // or a matrix
+  bool fractional = false;  // it contains a float
+  bool vector = false;      // it contains a vector or a matrix
   bool matrix = false;
 };
 
@@ -70,8 +70,8 @@ class ConstantOperands {
     return (mark == '=' || mark == '!') && text_.is(at + 1, "=") && adjacent(at);
   }
 
-  // Whether the left operand of a comparison or, with `factors`, of a % cannot extend to the left over this
-  // token.
+  // Returns whether the left operand of a comparison or, with `factors`, of a % cannot extend to the left
+  // over this token.
   bool ends_leftwards(std::size_t at, bool factors) const {
     const char mark = text_.lead(at);
     if (std::string_view("([{,;?:&|^=").find(mark) != std::string_view::npos) return true;
@@ -129,7 +129,8 @@ class ConstantOperands {
     return operand;
   }
 
-  // Numbers, constants, numeric types, functions that are not the text's, and what follows a '.'.
+  // Returns whether the token may belong to a constant: numbers, constants, numeric types, functions that are
+  // not the text's, and what follows a '.'.
   bool may_be_constant(std::size_t at) const {
     if (!text_.is_identifier(at)) return !text_.is(at, "{");
     if (text_.is(at - 1, ".") || is_number_type(word(at)) || word(at) == "true" || word(at) == "false")
@@ -204,7 +205,7 @@ class ConstantOperands {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;  // by identifier number: whether a function of the text has that name
+  std::vector<bool> functions_;  // for each identifier number: a function of the text has that name
   bool used_ = false;
 };
 

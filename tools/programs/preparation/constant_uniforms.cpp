@@ -47,7 +47,7 @@ class ConstantUniforms {
     }
   }
 
-  // In the array sizes after declared names.
+  // Writes the values in the array sizes after declared names.
   void write_sizes() {
     const ValueTypes& types = text_.types();
     for (const DeclaredValue& value : types.declared()) {

@@ -17,7 +17,7 @@ bool is_storage_modifier(std::string_view word) {
   return modifiers.contains(word);
 }
 
-// Over `<...>`; the index after it.
+// Skips `<...>`; returns the index after it.
 std::size_t skip_angles(const TokenText& text, std::size_t at, std::size_t last) {
   int depth = 0;
   for (; at < last; ++at) {
@@ -27,7 +27,7 @@ std::size_t skip_angles(const TokenText& text, std::size_t at, std::size_t last)
   return last;
 }
 
-// To the ',' or ';' that ends a declarator.
+// Skips to the ',' or ';' that ends a declarator.
 std::size_t skip_to_end(const TokenText& text, std::size_t at, std::size_t last) {
   while (at < last && !text.is(at, ","))
     at = text.matching_bracket(at) != npos && text.matching_bracket(at) > at ? text.matching_bracket(at) + 1

@@ -12,7 +12,7 @@
 namespace penumbra::preparation {
 
 struct Declarator {
-  std::string type;  // without storage classes and modifiers: "float4", "Texture2D<float4>"
+  std::string type;  // the type without storage classes and modifiers: "float4", "Texture2D<float4>"
   bool is_static = false;
   bool is_const = false;
   bool is_groupshared = false;
@@ -23,12 +23,12 @@ struct Declarator {
   std::size_t end = 0;              // the ',' or ';' after it
 };
 
-// The declarators of the declaration that begins at `first` (attributes skipped) and ends at the ';' at
-// `last`. Empty if the tokens are not such a declaration.
+// Returns the declarators of the declaration that begins at `first` (attributes skipped) and ends at the ';'
+// at `last`. The result is empty if the tokens are not such a declaration.
 std::vector<Declarator> declarators(const TokenText& text, std::size_t first, std::size_t last);
 
-// float, half3, min16float4x4, ...: a scalar, vector or matrix of numbers or bools, written as one
-// identifier.
+// Returns whether the word is float, half3, min16float4x4, ...: a scalar, vector or matrix of numbers or
+// bools, written as one identifier.
 bool is_number_type(std::string_view word);
 
 }  // namespace penumbra::preparation

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest_template = 12;  // tokens of Texture2DMS<float4, 4>, with room
 
-// From its name; the ',' ';' or end after it.
+// Reads a declarator from its name; returns the ',' ';' or end after it.
 std::size_t read_declarator(const TokenText& text, std::size_t at, std::size_t end, DeclaredValue value,
                             std::vector<DeclaredValue>& to) {
   const bool named = at < end && text.is_identifier(at);

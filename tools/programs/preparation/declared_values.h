@@ -11,7 +11,7 @@
 namespace penumbra::preparation {
 
 struct ValueType {
-  std::string_view name;     // of the type, without its template arguments; empty: unknown
+  std::string_view name;     // name of the type, without its template arguments; empty if unknown
   std::string_view element;  // the first template argument
   int dimensions = 0;        // array sizes that follow
   bool constant = false;     // declared const
@@ -22,7 +22,7 @@ struct DeclaredValue {
   enum class Place { global, member, parameter, local };
   Place place = Place::global;
   ValueType type;
-  bool is_static = false;  // of every declarator of the statement, as is_groupshared
+  bool is_static = false;  // for every declarator of the statement, like is_groupshared
   bool is_groupshared = false;
   std::size_t first = npos;     // including modifiers; npos for all but the first declarator of a statement
   std::size_t type_at = npos;   // the token of the type's name
@@ -45,18 +45,18 @@ struct DeclarationRange {
 std::size_t read_declaration(const TokenText& text, const DeclarationRange& range,
                              std::vector<DeclaredValue>& to);
 
-bool is_modifier(std::string_view word);  // const, static, in, row_major, ...
+bool is_modifier(std::string_view word);  // true for const, static, in, row_major, ...
 
-// Whether the modifier stands before the value's type. Declarators after a statement's first, and those
-// behind the body of a struct, have none of their own.
+// Returns whether the modifier stands before the value's type. Declarators after a statement's first, and
+// those behind the body of a struct, have none of their own.
 bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier);
 
-bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter);  // out or inout
+bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter);  // true for out and inout
 
-// One past the template arguments that open here, if a type can have them; else `at`.
+// Returns one past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
 
-// One past the bracket that matches the one at this token, or past this token.
+// Returns one past the bracket that matches the one at this token, or past this token.
 std::size_t after_brackets(const TokenText& text, std::size_t at);
 
 }  // namespace penumbra::preparation

@@ -24,12 +24,12 @@ struct Use {
   std::size_t first = npos;
   std::size_t name = npos;
   std::size_t last = npos;
-  std::size_t callee = npos;  // of the call of which it is a whole argument
-  int argument = 0;           // which one
+  std::size_t callee = npos;  // the call of which it is a whole argument
+  int argument = 0;           // number of that argument
   int arguments = 0;          // number of arguments
 };
 
-// One or several variables that are declared together.
+// A statement that declares one or several variables together.
 struct Statement {
   std::size_t first = npos;
   std::size_t last = npos;
@@ -167,7 +167,8 @@ class Separation {
 
   std::string sampler_name(std::string_view of) const { return text_.free_name("sampler" + std::string(of)); }
 
-  // `sampler2D a : register(s0), b[2];` -> `Texture2D a : register(t0), b[2]; SamplerState samplera : ...;`
+  // Rewrites `sampler2D a : register(s0), b[2];` to `Texture2D a : register(t0), b[2]; SamplerState samplera
+  // : ...;`.
   void declare(std::size_t index) {
     const DeclaredValue& value = declared()[index];
     if (value.type_at == npos) return;
@@ -211,7 +212,7 @@ class Separation {
     return annotation;
   }
 
-  // First and last token of statements with several variables, by the token of their common type.
+  // Finds the first and last token of statements with several variables, by the token of their common type.
   void find_statements() {
     for (const DeclaredValue& value : declared()) {
       if (value.type_at == npos) continue;
@@ -221,7 +222,7 @@ class Separation {
     }
   }
 
-  // The use that spans exactly [first, end).
+  // Returns the use that spans exactly [first, end).
   const Use* use_at(std::size_t first, std::size_t end) const {
     const auto found = std::lower_bound(uses_.begin(), uses_.end(), end,
                                         [](const Use& use, std::size_t at) { return use.last + 1 < at; });
@@ -229,7 +230,7 @@ class Separation {
     return whole && is_dx9(found->declared) ? &*found : nullptr;
   }
 
-  // The same chain, with the sampler's name.
+  // Returns the same chain, with the sampler's name.
   std::string sampler_of(const Use& use) const {
     return text_.spelled(use.first, use.name - use.first) + sampler_name(word(use.name)) +
            text_.spelled(use.name + 1, use.last - use.name);
@@ -258,7 +259,7 @@ class Separation {
     return true;
   }
 
-  // Whether the text itself defines a function of that name for such a sampler.
+  // Returns whether the text itself defines a function of that name for such a sampler.
   bool is_defined(const Use& use) const {
     const auto named = functions_.find(word(use.callee));
     if (named == functions_.end()) return false;
@@ -270,9 +271,9 @@ class Separation {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<std::string_view> dimensions_;  // of each declared value; empty: no such sampler
+  std::vector<std::string_view> dimensions_;  // for each declared value; empty if it is no such sampler
   std::vector<int> commas_;
-  std::vector<Use> uses_;  // in the order of the text
+  std::vector<Use> uses_;  // uses in the order of the text
   std::set<std::size_t> contradicted_;
   std::unordered_map<std::string_view, std::vector<const FunctionType*>> functions_;
   std::unordered_map<std::size_t, Statement> statements_;

@@ -9,7 +9,7 @@
 
 namespace penumbra::preparation {
 
-// In source order, without prototypes; valid as long as the text's declarations.
+// Returns them in source order, without prototypes; valid as long as the text's declarations.
 std::vector<const hlsl::Declaration*> entry_functions(const TokenText& text, const EntryPoint& entry);
 
 }  // namespace penumbra::preparation

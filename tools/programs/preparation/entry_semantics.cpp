@@ -23,7 +23,7 @@ struct Direction {
   bool out = false;
 };
 
-// `float2 uv[2] : TEXCOORD0`, of a parameter, a member or a return value.
+// A value such as `float2 uv[2] : TEXCOORD0`: a parameter, a member or a return value.
 struct Value {
   std::size_t type = npos;      // its type's first token
   std::size_t name = npos;      // the token for messages about it
@@ -54,7 +54,7 @@ bool is_numeric(std::string_view type) {
           (type.substr(digit).size() == 3 && type[digit + 1] == 'x'));
 }
 
-// 1 of TEXCOORD1; 0 without one.
+// Returns 1 for TEXCOORD1, and 0 without an index.
 std::string index_of(const std::string& semantic) {
   const std::string index = semantic.substr(semantic_key(semantic).size());
   return index.empty() ? "0" : index;
@@ -104,7 +104,7 @@ class EntrySemantics {
     return nullptr;
   }
 
-  // The next of these characters outside of brackets and angle brackets; `end` without one.
+  // Returns the next of these characters outside of brackets and angle brackets; `end` without one.
   std::size_t element_end(std::size_t at, std::size_t end, std::string_view mark) const {
     for (int angles = 0; at < end; ++at) {
       if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) &&
@@ -118,7 +118,7 @@ class EntrySemantics {
     return end;
   }
 
-  // The last of `: A : B`.
+  // Reads the last of `: A : B`.
   void read_semantic(std::size_t first, std::size_t end, Value& value) const {
     value.semantic = value.before = npos;
     bool has_other = false;  // a register, or nothing, which the parser reports
@@ -221,7 +221,7 @@ class EntrySemantics {
     }
   }
 
-  // One past a member function that begins here; npos for other members.
+  // Returns one past a member function that begins here; npos for other members.
   std::size_t behind_function(std::size_t first, std::size_t end) const {
     for (std::size_t at = first; at < end; ++at) {
       if (text_.is(at, ":") || text_.is(at, "=")) return npos;
@@ -235,7 +235,7 @@ class EntrySemantics {
     return npos;
   }
 
-  // `float a : A, b : B;`
+  // Checks `float a : A, b : B;`.
   void check_declarators(std::size_t first, std::size_t end, Direction direction, int depth) {
     std::size_t at = element_end(first, end, ",");
     std::optional<Value> member = value(first, at);
@@ -257,7 +257,7 @@ class EntrySemantics {
     tokens_.push_back(at);
   }
 
-  // Of a vector or scalar; nullptr for the semantics of other values.
+  // Returns the value if it is a vector or scalar; nullptr for the semantics of other values.
   const Value* inout_with(std::size_t semantic) const {
     const auto found = std::find_if(inouts_.begin(), inouts_.end(), [&](const Value& value) {
       return value.semantic == semantic && text_.is(value.name + 1, ":") && is_numeric(word(value.type));
@@ -265,7 +265,7 @@ class EntrySemantics {
     return found == inouts_.end() ? nullptr : &*found;
   }
 
-  // `inout float4 p : POSITION` becomes `in float4 p_in : POSITION, out float4 p : SV_Position`.
+  // Replaces `inout float4 p : POSITION` by `in float4 p_in : POSITION, out float4 p : SV_Position`.
   void take_apart(const Value& parameter, const std::string& output, std::size_t body) {
     std::size_t direction = parameter.type;
     while (!text_.is(direction, "inout")) --direction;
@@ -278,8 +278,8 @@ class EntrySemantics {
     text_.insert(body + 1, name + " = " + input + ";");
   }
 
-  // Names of Direct3D 9. One that is an input and an output of the program, in a struct of both, keeps its
-  // name.
+  // Replaces names of Direct3D 9. A name that is an input and an output of the program, in a struct of both,
+  // stays.
   void name_system_values(std::size_t body) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       SemanticPlace& place = places_[i];
@@ -310,7 +310,7 @@ class EntrySemantics {
       report(value.semantic, "'" + std::string(word(value.name)) + "' has two semantics, '" +
                                  std::string(word(value.before)) + "' and '" + semantic +
                                  "': write one of them");
-    // `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
+    // A parameter `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     for (const bool output : {false, true})
       if (output ? value.direction.out : value.direction.in) add_place(value.semantic, output);
@@ -340,7 +340,7 @@ class EntrySemantics {
   std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
   std::set<std::size_t> reported_;
   std::vector<SemanticPlace> places_;
-  std::vector<std::size_t> tokens_;  // of places_
+  std::vector<std::size_t> tokens_;  // tokens of places_
   std::vector<Value> inouts_;        // parameters
 };
 

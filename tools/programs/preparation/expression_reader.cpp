@@ -25,7 +25,7 @@ bool gives_scalar(std::string_view function) {
   return words.contains(function);
 }
 
-// Of each component of their arguments.
+// Returns whether the function works on each component of its arguments.
 bool is_componentwise(std::string_view function) {
   static constexpr hlsl::NameSet words(
       "abs", "acos", "asin", "atan", "atan2", "ceil", "clamp", "cos", "cosh", "ddx", "ddx_coarse", "ddx_fine",
@@ -174,7 +174,7 @@ NumberShape ExpressionReader::operator_shape(std::size_t op, const NumberShape& 
   }
 }
 
-// Signs and casts in front of a postfix expression.
+// Reads signs and casts in front of a postfix expression.
 ReadOperand ExpressionReader::term() {
   constexpr int deepest = 300;
   const std::size_t first = at_;
@@ -238,7 +238,7 @@ ReadOperand ExpressionReader::postfix() {
   return {first, at_, shape, true};
 }
 
-// The shape of the chain that ends with this token, by its declaration.
+// Returns the shape of the chain that ends with this token, by its declaration.
 NumberShape ExpressionReader::known_shape(std::size_t last) const {
   const ValueType& type = types_.at(last);
   return type.dimensions > 0 || type.name.empty() ? NumberShape{} : shape_of_type(type.name);

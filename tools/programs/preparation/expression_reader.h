@@ -1,5 +1,5 @@
-// Parses the expressions of a text and determines the shape of every subexpression by HLSL's rules: from what
-// value_types.h knows of names and chains, through operators, swizzles, casts, constructors and intrinsic
+// Parses the expressions of a text and determines the shape of every subexpression by HLSL's rules: from the
+// names and chains that value_types.h knows, through operators, swizzles, casts, constructors and intrinsic
 // functions. An uncertain shape is unknown instead of guessed. Internal to this folder.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace penumbra::preparation {
 
-// The tokens [first, end).
+// An operand with the tokens [first, end).
 struct ReadOperand {
   std::size_t first = npos;
   std::size_t end = npos;
@@ -19,7 +19,7 @@ struct ReadOperand {
   bool is_term = false;  // binds as tightly as a cast: no binary operator outside of parentheses
 };
 
-// Linear time. Expressions in more than a few hundred levels of parentheses are skipped.
+// Reading takes linear time. Expressions in more than a few hundred levels of parentheses are skipped.
 class ExpressionReader {
  public:
   explicit ExpressionReader(const TokenText& text);  // valid until its apply()
@@ -68,7 +68,7 @@ class ExpressionReader {
 
   const TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;  // by identifier number: whether a function of the text has that name
+  std::vector<bool> functions_;  // for each identifier number: a function of the text has that name
   std::size_t at_ = 0;
   int depth_ = 0;
   bool failed_ = false;  // there is no expression at at_

@@ -11,7 +11,8 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The sizes [2][3]; empty if one is not a literal. `at`: the first '['; advanced past the last ']'.
+// Returns the sizes [2][3]; empty if one is not a literal. `at` is the first '[' and advances past the last
+// ']'.
 std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {
   std::vector<std::size_t> list;
   for (; text.is(at, "["); at += 3) {
@@ -25,7 +26,7 @@ std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {
   return list;
 }
 
-// The first token of each element of the list between the braces; empty when one is itself a list.
+// Returns the first token of each element of the list between the braces; empty when one is itself a list.
 std::vector<std::size_t> elements(const TokenText& text, std::size_t open) {
   std::vector<std::size_t> firsts;
   bool at_start = true;
@@ -59,7 +60,7 @@ void group_flat_initialisers(TokenText& text) {
     if (dimensions.empty() || !text.is(at, "=") || !text.is(at + 1, "{") ||
         text.matching_bracket(at + 1) == npos)
       continue;
-    std::size_t run = components(text[type].spelling);  // of an element of the first dimension
+    std::size_t run = components(text[type].spelling);  // numbers of an element of the first dimension
     for (std::size_t i = 1; i < dimensions.size(); ++i) run *= dimensions[i];
     const std::vector<std::size_t> firsts = elements(text, at + 1);
     const bool deeper =

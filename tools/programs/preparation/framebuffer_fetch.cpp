@@ -23,7 +23,7 @@ std::optional<std::size_t> target_number(std::string_view digits) {
   return static_cast<std::size_t>(digits[0] - '0');
 }
 
-// The number of SV_Target, SV_TARGET0, ...
+// Returns the number of SV_Target, SV_TARGET0, ...
 std::optional<std::size_t> target_of_semantic(std::string_view word) {
   constexpr std::string_view semantic = "sv_target";
   std::string lower(word);
@@ -112,7 +112,7 @@ class FramebufferFetch {
     }
   }
 
-  // Names followed by '(' that are neither defined nor declared there.
+  // Returns the names followed by '(' that are neither defined nor declared there.
   const std::set<std::string_view>& called() {
     if (!called_.empty()) return called_;
     called_.insert({});  // found
@@ -129,8 +129,8 @@ class FramebufferFetch {
       if (text_.is(at, "inout") && parameter(function, at)) at = function.parameters_close;
   }
 
-  // Rewrites `inout half4 color : SV_Target1`, with the first one all of the function's; true if the function
-  // has been handled.
+  // Rewrites `inout half4 color : SV_Target1`, and with the first one all of the function's; returns true if
+  // the function has been handled.
   bool parameter(const hlsl::Declaration& function, std::size_t first) {
     const bool is_fetch = text_.is_identifier(first + 1) && text_.is_identifier(first + 2) &&
                           text_.is(first + 3, ":") && text_.is_identifier(first + 4) &&
@@ -153,9 +153,9 @@ class FramebufferFetch {
   TokenText& text_;
   const std::vector<hlsl::Declaration>& declarations_;
   std::map<std::string_view, InputKind> inputs_;  // by the name that reads them
-  std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of removed blocks
+  std::map<std::size_t, std::size_t> blocks_;     // the '{' and '}' of removed blocks
   std::set<std::string_view> called_;
-  std::set<std::string> declared_;  // of the attachments of inout parameters
+  std::set<std::string> declared_;  // names of the attachments of inout parameters
 };
 
 }  // namespace

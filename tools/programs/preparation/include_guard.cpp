@@ -34,7 +34,7 @@ class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) {}
 
-  // Nothing at the end. A '\' at its end continues the line.
+  // Returns nothing at the end. A '\' at its end continues the line.
   std::optional<Line> next() {
     if (text_.empty()) return std::nullopt;
     const std::size_t end = text_.find('\n');

@@ -10,10 +10,10 @@
 
 namespace penumbra::preparation {
 
-// The guard of a source without comments (bare_source.h); empty if there is none.
+// Returns the guard of a source without comments (bare_source.h); empty if there is none.
 std::string include_guard(std::string_view bare);
 
-// The macros that the source undefines anywhere, whatever the conditions.
+// Returns the macros that the source undefines anywhere, whatever the conditions.
 std::set<std::string> undefined_macros(std::string_view bare);
 
 }  // namespace penumbra::preparation

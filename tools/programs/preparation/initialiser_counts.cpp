@@ -16,7 +16,8 @@ std::string counted(std::size_t numbers) {
   return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers");
 }
 
-// The problem with a list for a value of `wanted` numbers; empty: none, or unknown.
+// Describes the problem with a list for a value of `wanted` numbers; empty if there is none, or it is
+// unknown.
 std::string problem_of(const std::vector<ListedValue>& values, std::size_t wanted) {
   std::size_t least = 0;
   bool all_known = true;
@@ -29,7 +30,7 @@ std::string problem_of(const std::vector<ListedValue>& values, std::size_t wante
          std::to_string(least);
 }
 
-// `float3(1, 2)`, `float4(0)`: fewer numbers than the type has. glslang itself reports too many.
+// Checks `float3(1, 2)`, `float4(0)`: fewer numbers than the type has. glslang itself reports too many.
 void check_constructor(TokenText& text, std::size_t type) {
   const std::size_t wanted = components(text[type].spelling);
   const std::size_t close = text.matching_bracket(type + 1);

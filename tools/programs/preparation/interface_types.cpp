@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The type of `float2 a[2] : A`, whose ':' stands at `colon`; npos of a later declarator.
+// Returns the type of `float2 a[2] : A`, whose ':' stands at `colon`; npos for a later declarator.
 std::size_t type_before(const TokenText& text, std::size_t colon) {
   std::size_t name = colon - 1;
   while (text.is(name, "]") && text.matching_bracket(name) != npos && text.matching_bracket(name) > 0)

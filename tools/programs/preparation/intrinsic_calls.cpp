@@ -19,13 +19,14 @@ void as_uint(TokenText& text, const ListElement& argument) {
   text.insert(argument.end, ")");
 }
 
-// buffer.InterlockedAdd(address, value[, original]); ...CompareExchange(address, compare, value, original).
+// The calls are buffer.InterlockedAdd(address, value[, original]); ...CompareExchange(address, compare,
+// value, original).
 void give_uint_values(TokenText& text, std::string_view name, const std::vector<ListElement>& given) {
   const std::size_t values = name.find("Compare") == std::string_view::npos ? 1 : 2;
   for (std::size_t i = 1; i <= values && i < given.size(); ++i) as_uint(text, given[i]);
 }
 
-// The statement's first token, for `InterlockedCompareStore(...);` and
+// Returns the statement's first token, for `InterlockedCompareStore(...);` and
 // `buffer.InterlockedCompareStore(...);`; npos where it is part of something else.
 std::size_t statement_of(const TokenText& text, std::size_t name, std::size_t close) {
   if (!text.is(close + 1, ";")) return npos;

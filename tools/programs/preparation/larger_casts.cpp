@@ -8,7 +8,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The last token of the chain that begins here: a name with its members, elements and arguments.
+// Returns the last token of the chain that begins here: a name with its members, elements and arguments.
 std::size_t chain_end(const TokenText& text, std::size_t at) {
   for (;;) {
     const bool bracket = text.is(at + 1, "[") || text.is(at + 1, "(");

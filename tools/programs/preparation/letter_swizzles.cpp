@@ -10,7 +10,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The members of numbers that are in `asked`.
+// Finds the members of numbers that are in `asked`.
 class MembersOfNumbers final : public ExpressionReader {
  public:
   MembersOfNumbers(const TokenText& text, const std::set<std::size_t>& asked)
@@ -31,8 +31,8 @@ bool is_of_textures(std::string_view word) {
   return word.size() <= 4 && word.find_first_not_of("stpq") == std::string_view::npos;
 }
 
-// The identifiers of these letters after a '.'. `declared`: those that occur elsewhere, and so may be
-// members.
+// Returns the identifiers of these letters after a '.'. `declared` has those that occur elsewhere, and so may
+// be members.
 std::set<std::size_t> candidates(const TokenText& text, std::set<std::string_view>& declared) {
   std::set<std::size_t> found;
   for (std::size_t at = 1; at < text.size(); ++at) {

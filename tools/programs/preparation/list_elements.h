@@ -9,13 +9,14 @@
 
 namespace penumbra::preparation {
 
-// The tokens [first, end).
+// An element with the tokens [first, end).
 struct ListElement {
   std::size_t first;
   std::size_t end;
 };
 
-// The elements between the bracket at `open`, which must have a match, and its match. Empty ones are skipped.
+// Returns the elements between the bracket at `open`, which must have a match, and its match. Empty ones are
+// skipped.
 std::vector<ListElement> list_elements(const TokenText& text, std::size_t open);
 
 }  // namespace penumbra::preparation

@@ -12,7 +12,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Of the chain that ends here.
+// Returns the numbers in the chain that ends here.
 std::size_t numbers_in(const TokenText& text, std::size_t last) {
   const ValueType& type = text.types().at(last);
   if (type.dimensions > 0) return 0;
@@ -23,7 +23,7 @@ std::size_t numbers_in(const TokenText& text, std::size_t last) {
   return shape ? shape->numbers : 0;
 }
 
-// `.xyz` of a vector.
+// Returns whether it is `.xyz` of a vector.
 bool is_swizzle(const TokenText& text, std::size_t first, std::size_t last) {
   if (last < first + 2 || !text.is(last - 1, ".")) return false;
   const bool letters = text[last].spelling.size() <= 4 &&

@@ -27,15 +27,15 @@ class LoopVariables {
   }
 
  private:
-  // One whose variable is read after it.
+  // A loop whose variable is read after it.
   struct Loop {
     std::size_t place;  // the token before which the declaration is inserted
-    std::size_t first;  // of the declaration
+    std::size_t first;  // first token of the declaration
     std::size_t semicolon;
     std::size_t end;  // its last token
   };
 
-  // Finds the last use of each declared value. False if there is no local variable.
+  // Finds the last use of each declared value. Returns false if there is no local variable.
   bool find_uses() {
     last_use_.assign(types_.declared().size(), 0);
     for (std::size_t at = 0; at < text_.size(); ++at)
@@ -67,7 +67,7 @@ class LoopVariables {
 
   std::string new_name(std::size_t variable) const {
     const std::size_t name = types_.declared()[variable].name;
-    // Unique among all loops: the token's index is part of it.
+    // The name is unique among all loops: the token's index is part of it.
     return text_.free_name(std::string(text_[name].spelling) + "_of_loop" + std::to_string(name));
   }
 
@@ -92,7 +92,7 @@ class LoopVariables {
     }
   }
 
-  // Whether the loop stands in the scope of another variable of that name.
+  // Returns whether the loop stands in the scope of another variable of that name.
   bool hides_another(std::size_t variable) const {
     const DeclaredValue& own = types_.declared()[variable];
     const std::uint32_t name = text_.identifier_number(own.name);
@@ -121,7 +121,7 @@ class LoopVariables {
             "rename the loop's variable");
   }
 
-  // One past the statement that begins here.
+  // Returns one past the statement that begins here.
   std::size_t statement_end(std::size_t at) const {
     while (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at) + 1;
     if (text_.is(at, "{"))
@@ -148,8 +148,8 @@ class LoopVariables {
   TokenText& text_;
   const ValueTypes& types_;
   std::vector<std::size_t> last_use_;
-  std::vector<Loop> loops_;                               // in the order of the text
-  std::unordered_map<std::size_t, std::size_t> loop_of_;  // by a declared value: index into loops_
+  std::vector<Loop> loops_;                               // loops in the order of the text
+  std::unordered_map<std::size_t, std::size_t> loop_of_;  // for a declared value: index into loops_
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ struct Call {
   std::size_t arguments = 1;
 };
 
-// For each '(' of the text the call that it would open; `close` is 0 if it is not closed within its region.
+// Returns for each '(' of the text the call that it would open; `close` is 0 if it is not closed within its
+// region.
 std::vector<Call> read_calls(const std::vector<MacroToken>& tokens) {
   std::vector<Call> calls(tokens.size());
   std::vector<std::size_t> open;
@@ -60,7 +61,7 @@ void MacroArguments::read(const std::string& text) {
   }
 }
 
-// Each macro, then its aliases, their aliases, and so on.
+// Each macro is followed by its aliases, their aliases, and so on.
 bool MacroArguments::settle() {
   std::map<std::string, std::size_t> names;
   for (const std::string& macro : spread_) {

@@ -25,16 +25,16 @@ class MacroArguments {
   void read(const std::string& text);
   // The macro was called with too few arguments.
   void spread(const std::string& macro) { spread_.insert(macro); }
-  // To be called after either: finds the calls to rewrite. False if they are the same as before.
+  // Called after either: finds the calls to rewrite. Returns false if they are the same as before.
   bool settle();
 
-  // The names whose calls are rewritten, each with its largest number of parameters.
+  // Returns the names whose calls are rewritten, each with its largest number of parameters.
   const std::map<std::string, std::size_t>& names() const { return names_; }
-  std::string definitions() const;  // to be put before any text
+  std::string definitions() const;  // text to put before any other
   std::string rewritten(const std::string& text) const;
 
  private:
-  std::map<std::string, std::size_t> parameters_;         // of function-like macros
+  std::map<std::string, std::size_t> parameters_;         // function-like macros
   std::map<std::string, std::set<std::string>> aliases_;  // the aliases of a name
   std::set<std::string> spread_;
   std::map<std::string, std::size_t> names_;

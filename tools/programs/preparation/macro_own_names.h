@@ -12,7 +12,7 @@
 
 namespace penumbra::preparation {
 
-std::string with_own_names_marked(std::string text);  // for a source, before preprocessing
-std::string without_marks(std::string text);          // for the preprocessor's output
+std::string with_own_names_marked(std::string text);  // called for a source, before preprocessing
+std::string without_marks(std::string text);          // called for the preprocessor's output
 
 }  // namespace penumbra::preparation

@@ -36,7 +36,7 @@ class MacroScan {
     line_is_empty_ = true;
   }
 
-  // Skips white space, comments and joined lines; true if there was any.
+  // Skips white space, comments and joined lines; returns true if there was any.
   bool gap() {
     if (is_white_space(peek())) {
       ++at_;
@@ -86,7 +86,7 @@ class MacroScan {
     out_.tokens.push_back({begin, std::string_view(text_).substr(begin, at_ - begin), region_});
   }
 
-  // One step outside of directives.
+  // Makes one step outside of directives.
   void step() {
     if (peek() == '\n') return newline();
     if (gap()) return;

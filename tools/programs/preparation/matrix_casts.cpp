@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// "float" of float4x4; empty for other identifiers and for integer matrices.
+// Returns "float" for float4x4; empty for other identifiers and for integer matrices.
 std::string_view scalar_of_matrix(std::string_view word) {
   if (word.size() < 7 || word[word.size() - 2] != 'x') return {};  // nearly all identifiers
   for (const std::string_view scalar :
@@ -32,8 +32,8 @@ bool is_whole_scalar(std::string_view type) {
   return type == "int" || type == "uint" || type == "bool" || type == "dword";
 }
 
-// The token after the integer literal with its sign, or the name of an integer, that begins here; npos for
-// anything else.
+// Returns the token after the integer literal with its sign, or the name of an integer, that begins here;
+// npos for anything else.
 std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
   while (text.is(at, "-") || text.is(at, "+")) ++at;
   if (at >= text.size()) return npos;

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::string_view product_function = "penumbra_times";
 
-// Text inserted around the tokens [first, end); such ranges may be nested.
+// A text that is inserted around the tokens [first, end); such ranges may be nested.
 struct Wrap {
   std::size_t first;
   std::size_t end;
   std::string before;
-  bool closed;  // by a ')'
+  bool closed;  // true if a ')' closes it
 };
 
 class MatrixOperators final : public ExpressionReader {
@@ -50,7 +50,7 @@ class MatrixOperators final : public ExpressionReader {
     cast_the_larger(left, right);
   }
 
-  // m *= n;  ->  m = penumbra_times(m, n);
+  // Replaces m *= n; by m = penumbra_times(m, n);
   void read_assignment(const ReadOperand& left, std::size_t op, const ReadOperand& right) override {
     if (!text_.is(op, "*") || !left.shape.is_matrix() || right.shape.is_scalar()) return;
     if (right.shape.is_vector()) return refuse(op);
@@ -83,8 +83,8 @@ class MatrixOperators final : public ExpressionReader {
     wraps_.push_back({operand.first, operand.end, operand.is_term ? type : type + "(", !operand.is_term});
   }
 
-  // Outer ones first. Of two around the same tokens the later one is the outer one, because inner operators
-  // are read first.
+  // Outer wraps come first. Of two around the same tokens the later one is the outer one, because inner
+  // operators are read first.
   void insert_wraps() {
     std::vector<std::size_t> order(wraps_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -101,7 +101,7 @@ class MatrixOperators final : public ExpressionReader {
     if (operand.shape.is_matrix()) shapes_[type_of_shape(operand.shape)] = operand.shape;
   }
 
-  // Row by row, and by a scalar on either side.
+  // The functions multiply row by row, and by a scalar on either side.
   static std::string definitions(const NumberShape& shape) {
     const std::string type = type_of_shape(shape);
     const std::string scalar = type_of_shape({shape.base});
@@ -118,7 +118,7 @@ class MatrixOperators final : public ExpressionReader {
 
   TokenText& text_;
   std::vector<Wrap> wraps_;
-  std::map<std::string, NumberShape> shapes_;  // of the matrices that are multiplied, by their types
+  std::map<std::string, NumberShape> shapes_;  // shapes of the multiplied matrices, by their types
 };
 
 }  // namespace

@@ -35,8 +35,8 @@ class MatrixPacking {
     return text_.is(at, kPackedByRows) || text_.is(at, kPackedByColumns) || text_.is(at, kPackedOtherwise);
   }
 
-  // Removes the pragmas, with those that are for FXC alone; true if there were any about packing. For each
-  // remaining token, records the last pragma before it.
+  // Removes the pragmas, with those that are for FXC alone; returns true if there were any about packing. For
+  // each remaining token, records the last pragma before it.
   bool take_markers_out() {
     bool rows = false;
     bool found = false;
@@ -95,7 +95,7 @@ class MatrixPacking {
   }
 
   TokenText& text_;
-  std::vector<bool> by_rows_;  // by token: whether the last pragma before it is row_major
+  std::vector<bool> by_rows_;  // for each token: the last pragma before it is row_major
 };
 
 }  // namespace

@@ -20,8 +20,8 @@ struct Element {
   int column;
 };
 
-// The elements of "_m03_m13" (from 0) or "_14_24" (from 1); fewer than two if the identifier is not such a
-// swizzle.
+// Returns the elements of "_m03_m13" (from 0) or "_14_24" (from 1); fewer than two if the identifier is not
+// such a swizzle.
 std::vector<Element> swizzle(std::string_view word) {
   std::vector<Element> elements;
   const bool from_zero = word.size() > 1 && word[1] == 'm';
@@ -47,8 +47,8 @@ std::string swizzle_function(std::string_view word) {
   return "penumbra_swizzle" + std::string(word);
 }
 
-// One overload for every shape of matrix that has all the elements. Integer matrices are rare, but conversion
-// to a float matrix would lose precision: they have overloads, too.
+// There is one overload for every shape of matrix that has all the elements. Integer matrices are rare, but
+// conversion to a float matrix would lose precision: they have overloads, too.
 std::string function_definitions(std::string_view word) {
   const std::vector<Element> elements = swizzle(word);
   int rows = 1;
@@ -74,7 +74,7 @@ std::string function_definitions(std::string_view word) {
   return text;
 }
 
-// Names of struct members, which look like swizzles where they are used.
+// Returns names of struct members, which look like swizzles where they are used.
 std::unordered_set<std::string_view> member_names(const TokenText& text) {
   std::unordered_set<std::string_view> names;
   for (const hlsl::Declaration& declaration : text.declarations()) {
@@ -121,7 +121,7 @@ class Swizzles {
     text_.replace(dot, 2, ")");
   }
 
-  // m._11_22 += v;  becomes  { float2 penumbra_right = (float2)(v); m[0][0] += penumbra_right[0]; ... }
+  // Turns m._11_22 += v; into { float2 penumbra_right = (float2)(v); m[0][0] += penumbra_right[0]; ... }
   void assign(std::size_t begin, std::size_t dot) {
     const std::size_t operation = dot + 2;
     const std::size_t length = assignment_length(text_, operation);

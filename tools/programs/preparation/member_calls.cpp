@@ -86,7 +86,7 @@ class MemberCalls {
                        [&](std::size_t index) { return types_.declared()[index].name != npos; });
   }
 
-  // For all member functions: overload resolution is the compiler's.
+  // Defines functions for all member functions: the compiler resolves overloads.
   void define(std::string_view type, Receiver receiver) {
     const StructType& known = types_.structs().find(type)->second;
     std::string functions;

@@ -50,7 +50,7 @@ class MethodBodies {
     return text;
   }
 
-  // `S::f(...) {`
+  // Records `S::f(...) {`.
   void note_definition(const hlsl::Declaration& function) {
     const std::size_t name = function.name;
     if (name < 3 || !text_.is(name - 1, ":") || !text_.is(name - 2, ":") || !text_.is_identifier(name - 3))
@@ -60,7 +60,7 @@ class MethodBodies {
 
   void fill(const hlsl::Declaration& structure) {
     std::vector<Prototype> prototypes;
-    std::set<std::string> bodies;  // in the struct itself, by signature
+    std::set<std::string> bodies;  // bodies in the struct itself, by signature
     for (std::size_t at = structure.open + 1; at < structure.close; at = after_brackets(text_, at)) {
       if (!text_.is(at, "(") || !text_.is_identifier(at - 1) || text_.matching_bracket(at) == npos) continue;
       std::size_t end = text_.matching_bracket(at) + 1;
@@ -92,7 +92,7 @@ class MethodBodies {
     found->second.push_back(nullptr);  // used
   }
 
-  // The numeric variable that this identifier names, if it is declared after the struct.
+  // Moves the numeric variable that this identifier names, if it is declared after the struct.
   void bring(const hlsl::Declaration& structure, std::size_t word) {
     const auto known = variables_.find(structure.scope + std::string(text_[word].spelling));
     if (known == variables_.end() || known->second->first < structure.close) return;
@@ -104,7 +104,7 @@ class MethodBodies {
     variables_.erase(known);
   }
 
-  // HLSL accepts one that nothing calls.
+  // HLSL accepts a prototype that nothing calls.
   bool is_called(std::size_t prototype) const {
     for (std::size_t at = 0; at + 1 < text_.size(); ++at)
       if (at != prototype && text_.is(at + 1, "(") && text_.is(at, text_[prototype].spelling)) return true;
@@ -117,7 +117,7 @@ class MethodBodies {
     text_.erase(first, prototype.semicolon + 1 - first);
   }
 
-  // Line by line, so that each keeps its location.
+  // The text moves line by line, so that each line keeps its location.
   void move(std::size_t first, std::size_t end, std::size_t to) {
     for (std::size_t line = first; line < end;) {
       std::size_t next = line + 1;
@@ -130,7 +130,7 @@ class MethodBodies {
 
   TokenText& text_;
   std::map<Key, std::vector<const hlsl::Declaration*>> definitions_;
-  std::map<std::string, const hlsl::Declaration*> variables_;  // by scope and name
+  std::map<std::string, const hlsl::Declaration*> variables_;  // variables by scope and name
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ bool returns(const TokenText& text, const hlsl::Declaration& function) {
   return false;
 }
 
-// Whether the name occurs outside of the function's definition.
+// Returns whether the name occurs outside of the function's definition.
 bool is_mentioned(const TokenText& text, const hlsl::Declaration& function) {
   for (std::size_t at = 0; at < text.size(); ++at)
     if (at != function.name && text.is(at, text[function.name].spelling)) return true;

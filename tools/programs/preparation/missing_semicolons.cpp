@@ -37,7 +37,7 @@ class MissingSemicolons {
   }
 
  private:
-  // struct Name {, struct Name : Base {
+  // Returns whether it is struct Name {, struct Name : Base {.
   bool is_struct(std::size_t open) const {
     for (std::size_t at = open; at > 0 && open - at < 4; --at)
       if (text_.is(at - 1, "struct")) return text_.matching_bracket(open) != npos;
@@ -58,12 +58,12 @@ class MissingSemicolons {
     return words.contains(text_[at].spelling);
   }
 
-  // `1.5.5`, which the front end reports as an invalid number.
+  // The text is `1.5.5`, which the front end reports as an invalid number.
   bool goes_on(std::size_t at) const {
     return text_[at].kind == hlsl::Token::Kind::number && text_[at - 1].kind == hlsl::Token::Kind::number;
   }
 
-  // Whether only an operator, a ',' or the end of the expression can follow this token.
+  // Returns whether only an operator, a ',' or the end of the expression can follow this token.
   bool ends_a_value(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return text_[at].spelling.back() != '.';  // 0.xxxx
     if (text_.is_identifier(at)) return !is_modifier(text_[at].spelling) && follows_an_operator(at);
@@ -73,22 +73,22 @@ class MissingSemicolons {
            follows_an_operator(open - 1);
   }
 
-  // `<` and `>` may belong to template arguments, ':' to a label, and after '(' and ',' a declaration may
-  // follow.
+  // The marks `<` and `>` may belong to template arguments, ':' to a label, and after '(' and ',' a
+  // declaration may follow.
   bool follows_an_operator(std::size_t at) const {
     static constexpr hlsl::NameSet others("compile", "asm", "sampler_state", "else", "do", "return");
     if (at == 0 || others.contains(text_[at].spelling)) return false;
     return text_.lead(at - 1) != '\0' && std::string_view("=+-*/%.&|^!~?").find(text_.lead(at - 1)) != npos;
   }
 
-  // The second of `float a b`.
+  // Returns whether it is the second of `float a b`.
   bool is_second_name(std::size_t at) const {
     return at > 1 && text_.is_identifier(at) && text_.is_identifier(at - 1) &&
            is_number_type(text_[at - 2].spelling) && !is_modifier(text_[at - 1].spelling) &&
            !is_modifier(text_[at].spelling);
   }
 
-  // Whether this token can only be the last of a statement that lacks its ';'.
+  // Returns whether this token can only be the last of a statement that lacks its ';'.
   bool ends_a_statement(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return true;
     const std::size_t open = text_.matching_bracket(at);
@@ -98,14 +98,15 @@ class MissingSemicolons {
     return text_.is_identifier(at) && follows_a_value(at);
   }
 
-  // For `name(...)`: not the parentheses of a condition, of a loop or of a definition without its brace.
+  // Returns whether it is `name(...)`: not the parentheses of a condition, of a loop or of a definition
+  // without its brace.
   bool is_call(std::size_t open) const {
     static constexpr hlsl::NameSet conditions("if", "for", "while", "switch");
     return text_.is_identifier(open - 1) && !conditions.contains(text_[open - 1].spelling);
   }
 
-  // A name after an operator, after `return`, or after a scalar type; an identifier after another one may
-  // follow a modifier.
+  // Returns whether it is a name after an operator, after `return`, or after a scalar type; an identifier
+  // after another one may follow a modifier.
   bool follows_a_value(std::size_t at) const {
     static constexpr hlsl::NameSet keywords("else", "do", "return", "in", "out", "inout");
     if (at == 0 || keywords.contains(text_[at].spelling)) return false;

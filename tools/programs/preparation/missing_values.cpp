@@ -20,14 +20,15 @@ bool has_return(const TokenText& text, const hlsl::Declaration& function) {
   return false;
 }
 
-// Of a value: a missing texture or sampler is an error of its own.
+// The function returns a value: a missing texture or sampler is an error of its own.
 bool lacks_return(const TokenText& text, const hlsl::Declaration& function) {
   std::size_t type = function.type;
   while (type < function.name && is_modifier(text[type].spelling)) ++type;
   return !text.is(type, "void") && !is_resource(text[type].spelling) && !has_return(text, function);
 }
 
-// `return;` in a function that returns values elsewhere: the front end reports one without any value.
+// The front end reports `return;` in a function without any value. This reports it in a function that returns
+// values elsewhere.
 void refuse_bare_returns(TokenText& text, const hlsl::Declaration& function) {
   std::size_t type = function.type;
   while (type < function.name && is_modifier(text[type].spelling)) ++type;
@@ -48,7 +49,7 @@ void refuse_bare_returns(TokenText& text, const hlsl::Declaration& function) {
                     std::string(text[type].spelling) + ": this return needs a value (X3080)");
 }
 
-// The names that the entry point calls, and those that these call.
+// Returns the names that the entry point calls, and those that these call.
 std::set<std::string_view> called_names(const TokenText& text, const Functions& functions,
                                         std::string_view entry) {
   std::set<std::string_view> called{entry};

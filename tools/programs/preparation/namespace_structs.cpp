@@ -43,7 +43,7 @@ class Namespaces {
     return false;
   }
 
-  // "A::B::" + name -> "A_B_name"
+  // Turns "A::B::" + name into "A_B_name".
   void declare_name(const std::string& scope, std::size_t at) {
     const std::string name(text_[at].spelling);
     std::string written;
@@ -78,7 +78,7 @@ class Namespaces {
     }
   }
 
-  // Member functions that a struct's own functions call by unqualified name.
+  // Records the member functions that a struct's own functions call by unqualified name.
   void note_members(const hlsl::Declaration& structure) {
     std::set<std::string_view>& members = members_[structure.open];
     for (std::size_t at = structure.open + 1; at < structure.close; ++at) {
@@ -112,7 +112,7 @@ class Namespaces {
 
   std::string scope() const { return scopes_.empty() ? std::string() : scopes_.back().name; }
 
-  // A name, unqualified or qualified: `f`, `B::f`.
+  // Reads a name, unqualified or qualified: `f`, `B::f`.
   void name() {
     if (text_.is(at_ - 1, ".") && at_ > 0) return;
     std::size_t end = at_ + 1;
@@ -128,7 +128,7 @@ class Namespaces {
     at_ = end - 1;
   }
 
-  // Looked up from the innermost namespace outwards; for `A::S::f` also A::S.
+  // The name is searched from the innermost namespace outwards; for `A::S::f` A::S is searched, too.
   void write(const std::string& asked, std::size_t end) {
     std::string around = scope();
     while (true) {

@@ -69,7 +69,7 @@ class NarrowArguments {
     return wanted < 4 && gives_a_vector(argument);
   }
 
-  // The whole argument of ddx(...) and similar functions: the result has as many components.
+  // Returns the whole argument of ddx(...) and similar functions: the result has as many components.
   std::optional<ListElement> of_each_component(const ListElement& argument) const {
     static constexpr hlsl::NameSet functions(
         "abs", "acos", "asin", "atan", "ceil", "cos", "ddx", "ddx_coarse", "ddx_fine", "ddy", "ddy_coarse",
@@ -82,7 +82,7 @@ class NarrowArguments {
     return inner.front();
   }
 
-  // map.Sample(...) or mul(...), whole.
+  // Returns whether it is a whole map.Sample(...) or mul(...).
   bool gives_a_vector(const ListElement& argument) const {
     static constexpr hlsl::NameSet reads("Sample", "SampleLevel", "SampleBias", "SampleGrad", "Load",
                                          "Gather", "GatherRed", "GatherGreen", "GatherBlue", "GatherAlpha");

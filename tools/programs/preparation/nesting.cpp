@@ -41,7 +41,7 @@ class Nesting {
     prefixes_ = lead == '-' || lead == '+' || lead == '!' || lead == '~' || in_cast(at) ? prefixes_ + 1 : 0;
   }
 
-  // A token of `(name)`: a run of casts has three tokens each.
+  // Returns whether it is a token of `(name)`: a run of casts has three tokens each.
   bool in_cast(std::size_t at) const {
     const auto is_cast = [&](std::size_t open) {
       return text_.is(open, "(") && text_.is_identifier(open + 1) && text_.is(open + 2, ")");
@@ -52,7 +52,7 @@ class Nesting {
   TokenText& text_;
   std::size_t brackets_ = 0;
   std::size_t prefixes_ = 0;
-  std::size_t operators_ = 0;     // since the last ',' or end of a statement
+  std::size_t operators_ = 0;     // number since the last ',' or end of a statement
   std::size_t in_statement_ = 0;  // conditions without a ';' or a brace between them
 };
 

@@ -10,7 +10,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Whether the name at this token is called, and neither declared nor a member of something else.
+// Returns whether the name at this token is called, and neither declared nor a member of something else.
 bool is_bare_call(const TokenText& text, std::size_t at) {
   static constexpr hlsl::NameSet statements("return", "else", "do", "case");
   if (!text.is(at + 1, "(") || text.is(at - 1, ".") || text.is(at - 1, ":")) return false;
@@ -26,7 +26,7 @@ bool is_static(const TokenText& text, const hlsl::Declaration& function) {
 }  // namespace
 
 void call_own_methods_by_this(TokenText& text) {
-  std::set<std::string_view> free_functions;  // to which the unqualified name may also refer
+  std::set<std::string_view> free_functions;  // functions to which the unqualified name may also refer
   for (const hlsl::Declaration& declaration : text.types().declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function)
       free_functions.insert(text[declaration.name].spelling);

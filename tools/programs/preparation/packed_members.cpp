@@ -18,7 +18,7 @@ struct PackedMember {
   bool of_registers = false;
 };
 
-// The word offset of `: packoffset(c1.y)` after a member's name; nothing without one.
+// Returns the word offset of `: packoffset(c1.y)` after a member's name; nothing without one.
 std::optional<std::size_t> packed_at(const TokenText& text, const DeclaredValue& value) {
   for (std::size_t at = value.end; at + 2 < value.last; ++at) {
     if (!text.is(at, "packoffset") || !text.is(at + 1, "(")) continue;

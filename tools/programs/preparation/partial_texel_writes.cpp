@@ -16,8 +16,8 @@ bool is_vector_swizzle(std::string_view word) {
   return !word.empty() && word.size() <= 4 && word.find_first_not_of("xyzwrgba") == std::string_view::npos;
 }
 
-// The element type of a writable texture or typed buffer: float4 of RWTexture2D<unorm float4>; empty for
-// other types.
+// Returns the element type of a writable texture or typed buffer: float4 for RWTexture2D<unorm float4>; empty
+// for other types.
 std::string texel_type(const std::string& type) {
   if (type.rfind("RWTexture", 0) != 0 && type.rfind("RWBuffer", 0) != 0) return {};
   const std::size_t open = type.find('<');
@@ -28,7 +28,7 @@ std::string texel_type(const std::string& type) {
   return inner.find_first_of("<>,") == std::string::npos ? inner : std::string();
 }
 
-// Whether the declaration may be one of such a type.
+// Returns whether the declaration may be one of such a type.
 bool names_one(const TokenText& text, const hlsl::Declaration& declaration) {
   for (std::size_t at = declaration.type; at <= declaration.last; ++at)
     if (text.lead(at) == 'R' && text[at].spelling.starts_with("RW")) return true;
@@ -55,20 +55,20 @@ Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declarat
   return texels;
 }
 
-// One past `.xy` or `[1]` after a texel; the argument if there is neither.
+// Returns one past `.xy` or `[1]` after a texel; the argument if there is neither.
 std::size_t part_end(const TokenText& text, std::size_t at) {
   if (text.is(at, ".") && text.is_identifier(at + 1) && is_vector_swizzle(text[at + 1].spelling))
     return at + 2;
   return text.is(at, "[") && text.matching_bracket(at) != npos ? text.matching_bracket(at) + 1 : at;
 }
 
-// The type of an index of the texture.
+// Returns the type of an index of the texture.
 const char* place_type(const std::string& texture) {
   if (texture.starts_with("RWTexture3D") || texture.starts_with("RWTexture2DArray")) return "int3";
   return texture.starts_with("RWTexture2D") || texture.starts_with("RWTexture1DArray") ? "int2" : "int";
 }
 
-// One past `+= value`, or `++`; npos if nothing is written.
+// Returns one past `+= value`, or `++`; npos if nothing is written.
 std::size_t write_end(const TokenText& text, std::size_t operation) {
   const bool step = (text.is(operation, "+") || text.is(operation, "-")) &&
                     text.is(operation + 1, text[operation].spelling);

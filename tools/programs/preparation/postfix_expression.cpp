@@ -19,12 +19,13 @@ bool is_name(const TokenText& text, std::size_t at) {
   return text.is_identifier(at) && !is_keyword(text[at].spelling);
 }
 
-// None of these characters begins an identifier, a number or a string.
+// Returns whether the token is one of these characters, none of which begins an identifier, a number or a
+// string.
 bool is_mark(const TokenText& text, std::size_t at, std::string_view marks) {
   return std::find(marks.begin(), marks.end(), text.lead(at)) != marks.end();
 }
 
-// Two characters without white space between them, as in "+=" and "==".
+// Returns whether two characters have no white space between them, as in "+=" and "==".
 bool together(const TokenText& text, std::size_t left) {
   return left + 1 < text.size() && text[left].spelling.data() + 1 == text[left + 1].spelling.data();
 }

@@ -7,28 +7,28 @@
 
 namespace penumbra::preparation {
 
-// The first token of the postfix expression that ends at `last`: `f(x).a[i]` from its ']' back to `f`. npos
-// if none ends there.
+// Returns the first token of the postfix expression that ends at `last`: `f(x).a[i]` from its ']' back to
+// `f`. Returns npos if none ends there.
 std::size_t postfix_begin(const TokenText& text, std::size_t last);
 
-// The token after the postfix expression that begins at `first`, a name: over `.member`, `[index]`,
+// Returns the token after the postfix expression that begins at `first`, a name: over `.member`, `[index]`,
 // `(arguments)`.
 std::size_t postfix_end(const TokenText& text, std::size_t first);
 
-// The ';' or the closing bracket that ends the expression that begins at `first`; npos at the end of the
-// text.
+// Returns the ';' or the closing bracket that ends the expression that begins at `first`; npos at the end of
+// the text.
 std::size_t expression_end(const TokenText& text, std::size_t first);
 
-// Whether a statement may begin at this token inside a function: after ';', '{', '}', else, do, a label, or
-// the ')' of an if, for or while.
+// Returns whether a statement may begin at this token inside a function: after ';', '{', '}', else, do, a
+// label, or the ')' of an if, for or while.
 bool begins_statement(const TokenText& text, std::size_t at);
 
-// Whether the tokens [first, end) have no side effects, so that they may be evaluated twice: no call, ++, --
-// or assignment.
+// Returns whether the tokens [first, end) have no side effects, so that they may be evaluated twice: no call,
+// ++, -- or assignment.
 bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end);
 
-// The number of characters of the assignment operator at this token ("=" 1, "+=" 2, "<<=" 3); 0 if there is
-// none.
+// Returns the number of characters of the assignment operator at this token ("=" 1, "+=" 2, "<<=" 3); 0 if
+// there is none.
 std::size_t assignment_length(const TokenText& text, std::size_t at);
 
 }  // namespace penumbra::preparation

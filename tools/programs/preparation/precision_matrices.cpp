@@ -20,7 +20,8 @@ bool is_matrix_shape(std::string_view shape) {
   return shape.size() == 3 && size(shape[0]) && shape[1] == 'x' && size(shape[2]);
 }
 
-// The equivalent matrix type of glslang; empty if the identifier is not a matrix of minimum precision.
+// Returns the equivalent matrix type of glslang; empty if the identifier is not a matrix of minimum
+// precision.
 std::string known_matrix(std::string_view word) {
   for (const auto& [minimum, known] : known_scalars) {
     if (word.substr(0, minimum.size()) != minimum || !is_matrix_shape(word.substr(minimum.size()))) continue;
@@ -33,7 +34,7 @@ std::string known_matrix(std::string_view word) {
 
 void name_precision_matrices(TokenText& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text.lead(at) != 'm') continue;  // as all of them begin
+    if (text.lead(at) != 'm') continue;  // all of them begin with it
     const std::string known = known_matrix(text[at].spelling);
     if (!known.empty()) text.replace(at, 1, known);
   }

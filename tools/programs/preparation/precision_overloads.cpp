@@ -23,7 +23,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> full_prec
      {"min12int", "int"},
      {"min16uint", "uint"}}};
 
-// "", "3" or "4x4": what follows a scalar's name in that of its vectors and matrices.
+// Returns whether the text is "", "3" or "4x4": the end of the name of a vector or matrix, after its
+// scalar's.
 bool is_shape(std::string_view text) {
   const auto size = [](char c) { return c >= '1' && c <= '4'; };
   return text.empty() || (text.size() == 1 && size(text[0])) ||
@@ -38,7 +39,7 @@ std::string widened_word(std::string_view word) {
   return std::string(word);
 }
 
-// A parameter as parameter_types() spells it, with every type widened to full precision.
+// Returns a parameter as parameter_types() spells it, with every type widened to full precision.
 std::string widened(const std::string& parameter) {
   const bool one_word = std::all_of(parameter.begin(), parameter.end(), hlsl::continues_identifier);
   if (one_word) return widened_word(parameter);
@@ -52,7 +53,7 @@ std::string widened(const std::string& parameter) {
 
 struct OverloadedFunction {
   const hlsl::Declaration* declaration;
-  std::string name;  // with its namespaces
+  std::string name;  // the name with its namespaces
   std::vector<std::string> parameters;
   std::vector<std::string> widened_parameters;
 };
@@ -66,9 +67,9 @@ OverloadedFunction read_function(const TokenText& text, const hlsl::Declaration&
   return function;
 }
 
-// Those that share their name with another; only they can be overloads.
+// Returns the functions that share their name with another; only they can be overloads.
 std::vector<OverloadedFunction> overloaded_functions(const TokenText& text) {
-  std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
+  std::unordered_map<std::string_view, int> definitions;  // by name, for all namespaces together
   for (const hlsl::Declaration& declaration : text.declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
   std::vector<OverloadedFunction> functions;
@@ -87,7 +88,7 @@ int narrow_parameters(const OverloadedFunction& function) {
   return count;
 }
 
-// float f(float x) { return f(half(x)); }: with one body left it would call itself.
+// In float f(float x) { return f(half(x)); }, the function would call itself with one body left.
 bool calls_its_name(const TokenText& text, const OverloadedFunction& function) {
   const hlsl::Declaration& declaration = *function.declaration;
   const std::string_view name = text[declaration.name].spelling;
@@ -96,8 +97,8 @@ bool calls_its_name(const TokenText& text, const OverloadedFunction& function) {
   return false;
 }
 
-// Which of two overloads keeps its body: one that does not forward to the other, then the one with more
-// full-precision parameters.
+// Returns which of two overloads keeps its body: one that does not forward to the other, then the one with
+// more full-precision parameters.
 bool better(const TokenText& text, const OverloadedFunction& a, const OverloadedFunction& b) {
   const bool a_calls = calls_its_name(text, a);
   const bool b_calls = calls_its_name(text, b);
@@ -121,7 +122,7 @@ std::string_view without_suffix(std::string_view number) {
   return number;
 }
 
-// The numbers of the parameters, from 1 on, by name.
+// Returns the numbers of the parameters, from 1 on, by name.
 std::unordered_map<std::string_view, int> parameter_numbers(const TokenText& text,
                                                             const hlsl::Declaration& function) {
   std::unordered_map<std::string_view, int> numbers;
@@ -159,8 +160,8 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
   return true;
 }
 
-// Which tokens may be executed: those outside of functions, and those of functions that the entry point
-// reaches by their names. Without an entry point, all.
+// Returns which tokens may be executed: those outside of functions, and those of functions that the entry
+// point reaches by their names. Without an entry point, all may be.
 std::vector<bool> reached_tokens(const TokenText& text) {
   std::vector<bool> reached(text.size(), true);
   if (text.entry().empty()) return reached;
@@ -189,7 +190,8 @@ std::vector<bool> reached_tokens(const TokenText& text) {
   return reached;
 }
 
-// A warning if it may change what the entry point does. `reached`: empty, or as reached_tokens().
+// Records a warning if it may change what the entry point does. `reached` is empty, or the result of
+// reached_tokens().
 void drop(TokenText& text, const OverloadedFunction& gone, const OverloadedFunction& kept,
           std::vector<bool>& reached) {
   const std::size_t kept_at = kept.declaration->name;
@@ -204,7 +206,8 @@ void drop(TokenText& text, const OverloadedFunction& gone, const OverloadedFunct
   text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
 }
 
-using Overloads = std::vector<const OverloadedFunction*>;  // that differ only in precision, in source order
+// Overloads that differ only in precision, in source order.
+using Overloads = std::vector<const OverloadedFunction*>;
 
 bool bodies_differ(const TokenText& text, const Overloads& overloads) {
   return std::any_of(overloads.begin(), overloads.end(), [&](const OverloadedFunction* overload) {
@@ -218,7 +221,7 @@ bool is_in_one(const Overloads& overloads, std::size_t at) {
   });
 }
 
-// The overload with the most parameters as narrow as the arguments.
+// Returns the overload with the most parameters as narrow as the arguments.
 const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, const Overloads& overloads) {
   const OverloadedFunction* best = nullptr;
   int most = -1;
@@ -235,8 +238,8 @@ const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, con
   return best;
 }
 
-// The overload that all reached calls outside of these overloads select; null if they select several, or
-// there is no call.
+// Returns the overload that all reached calls outside of these overloads select; null if they select several,
+// or there is no call.
 const OverloadedFunction* called_overload(const TokenText& text, const Overloads& overloads,
                                           const std::vector<bool>& reached) {
   const std::string_view name = text[overloads[0]->declaration->name].spelling;
@@ -253,7 +256,7 @@ const OverloadedFunction* called_overload(const TokenText& text, const Overloads
   return called;
 }
 
-// Which of them keeps its body.
+// Returns which of them keeps its body.
 const OverloadedFunction* kept_overload(const TokenText& text, const Overloads& overloads,
                                         std::vector<bool>& reached) {
   const OverloadedFunction* best = overloads[0];

@@ -19,21 +19,21 @@
 namespace penumbra::preparation {
 
 struct Pass {
-  const char* name;  // as the documentation calls it
+  const char* name;  // name in the documentation
   void (*run)(TokenText&);
 };
 
-// In execution order.
+// The passes are in execution order.
 std::span<const Pass> passes();
 
 struct PreparedShader {
-  std::string text;  // with #line directives
+  std::string text;  // has #line directives
   std::vector<Note> notes;
-  std::vector<SemanticPlace> semantics{};  // of the entry point
+  std::vector<SemanticPlace> semantics{};  // semantics of the entry point
 };
 
-// `preprocessed`: no comments, no macros, #line directives. Lines before the first #line are in `main_file`.
-// With an entry point the source is checked as well (source_checks.h).
+// `preprocessed` has no comments and no macros, but #line directives. Lines before the first #line are in
+// `main_file`. With an entry point the source is checked as well (source_checks.h).
 PreparedShader prepare(std::string preprocessed, const std::string& main_file,
                        const std::optional<EntryPoint>& entry = std::nullopt);
 

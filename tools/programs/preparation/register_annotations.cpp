@@ -7,7 +7,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// b0, t12, s[3], u1, c4: the letter; '\0' for identifiers that are not a register.
+// Returns the letter of b0, t12, s[3], u1, c4; '\0' for identifiers that are not a register.
 char register_kind(const TokenText& text, std::size_t at) {
   const std::string_view word = at < text.size() ? text[at].spelling : std::string_view{};
   const bool bracket = word.size() == 1 && text.is(at + 1, "[");

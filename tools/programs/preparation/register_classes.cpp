@@ -11,7 +11,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Direct3D 11's registers of a letter; 0 for a letter that has none.
+// Returns the number of Direct3D 11's registers of a letter; 0 for a letter that has none.
 std::size_t registers_of(char letter) {
   switch (letter) {
     case 'b':
@@ -27,7 +27,7 @@ std::size_t registers_of(char letter) {
   }
 }
 
-// The letters that a type may have: 'b', 't', 'u', 's'; empty if the type is not checked.
+// Returns the letters that a type may have: 'b', 't', 'u', 's'; empty if the type is not checked.
 std::string_view letters_of(std::string_view type) {
   if (type == "cbuffer" || type == "ConstantBuffer") return "b";
   if (type == "tbuffer" || type == "TextureBuffer") return "t";
@@ -62,7 +62,7 @@ class RegisterClasses {
       if (text_.is(at, "register") && text_.is(at + 1, "(") && text_.is(at - 1, ":")) one(at + 2, type);
   }
 
-  // `t3`, `t[3]`; an identifier before one is a profile.
+  // Checks `t3`, `t[3]`; an identifier before one is a profile.
   void one(std::size_t at, std::string_view type) {
     if (!text_.is_identifier(at)) return;
     if (text_.is(at + 1, ",") && text_.is_identifier(at + 2) && !text_[at + 2].spelling.starts_with("space"))
@@ -89,7 +89,7 @@ class RegisterClasses {
     }
   }
 
-  // 3 for `t3` and `t[3]`, 0 for `t[` with anything else; npos: no register.
+  // Returns 3 for `t3` and `t[3]`, 0 for `t[` with anything else, and npos if it is no register.
   std::size_t number_of(std::size_t at) const {
     std::string_view digits = text_[at].spelling.substr(1);
     if (digits.empty()) {

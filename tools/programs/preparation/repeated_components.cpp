@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The number of characters per component: 1 for xyzw and rgba, 3 for _11, 4 for _m00; 0 for other
+// Returns the number of characters per component: 1 for xyzw and rgba, 3 for _11, 4 for _m00; 0 for other
 // identifiers.
 std::size_t component_length(std::string_view word) {
   if (word.empty()) return 0;
@@ -23,7 +23,7 @@ std::size_t component_length(std::string_view word) {
   return word.find_first_not_of("_m01234") == std::string_view::npos ? length : 0;
 }
 
-// The first repeated component; empty if there is none.
+// Returns the first repeated component; empty if there is none.
 std::string_view repeated(std::string_view word) {
   const std::size_t length = component_length(word);
   for (std::size_t at = length; length != 0 && at < word.size(); at += length)
@@ -32,7 +32,7 @@ std::string_view repeated(std::string_view word) {
   return {};
 }
 
-// `_m00_11`: zero-based and one-based subscripts in one swizzle.
+// Returns whether `_m00_11` has zero-based and one-based subscripts in one swizzle.
 bool counts_in_two_ways(std::string_view word) {
   bool from_one = false;
   bool from_zero = false;

@@ -32,7 +32,7 @@ class RepeatedGlobals {
   }
 
  private:
-  // One past the declaration that begins at `first`.
+  // Returns one past the declaration that begins at `first`.
   std::size_t read(std::size_t first, std::size_t end, const std::string& scope) {
     values_.clear();
     const std::size_t next = read_declaration(text_, {first, end, DeclaredValue::Place::global}, values_);

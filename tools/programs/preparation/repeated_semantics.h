@@ -13,7 +13,7 @@
 
 namespace penumbra::preparation {
 
-// `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
+// A use of a semantic: `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
 struct SemanticUse {
   std::size_t type = npos;  // the tokens of its type, its name and its semantic
   std::size_t name = npos;

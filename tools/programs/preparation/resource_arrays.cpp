@@ -39,7 +39,7 @@ void assign_elements(TokenText& text, const DeclaredValue& value) {
   text.insert(close + 2, assignments);
 }
 
-// `c ? a : b).Load(` at the end of b.
+// Returns whether `c ? a : b).Load(` stands at the end of b.
 bool reads_a_choice(const TokenText& text, const ValueTypes& types, std::size_t at) {
   if (!text.is(at + 1, ")") || !text.is(at + 2, ".")) return false;
   const std::size_t first = types.begin(at);

@@ -101,7 +101,7 @@ class ResourceCalls {
                      " and no []: for elements by number declare a StructuredBuffer or RWStructuredBuffer");
   }
 
-  // Empty: the method exists, or is not one of those that move the buffer's end.
+  // Returns an empty type if the method exists, or is not one of those that move the buffer's end.
   static std::string_view type_with(std::string_view method, std::string_view type) {
     if (!is_buffer(type)) return {};
     const std::string_view wanted = method == "Append"    ? "AppendStructuredBuffer"

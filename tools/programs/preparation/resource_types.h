@@ -12,9 +12,9 @@ bool is_texture(std::string_view type);  // Texture2D, RWTexture3D, ...
 bool is_sampler(std::string_view type);  // SamplerState, SamplerComparisonState, sampler, sampler2D, ...
 bool is_buffer(
     std::string_view type);  // StructuredBuffer, ByteAddressBuffer, ...: buffers with a memory layout
-bool is_resource(std::string_view type);  // any of them, and Buffer
+bool is_resource(std::string_view type);  // any of these types, and Buffer
 
-// The structs that contain a resource, directly or in a nested struct.
+// Returns the structs that contain a resource, directly or in a nested struct.
 std::set<std::string_view> structs_with_resources(const ValueTypes& types);
 
 }  // namespace penumbra::preparation

@@ -14,7 +14,7 @@ namespace {
 
 struct RowMatrix {
   std::string vector;  // the type it becomes
-  bool row = false;    // one row; else one column
+  bool row = false;    // has one row; else one column
   bool scalar = false;
 };
 
@@ -56,7 +56,7 @@ class RowMatrices {
     return index != npos && types_.declared()[index].name == at;
   }
 
-  // A row matrix itself or a struct with such a member.
+  // Returns whether it is a row matrix itself or a struct with such a member.
   bool holds_row_matrix(std::string_view type) const {
     const auto known = types_.structs().find(type);
     if (known == types_.structs().end()) return row_matrix(type).has_value();
@@ -76,8 +76,8 @@ class RowMatrices {
     }
   }
 
-  // A subscript of an expression that may be such a matrix: it is unknown whether it selects a row or a
-  // component of the vector.
+  // Refuses a subscript of an expression that may be such a matrix: it is unknown whether it selects a row or
+  // a component of the vector.
   void refuse_unknown(std::size_t close) {
     for (std::size_t at = text_.matching_bracket(close); at != npos && at < close; ++at) {
       if (!row_matrix(text_[at].spelling) && !row_matrix(types_.at(at).name)) continue;
@@ -88,7 +88,7 @@ class RowMatrices {
     }
   }
 
-  // m[0][2] -> m[2] of a row, m[2][0] -> m[2] of a column, m._m02 -> m.z
+  // Rewrites m[0][2] to m[2] for a row, m[2][0] to m[2] for a column, and m._m02 to m.z.
   void rewrite_use(std::size_t at, const RowMatrix& type) {
     const std::size_t first = at + 1;
     if (text_.is(first, ".") && text_.is_identifier(first + 1)) {
@@ -108,7 +108,7 @@ class RowMatrices {
     }
   }
 
-  // "_m00_m02" or "_11_13" -> "xz"; empty for something else.
+  // Turns "_m00_m02" or "_11_13" into "xz"; returns an empty text for something else.
   static std::string components_of(std::string_view names, bool row) {
     std::string components;
     while (!names.empty()) {

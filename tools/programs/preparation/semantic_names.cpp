@@ -48,7 +48,7 @@ const Names& system_values() {
   return names;
 }
 
-// Includes those of Direct3D 9 that Unity's compilers still accept.
+// The names include those of Direct3D 9 that Unity's compilers still accept.
 const Names& fragment_outputs() {
   static const Names names{
       "SV_Target", "SV_Depth", "SV_DepthGreaterEqual", "SV_DepthLessEqual", "SV_Coverage", "SV_StencilRef",
@@ -61,8 +61,8 @@ const Names& compute_inputs() {
   return names;
 }
 
-// System values only; from the table of Microsoft's compiler (docs/DXIL.rst of DirectXShaderCompiler,
-// "Signature points"), where some are treated as user-defined names. Empty: not checked.
+// Returns system values only; from the table of Microsoft's compiler (docs/DXIL.rst of DirectXShaderCompiler,
+// "Signature points"), where some are treated as user-defined names. If it is empty, names are not checked.
 const Names& stage_values(hlsl::Stage stage, bool input) {
   static const Names none;
   static const Names vertex_inputs{
@@ -124,7 +124,7 @@ std::string listed(const Names& names) {
   return text;
 }
 
-// glslang gives up on clip and cull distances of these.
+// These have clip and cull distances that glslang cannot compile.
 std::string unsupported_distance(const std::string& name, hlsl::Stage stage, bool input) {
   static const Names distances{"SV_ClipDistance", "SV_CullDistance"};
   if (!is_one_of(name, distances)) return {};
@@ -136,7 +136,7 @@ std::string unsupported_distance(const std::string& name, hlsl::Stage stage, boo
   return {};
 }
 
-// The largest number of components of integer system values.
+// Returns the largest number of components of integer system values.
 int whole_numbers(const std::string& key) {
   static constexpr hlsl::NameSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
                                      "SV_INSTANCEID", "SV_OUTPUTCONTROLPOINTID", "SV_PRIMITIVEID",

@@ -1,4 +1,4 @@
-// Which semantics a stage has. Internal to this folder.
+// The semantics that a stage has. Internal to this folder.
 //
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-semantics; vertex attributes in
 // Unity: https://docs.unity3d.com/Manual/SL-VertexProgramInputs.html.
@@ -16,22 +16,23 @@ namespace penumbra::preparation {
 struct SemanticProblem {
   std::string words;  // follows the semantic's name; empty: no problem
   hlsl::Severity severity = hlsl::Severity::error;
-  bool crashes = false;  // glslang, which must not see it
+  bool crashes = false;  // true if glslang, which must not see it, crashes on it
 };
 
-// `semantic` as written, with its index.
+// `semantic` is as written, with its index.
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
 
-// The system value that FXC's compatibility mode, in which Unity runs it, reads in a name of Direct3D 9:
-// POSITION of a vertex program's outputs, VPOS of a fragment program's inputs, COLOR and DEPTH of its
-// outputs. With the index; empty for other names. As DXC's -Gec has it (RemapObsoleteSemantic in
-// DxilTypeSystem.cpp).
+// Returns the system value that FXC's compatibility mode, in which Unity runs it, reads in a name of Direct3D
+// 9: POSITION of a vertex program's outputs, VPOS of a fragment program's inputs, COLOR and DEPTH of its
+// outputs. It has the index; it is empty for other names. DXC's -Gec has the same rules
+// (RemapObsoleteSemantic in DxilTypeSystem.cpp).
 std::string system_value_of(const std::string& semantic, hlsl::Stage stage, bool input);
 
-// The problem with a value of that type for a system value that is an integer or a bool; empty: none.
+// Describes the problem with a value of that type for a system value that is an integer or a bool; empty if
+// there is none.
 std::string type_problem(const std::string& semantic, const NumberShape& type);
 
-// In upper case, without its index: "SV_TARGET" of "SV_Target1".
+// Returns the name in upper case, without its index: "SV_TARGET" for "SV_Target1".
 std::string semantic_key(std::string_view semantic);
 
 }  // namespace penumbra::preparation

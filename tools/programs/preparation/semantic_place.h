@@ -1,4 +1,4 @@
-// Where a source declares the semantics of its entry point.
+// The place where a source declares a semantic of its entry point.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace penumbra::preparation {
 
 struct SemanticPlace {
-  std::string semantic;  // as written
+  std::string semantic;  // the semantic as written
   bool output = false;
   std::string file;
   int line = 0;

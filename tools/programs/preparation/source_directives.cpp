@@ -14,14 +14,14 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The specifier of a warning that begins with these two letters; empty if there is none.
+// Returns the specifier of a warning that begins with these two letters; empty if there is none.
 std::string_view specifier_of(std::string_view letters) {
   for (const std::string_view specifier : {"disable", "enable", "default", "error", "once"})
     if (specifier.starts_with(letters)) return specifier;
   return {};
 }
 
-// What a line that holds one of the identifiers stands for.
+// Returns the pragma that a line with one of the identifiers stands for.
 std::optional<std::string> pragma_of(std::string_view line) {
   while (!line.empty() && (is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
@@ -35,8 +35,8 @@ std::optional<std::string> pragma_of(std::string_view line) {
   return pragma + ")";
 }
 
-// The digits that take the place of those of an integer with a suffix, where FXC keeps the low 32 bits of up
-// to 64; empty for other numbers. They are hexadecimal, because no notation has fewer.
+// Returns the digits that replace those of an integer with a suffix, where FXC keeps the low 32 bits of up to
+// 64; empty for other numbers. They are hexadecimal, because no notation has fewer.
 std::string low_bits(std::string_view number) {
   const std::size_t digits = number.find_last_not_of("uUlL") + 1;
   const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
@@ -106,7 +106,8 @@ class SourceScan {
     if (peek() == '"') ++at_;
   }
 
-  // 'N' becomes 78, padded with spaces: a literal has at least three characters, and a value below 256.
+  // The literal 'N' becomes 78, padded with spaces: a literal has at least three characters, and a value
+  // below 256.
   void character() {
     const std::size_t begin = at_++;
     const bool escape = peek() == '\\';
@@ -121,7 +122,7 @@ class SourceScan {
     text_.replace(begin, at_ - begin, number);
   }
 
-  // The value of an escape sequence after a backslash; -1 if it does not fit a byte.
+  // Returns the value of an escape sequence after a backslash; -1 if it does not fit a byte.
   int escaped() {
     constexpr std::string_view letters = "abfnrtv";
     constexpr std::string_view meant = "\a\b\f\n\r\t\v";
@@ -138,7 +139,7 @@ class SourceScan {
     return read.ec == std::errc() && value < 256 ? value : -1;
   }
 
-  // The suffix h of 1.0h, 1.#INF, and integers of more than 32 bits.
+  // Rewrites the suffix h of 1.0h, 1.#INF, and integers of more than 32 bits.
   void number() {
     const std::size_t begin = at_;
     const bool hexadecimal = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
@@ -159,7 +160,7 @@ class SourceScan {
     }
   }
 
-  // The end of the line, including the lines that '\' joins to it.
+  // Returns the end of the line, including the lines that '\' joins to it.
   std::size_t end_of_line() const {
     std::size_t end = at_;
     while (end < text_.size() && (text_[end] != '\n' || text_[end - 1] == '\\')) ++end;
@@ -199,8 +200,8 @@ class SourceScan {
     }
   }
 
-  // The replacement of `#pragma warning(disable : 3206)`; empty for other pragmas, and for one with several
-  // specifiers.
+  // Returns the replacement of `#pragma warning(disable : 3206)`; empty for other pragmas, and for one with
+  // several specifiers.
   static std::string warning_marker(std::string_view pragma) {
     if (first_word(pragma) != "warning") return {};
     const std::string_view list = pragma.substr(0, pragma.find("//")).substr(pragma.find("warning") + 7);
@@ -223,8 +224,8 @@ class SourceScan {
     return marker.empty() ? marker : marker + ";";
   }
 
-  // The replacement of `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; shorter than the
-  // directive.
+  // Returns the replacement of `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; it is
+  // shorter than the directive.
   static std::string packing_marker(std::string_view pragma) {
     if (first_word(pragma) != "pack_matrix") return {};
     std::string order;

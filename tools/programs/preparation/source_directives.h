@@ -26,12 +26,12 @@
 
 namespace penumbra::preparation {
 
-// The identifiers that replace #pragma pack_matrix, followed by a ';'.
+// These identifiers replace #pragma pack_matrix, followed by a ';'.
 inline constexpr std::string_view kPackedByRows = "penumbra_by_rows";
 inline constexpr std::string_view kPackedByColumns = "penumbra_by_columns";
 inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";
 
-// Begins the identifier that replaces #pragma warning: the specifier's first two letters and the numbers
+// This begins the identifier that replaces #pragma warning: the specifier's first two letters and the numbers
 // follow, as in "penumbra_w_di_3206_3556".
 inline constexpr std::string_view kWarningPragma = "penumbra_w_";
 
@@ -42,8 +42,8 @@ struct PreparedSource {
 
 PreparedSource prepare_source(std::string text);
 
-// The expanded text with these identifiers as pragmas again, for a compiler that knows them. No line is added
-// or moved.
+// Returns the expanded text with these identifiers as pragmas again, for a compiler that knows them. No line
+// is added or moved.
 std::string with_pragmas(const std::string& expanded);
 
 }  // namespace penumbra::preparation

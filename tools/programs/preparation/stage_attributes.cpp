@@ -15,7 +15,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr unsigned most_scalars = 1024;  // that one invocation of a geometry program emits: FXC X4550, X4552
+constexpr unsigned most_scalars = 1024;  // limit for one invocation of a geometry program: FXC X4550, X4552
 
 class StageAttributes {
  public:
@@ -45,7 +45,7 @@ class StageAttributes {
   }
 
  private:
-  // The name of the attribute before the function; npos: it is not there.
+  // Returns the name of the attribute before the function; npos if it is not there.
   std::size_t attribute(std::string_view name) const {
     for (std::size_t at = function_.name; at > 0 && !text_.is(at, ";") && !text_.is(at, "}"); --at)
       if (text_.is(at, name) && text_.is(at - 1, "[")) return at;
@@ -110,7 +110,7 @@ class StageAttributes {
                    std::to_string(most_scalars / scalars) + " vertices");
   }
 
-  // Of a struct's members; 0 where one is not known.
+  // Returns the scalars of a struct's members; 0 where one is not known.
   std::size_t scalars_of(std::string_view type) const {
     const auto found = types_.structs().find(type);
     if (found == types_.structs().end() || !found->second.base.empty()) return 0;

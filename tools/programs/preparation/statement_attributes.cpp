@@ -6,7 +6,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// After the ']' of an attribute: its statement, or another attribute of it.
+// A statement or another attribute of it follows the ']' of an attribute.
 bool is_before_statement(const TokenText& text, std::size_t at) {
   static constexpr hlsl::NameSet statements("for", "while", "do", "if", "switch");
   while (text.is(at, "[") && text.matching_bracket(at) != npos) at = text.matching_bracket(at) + 1;

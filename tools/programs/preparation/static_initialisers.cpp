@@ -71,8 +71,8 @@ class StaticInitialisers {
                    "', which the shader writes to; initialise a local variable from it");
   }
 
-  // The first use in the tokens, or in the functions they call, of a variable at file scope that is written
-  // to.
+  // Returns the first use in the tokens, or in the functions they call, of a variable at file scope that is
+  // written to.
   std::size_t written_in(std::size_t first, std::size_t end, std::set<std::string_view>& functions) {
     for (std::size_t at = first; at < end; ++at) {
       if (!text_.is_identifier(at)) continue;
@@ -105,7 +105,7 @@ class StaticInitialisers {
     return *written_;
   }
 
-  // It calls a function of the text, or reads a constant that is moved.
+  // A constant must move if it calls a function of the text, or reads a constant that is moved.
   bool must_move(const Declarator& constant) const {
     for (std::size_t at = constant.initialiser; at < constant.end; ++at) {
       if (!text_.is_identifier(at)) continue;
@@ -121,7 +121,7 @@ class StaticInitialisers {
     return true;
   }
 
-  // The moved constants that the tokens read, as locals, in the order of the text.
+  // Returns the moved constants that the tokens read, as locals, in the order of the text.
   std::string locals(std::size_t first, std::size_t end) const {
     std::set<std::size_t> read;
     for (std::size_t at = first; at < end && at < text_.size(); ++at)
@@ -133,9 +133,9 @@ class StaticInitialisers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;                   // by identifier number: whether a function has that name
+  std::vector<bool> functions_;                   // for each identifier number: a function has that name
   std::optional<std::set<std::size_t>> written_;  // variables at file scope, indices into types_.declared()
-  // `float weights[2]; set_weights(weights);` by the constant's index into types_.declared().
+  // The statements `float weights[2]; set_weights(weights);` by the constant's index into types_.declared().
   std::map<std::size_t, std::string> moved_;
 };
 

@@ -6,7 +6,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Between the braces of a struct or cbuffer: a ';' at the beginning, after another, or after a member
+// Drops a ';' between the braces of a struct or cbuffer: at the beginning, after another, or after a member
 // function's body.
 void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
   for (std::size_t at = declaration.open + 1; at < declaration.close; ++at) {

@@ -15,7 +15,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// "3" of half3 and "4x4" of float4x4.
+// Returns "3" for half3 and "4x4" for float4x4.
 std::string_view shape_of(std::string_view number_type) {
   constexpr std::string_view digits = "1234";
   const std::size_t by = number_type.size() - 2;
@@ -42,7 +42,7 @@ class StructCasts {
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
   bool is_operand(std::size_t at) const { return text_.is_identifier(at) || text_.is(at, "("); }
 
-  // f(S) and if (S), which are no casts.
+  // Returns whether it is f(S) or if (S), which are no casts.
   bool called(std::size_t open) const {
     return text_.is_identifier(open - 1) && !text_.is(open - 1, "return");
   }
@@ -63,7 +63,7 @@ class StructCasts {
     text_.insert(end + 1, ")");
   }
 
-  // Those of its bases first.
+  // The members of its bases come first.
   std::vector<std::size_t> members(std::string_view type) const {
     constexpr int deepest = 16;
     std::vector<std::size_t> all;

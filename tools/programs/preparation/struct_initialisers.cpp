@@ -21,7 +21,7 @@ class List {
   List(const TokenText& text, const ValueShape& shape, std::size_t open)
       : text_(text), shape_(shape), open_(open) {}
 
-  // The list in glslang's form; nothing if it already has it, or cannot be rewritten.
+  // Returns the list in glslang's form; nothing if it already has it, or cannot be rewritten.
   std::optional<std::string> matched() {
     if (matches(shape_, open_)) return std::nullopt;
     elements_ = flat_values(text_, open_);
@@ -50,8 +50,8 @@ class List {
     return true;
   }
 
-  // Whether the elements have as many scalars as the value; if one element's number is unknown, it gets the
-  // rest.
+  // Returns whether the elements have as many scalars as the value; if one element's number is unknown, it
+  // gets the rest.
   bool count_numbers() {
     std::size_t known = 0;
     std::size_t unknown = 0;
@@ -71,7 +71,7 @@ class List {
     return text_.spelled(element.first, element.end - element.first);
   }
 
-  // One struct member or array element, from the next elements.
+  // Writes one struct member or array element, from the next elements.
   std::string write(const ValueShape& shape, bool outermost) {
     if (failed_ || at_ >= elements_.size()) {
       failed_ = true;
@@ -122,7 +122,7 @@ class List {
   const ValueShape& shape_;
   const std::size_t open_;
   std::vector<ListedValue> elements_;
-  std::size_t at_ = 0;    // in elements_
+  std::size_t at_ = 0;    // index in elements_
   std::size_t used_ = 0;  // numbers of that element
   bool failed_ = false;
 };

@@ -16,7 +16,7 @@ class StructSizes {
   explicit StructSizes(TokenText& text) : text_(text), types_(text.types()) {}
 
   bool run() {
-    std::size_t first = npos;  // of those that are too large, the token of its name
+    std::size_t first = npos;  // for a struct that is too large, the token of its name
     bool is_endless = false;
     for (const auto& [name, type] : types_.structs()) {
       const std::size_t members = members_of(name), at = types_.declarations()[type.declaration].name;
@@ -36,7 +36,8 @@ class StructSizes {
  private:
   static constexpr std::size_t endless = static_cast<std::size_t>(-1);
 
-  // Of all levels; endless for a struct that contains itself, else at most a little more than most_members.
+  // Counts the members of all levels: endless for a struct that contains itself, else at most a little more
+  // than most_members.
   std::size_t members_of(std::string_view name) {
     const auto known = types_.structs().find(name);
     if (known == types_.structs().end()) return 1;

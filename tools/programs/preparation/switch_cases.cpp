@@ -52,7 +52,7 @@ class SwitchCases {
       text_.note(label, hlsl::Severity::error, "the last case of a switch is empty: write break");
   }
 
-  // A continue of a loop around the switch. Nested loops and switches have their own.
+  // Refuses a `continue` of a loop around the switch. Nested loops and switches have their own.
   void refuse_continues(std::size_t open, std::size_t close) {
     for (std::size_t at = open + 1; at < close; ++at) {
       if (is_loop(at) || (text_.is(at, "switch") && text_.is(at + 1, "("))) {
@@ -75,7 +75,7 @@ class SwitchCases {
                "with break, or repeat the code of the next one");
   }
 
-  // After the ':' of a label, not of `a ? b : c` and `A::b`.
+  // Returns the token after the ':' of a label, not of `a ? b : c` and `A::b`.
   std::size_t behind_label(std::size_t at, std::size_t close) const {
     std::size_t choices = 0;
     for (++at; at < close; ++at) {
@@ -94,7 +94,7 @@ class SwitchCases {
     return close;
   }
 
-  // One past the statement's last token.
+  // Returns one past the statement's last token.
   std::size_t statement_end(std::size_t at, std::size_t close, int depth) const {
     if (depth > deepest_statement) return close;
     while (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at) + 1;
@@ -119,8 +119,8 @@ class SwitchCases {
     return has_condition ? text_.matching_bracket(keyword + 1) + 1 : keyword + 1;
   }
 
-  // No path leads past the statement. Loops and conditions without variables are assumed to be constant, and
-  // a nested switch to be exhaustive, if they contain a return or break.
+  // Returns whether no path leads past the statement. Loops and conditions without variables are assumed to
+  // be constant, and a nested switch to be exhaustive, if they contain a return or break.
   bool ends(std::size_t at, std::size_t end, int depth) const {
     if (depth > deepest_statement) return true;
     while (at < end && text_.is(at, "[") && text_.matching_bracket(at) != npos)

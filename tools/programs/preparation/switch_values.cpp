@@ -6,7 +6,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The shapes of the values of switch statements.
+// Finds the shapes of the values of switch statements.
 class SwitchValues final : public ExpressionReader {
  public:
   explicit SwitchValues(const TokenText& text) : ExpressionReader(text), text_(text) {}

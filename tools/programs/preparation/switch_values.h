@@ -1,5 +1,5 @@
-// `switch (h)` of a half or float: HLSL truncates it, glslang accepts only integers. The value is cast to int
-// if its type is known.
+// In `switch (h)` with a half or float, HLSL truncates the value, while glslang accepts only integers. The
+// value is cast to int if its type is known.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -14,7 +14,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The number of elements of _m03_m13 or _14_24; 0 for other identifiers and for one element.
+// Returns the number of elements of _m03_m13 or _14_24; 0 for other identifiers and for one element.
 std::size_t matrix_swizzle(std::string_view word) {
   const std::size_t length = word.size() > 1 && word[1] == 'm' ? 4 : 3;
   if (word.size() < 2 * length || word.size() > 4 * length || word.size() % length != 0) return 0;
@@ -54,7 +54,7 @@ class SwizzleArguments {
     const DeclaredValue* parameter;
   };
 
-  // Whether the overload is one that writes to a swizzle here.
+  // Returns whether the overload is one that writes to a swizzle here.
   bool rewrite(std::size_t call, const FunctionType& function) {
     const std::size_t close = text_.matching_bracket(call + 1);
     if (!text_.is(close + 1, ";")) return false;
@@ -75,7 +75,7 @@ class SwizzleArguments {
     return true;
   }
 
-  // For a call with as many arguments as the overload has parameters.
+  // The call has as many arguments as the overload has parameters.
   std::vector<Argument> written_swizzles(std::size_t open, const FunctionType& function) const {
     const std::vector<ListElement> given = list_elements(text_, open);
     if (given.size() != function.parameters.size()) return {};

@@ -17,7 +17,7 @@ namespace {
 struct Texture {
   std::string_view type;
   std::string_view coordinate;  // including the layer of an array
-  std::string_view direction;   // without it: the dimension of gradients
+  std::string_view direction;   // without the layer: the dimension of gradients
 };
 constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
                                            {"Texture1DArray", "float2", "float"},
@@ -30,10 +30,10 @@ constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
 // A member function of textures. C and D in its parameters are replaced by the two types above.
 struct ReadFunction {
   std::string_view name;
-  std::string_view returned;  // empty: the texture's element type
+  std::string_view returned;  // if empty, the texture's element type
   std::string_view parameters;
   std::string_view arguments;
-  int count;  // of them
+  int count;  // number of them
 };
 constexpr std::array<ReadFunction, 12> functions{
     {{"Sample", "", "SamplerState s, C c", "s, c", 2},
@@ -59,10 +59,10 @@ bool compares(std::string_view function) {
   return function.substr(0, 9) == "SampleCmp" || function.substr(0, 9) == "GatherCmp";
 }
 
-// One read of a texture: `texture.function(`.
+// A read of a texture: `texture.function(`.
 struct Read {
   std::size_t declared = npos;  // the variable or member that names the texture
-  std::size_t first = npos;     // of the texture's chain
+  std::size_t first = npos;     // first token of the texture's chain
   std::size_t dot = npos;
 };
 
@@ -101,7 +101,8 @@ class Reads {
     }
   }
 
-  // Whether the texture is a member that is accessed through another member, a call or an array element.
+  // Returns whether the texture is a member that is accessed through another member, a call or an array
+  // element.
   bool is_indirect(std::size_t first, std::size_t dot) const {
     int members = 0;
     bool brackets = false;

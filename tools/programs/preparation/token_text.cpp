@@ -14,7 +14,7 @@ using hlsl::Token;
 
 constexpr int longest_run_of_newlines = 8;  // beyond that, a #line directive is shorter
 
-// Two tokens without white space between them in the original text: "+=" is two tokens.
+// Returns whether two tokens have no white space between them in the original text: "+=" is two tokens.
 bool glued(const Token& left, const Token& right) {
   return left.spelling.data() + left.spelling.size() == right.spelling.data();
 }
@@ -155,7 +155,7 @@ void TokenText::apply() {
   if (edits_.empty()) return;
   std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
     return a.first != b.first ? a.first < b.first
-                              : a.count == 0 && b.count > 0;  // what goes before comes first
+                              : a.count == 0 && b.count > 0;  // text that goes before comes first
   });
   edited_.clear();
   edited_.reserve(tokens_.size() + 16 * edits_.size());

@@ -35,8 +35,8 @@ struct Note : hlsl::Diagnostic {
 
 class TokenText {
  public:
-  // `preprocessed`: no comments, no macros, #line directives for source locations. Lines before the first
-  // #line that names a file are in `main_file`.
+  // `preprocessed` has no comments and no macros, but #line directives for source locations. Lines before the
+  // first #line that names a file are in `main_file`.
   TokenText(std::string preprocessed, std::string main_file);
   TokenText(const TokenText&) = delete;
   TokenText& operator=(const TokenText&) = delete;
@@ -51,33 +51,33 @@ class TokenText {
   bool is_identifier(std::size_t at) const {
     return at < tokens_.size() && hlsl::begins_identifier(leads_[at]);
   }
-  // The first character of a token; '\0' past the last.
+  // Returns the first character of a token; '\0' past the last.
   char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
-  // The number of the identifier at this index, equal for equal spellings, below identifier_count();
+  // Returns the number of the identifier at this index, equal for equal spellings, below identifier_count();
   // hlsl::StringInterner::none for other tokens.
   std::uint32_t identifier_number(std::size_t at) const {
     return at < tokens_.size() ? numbers_[at] : hlsl::StringInterner::none;
   }
   std::size_t identifier_count() const { return words_.size(); }
-  // The token that closes the (, [ or { at this index, or opens the ), ] or } there; npos for other tokens
-  // and for unbalanced ones.
+  // Returns the token that closes the (, [ or { at this index, or opens the ), ] or } there; npos for other
+  // tokens and for unbalanced ones.
   std::size_t matching_bracket(std::size_t at) const {
     return at < tokens_.size() && matching_brackets_[at] != alone ? matching_brackets_[at] : npos;
   }
   std::string spelled(std::size_t first, std::size_t count) const;  // as printed, on one line
 
-  // The declarations at file scope (hlsl/declarations.h), and the types of the names in the text
-  // (value_types.h). Computed once for all passes until one of them edits; the references are valid until
-  // apply().
+  // These are the declarations at file scope (hlsl/declarations.h), and the types of the names in the text
+  // (value_types.h). They are computed once for all passes until one of them edits; the references are valid
+  // until apply().
   const std::vector<hlsl::Declaration>& declarations() const;
   const ValueTypes& types() const;
-  // `wanted`, with underscores appended if the text already has that identifier.
+  // Returns `wanted`, with underscores appended if the text already has that identifier.
   std::string free_name(std::string wanted) const;
 
-  // Edits; their ranges must not overlap, and several inserts at one place keep their order.
+  // These edit the text; their ranges must not overlap, and several inserts at one place keep their order.
   void replace(std::size_t first, std::size_t count, std::string_view hlsl);
   void insert(std::size_t before, std::string_view hlsl) { replace(before, 0, hlsl); }
-  // The same with the line of the token `place`, for text that is moved.
+  // Inserts the same with the line of the token `place`, for text that is moved.
   void insert_from(std::size_t place, std::size_t before, std::string_view hlsl);
   void erase(std::size_t first, std::size_t count) { replace(first, count, {}); }
   void apply();  // all of them at once
@@ -86,7 +86,7 @@ class TokenText {
   void note(std::size_t at, hlsl::Severity severity, std::string message);
   const std::vector<Note>& notes() const { return notes_; }
 
-  // The entry point's name; empty: of a text without one.
+  // Returns the entry point's name, which is empty for a text without one.
   const std::string& entry() const { return entry_; }
   void set_entry(std::string name) { entry_ = std::move(name); }
 
@@ -98,11 +98,11 @@ class TokenText {
     std::size_t first;
     std::size_t count;
     std::string text;
-    std::size_t place = npos;  // the token whose line it gets; npos: the one that it replaces or follows
+    std::size_t place = npos;  // the token whose line it gets; npos for the one that it replaces or follows
   };
 
   void match_brackets();
-  // The token's index in the text as it was given, and those tokens; npos for an inserted one.
+  // Returns the token's index in the text as it was given, and those tokens; npos for an inserted one.
   std::size_t original(std::size_t at);
   void append_kept(std::size_t first, std::size_t end);
   void append_made(const Edit& edit);
@@ -113,7 +113,7 @@ class TokenText {
   std::string entry_;
   std::vector<hlsl::Token> tokens_;
   hlsl::StringInterner words_;          // all identifiers that are or were in the text
-  std::vector<std::uint32_t> numbers_;  // of every token's identifier
+  std::vector<std::uint32_t> numbers_;  // number of every token's identifier
   std::string leads_;                   // the first character of every token, for fast tests
   std::vector<hlsl::Token> edited_;     // output of apply() for these three; kept to reuse their memory
   std::vector<std::uint32_t> edited_numbers_;
@@ -124,10 +124,10 @@ class TokenText {
   std::deque<std::string> made_;  // the spellings of inserted tokens
   std::vector<Note> notes_;
   std::vector<hlsl::Token> original_;  // the tokens before the first edit, when a note asks for them
-  // Computed on demand, valid until apply().
+  // They are computed on demand, and valid until apply().
   mutable std::optional<std::vector<hlsl::Declaration>> declarations_;
   mutable std::shared_ptr<const ValueTypes> types_;
-  mutable std::vector<bool> known_words_;  // by number: whether the identifier is in the text
+  mutable std::vector<bool> known_words_;  // for each number: the identifier is in the text
 };
 
 }  // namespace penumbra::preparation

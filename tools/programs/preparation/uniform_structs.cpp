@@ -65,7 +65,7 @@ class UniformStructs {
                                               parts.assignments + "return whole; } ");
   }
 
-  // `name` is what the new variable is called, `whole` the chain it is assigned to.
+  // `name` is that of the new variable, and `whole` the chain it is assigned to.
   void add_members(std::string_view type, const std::string& name, const std::string& whole,
                    Parts& parts) const {
     const auto known = types_.structs().find(type);
@@ -101,7 +101,7 @@ class UniformStructs {
     return text_.free_name(std::string(word(of)) + "_whole");
   }
 
-  // Of the cbuffer it is a member of, else its own.
+  // The end is that of the cbuffer it is a member of, else its own.
   std::size_t end_of_block(const DeclaredValue& value) const {
     for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::buffer && declaration.open < value.name &&
@@ -110,7 +110,7 @@ class UniformStructs {
     return value.last;
   }
 
-  // `s.map` is the part of that name, any other `s` the whole.
+  // In `s.map`, the part of that name is used; any other `s` is the whole.
   void replace_use(std::size_t at) {
     const std::size_t index = text_.is_identifier(at) ? types_.named(at) : npos;
     if (index == npos || !is_uniform_struct(types_.declared()[index])) return;

@@ -71,7 +71,7 @@ class WrittenUniforms {
     }
   }
 
-  // `vector<float, 3> a`: whether the '>' at this token ends a type.
+  // Returns whether the '>' at this token ends a type: `vector<float, 3> a`.
   bool ends_type(std::size_t at) const {
     if (!text_.is(at, ">")) return false;
     for (std::size_t back = at; back-- > 0 && at - back < 6;) {
@@ -130,7 +130,7 @@ class WrittenUniforms {
   const ValueTypes& types_;
   const std::vector<hlsl::Declaration>& declarations_;
   WrittenValues writes_;
-  std::vector<bool> uniform_words_;  // by identifier number: whether a uniform has that name
+  std::vector<bool> uniform_words_;  // for each identifier number: a uniform has that name
   std::unordered_map<std::string_view, Uniform> uniforms_;
   std::set<std::string_view> written_;
 };

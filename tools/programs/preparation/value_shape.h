@@ -16,10 +16,11 @@ struct ValueShape {
   std::vector<ValueShape> parts;  // members or elements; empty for numbers, vectors and matrices
 };
 
-// 3 of float3, 16 of float4x4, 1 of float.
+// Returns 3 for float3, 16 for float4x4, 1 for float.
 std::size_t components(std::string_view number_type);
 
-// Nothing for resources, for array sizes that are not literals, and for types of more than 4096 scalars.
+// Returns nothing for resources, for array sizes that are not literals, and for types of more than 4096
+// scalars.
 std::optional<ValueShape> shape_of(const TokenText& text, const DeclaredValue& value);
 
 }  // namespace penumbra::preparation

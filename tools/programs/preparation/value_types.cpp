@@ -48,7 +48,7 @@ class ValueTypesReader {
 
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
 
-  // First pass: declarations at file scope and in structs.
+  // The first pass reads declarations at file scope and in structs.
   void declare(std::size_t index) {
     const hlsl::Declaration& declaration = to_.declarations_[index];
     switch (declaration.kind) {
@@ -99,7 +99,7 @@ class ValueTypesReader {
     declare_values({declaration.close + 1, declaration.last + 1, Place::global, word(declaration.name)});
   }
 
-  // One member from `at`; where the next begins.
+  // Reads one member from `at`; returns where the next begins.
   std::size_t member(std::size_t at, std::size_t end, StructType& type) {
     std::size_t stop = at;
     while (stop < end && !text_.is(stop, ";") && !text_.is(stop, "{") && !text_.is(stop, "(")) ++stop;
@@ -161,7 +161,7 @@ class ValueTypesReader {
     visible = index;
   }
 
-  // Second pass: the bodies and initialisers.
+  // The second pass reads the bodies and initialisers.
   void read(const hlsl::Declaration& declaration) {
     if (declaration.kind == Kind::function || declaration.kind == Kind::prototype) {
       read_function(declaration);
@@ -302,7 +302,7 @@ class ValueTypesReader {
     to_.places_[at].type = add_type(type);
   }
 
-  // Along the bases, which may be cyclic in an invalid text.
+  // The search goes along the bases, which may be cyclic in an invalid text.
   template <typename Look>
   void each_base(std::string_view type, Look look) const {
     constexpr int deepest = 16;
@@ -365,16 +365,17 @@ class ValueTypesReader {
 
   const TokenText& text_;
   ValueTypes& to_;
-  std::vector<std::uint32_t> declared_types_;  // of each declared value: index into types_
-  // By identifier number: the type that functions of that name return, and the variable that the name refers
-  // to.
+  std::vector<std::uint32_t> declared_types_;  // for each declared value: index into types_
+  // By identifier number, these are the type that functions of that name return, and the variable that the
+  // name refers to.
   static constexpr std::uint32_t not_declared = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> returns_;
   std::vector<std::size_t> visible_;
-  std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;  // in visible_, and the value that it replaced
+  // Index in visible_, and the value that it replaced.
+  std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;
   std::vector<DeclaredValue> just_read_;
   std::string_view current_struct_;
-  std::size_t statement_end_ = 0;  // of the declaration that is being read
+  std::size_t statement_end_ = 0;  // end of the declaration that is being read
 };
 
 ValueTypes::ValueTypes(const TokenText& text) : declarations_(text.declarations()) {

@@ -1,10 +1,10 @@
-// Name lookup and types: which variable a name refers to and what type it has, as far as the passes need it
-// that trace textures, samplers and buffers through a text.
+// Name lookup and types: the variable that a name refers to, and its type, as far as the passes need it that
+// trace textures, samplers and buffers through a text.
 //
-// Knows globals (including members of cbuffers), members of structs, parameters, locals with their blocks,
-// results of functions if all overloads return the same type, and chains of these with '.', '[]' and calls:
-// `scene.maps[2].albedo`, `Load(x).tint`. Everything else - operators, swizzles, casts, built-in functions -
-// is unknown instead of guessed. One pass over the tokens; linear.
+// The lookup knows globals (including members of cbuffers), members of structs, parameters, locals with their
+// blocks, results of functions if all overloads return the same type, and chains of these with '.', '[]' and
+// calls: `scene.maps[2].albedo`, `Load(x).tint`. Everything else - operators, swizzles, casts, built-in
+// functions - is unknown instead of guessed. It takes one pass over the tokens and linear time.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,10 @@ namespace penumbra::preparation {
 
 struct StructType {
   std::size_t declaration = 0;       // index into ValueTypes::declarations()
-  std::string_view base;             // of `struct S : base`
+  std::string_view base;             // base in `struct S : base`
   std::vector<std::size_t> members;  // indices into ValueTypes::declared(), in their order
   std::unordered_map<std::string_view, std::size_t> member_names;  // the same by name
-  std::vector<hlsl::Declaration> functions;                        // with bodies
+  std::vector<hlsl::Declaration> functions;                        // functions with bodies
 };
 
 struct FunctionType {
@@ -37,10 +37,12 @@ class ValueTypes {
  public:
   explicit ValueTypes(const TokenText& text);  // valid until its apply()
 
-  // The type of the chain that ends with this token, and the chain's first token (npos: no known chain).
+  // Returns the type of the chain that ends with this token, and the chain's first token (npos if there is no
+  // known chain).
   const ValueType& at(std::size_t token) const { return types_[places_[token].type]; }
   std::size_t begin(std::size_t token) const { return wide(places_[token].begin); }
-  // Index into declared() of the variable or member that this identifier refers to; npos otherwise.
+  // Returns the index into declared() of the variable or member that this identifier refers to; npos
+  // otherwise.
   std::size_t named(std::size_t token) const { return wide(places_[token].named); }
 
   const std::vector<DeclaredValue>& declared() const { return declared_; }
@@ -51,7 +53,8 @@ class ValueTypes {
  private:
   friend class ValueTypesReader;
 
-  // The information about one token. Kept small: a text has a hundred thousand tokens, and most are no value.
+  // The information about one token. It is small: a text has a hundred thousand tokens, and most are no
+  // value.
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   struct Place {
     std::uint32_t type = 0;  // index into types_, of which the first is the unknown type

@@ -36,7 +36,7 @@ bool WrittenValues::writes(std::size_t at) const {
   return assignment_length(text_, end) != 0 || stepped(at, end) || passed_out(at, end);
 }
 
-// Its elements and members; not a call.
+// The value includes its elements and members, but not a call.
 std::size_t WrittenValues::end_of_value(std::size_t at) const {
   std::size_t end = at + 1;
   while ((text_.is(end, "[") && text_.matching_bracket(end) != npos) ||

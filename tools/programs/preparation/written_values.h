@@ -1,5 +1,5 @@
-// Where a variable is written to: by an assignment, by ++ or --, or as the argument of an out or inout
-// parameter of a function of the text. Internal to this folder.
+// The places where a variable is written to: by an assignment, by ++ or --, or as the argument of an out or
+// inout parameter of a function of the text. Internal to this folder.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ class WrittenValues {
  public:
   explicit WrittenValues(const TokenText& text);  // valid until its apply()
 
-  // Whether the value that begins with the name at this token, its elements and members included, is written
-  // there.
+  // Returns whether the value that begins with the name at this token, its elements and members included, is
+  // written there.
   bool writes(std::size_t at) const;
 
  private:
@@ -25,7 +25,8 @@ class WrittenValues {
   bool passed_out(std::size_t begin, std::size_t end) const;
 
   const TokenText& text_;
-  std::map<std::string_view, std::set<std::size_t>> out_parameters_;  // function -> which of its parameters
+  // The written parameters of each function.
+  std::map<std::string_view, std::set<std::size_t>> out_parameters_;
 };
 
 }  // namespace penumbra::preparation

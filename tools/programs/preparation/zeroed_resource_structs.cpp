@@ -27,7 +27,7 @@ class Zeroes {
  private:
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
 
-  // ( S ) 0, or 0.0 and 0.0f.
+  // The cast is ( S ) 0, or 0.0 and 0.0f.
   bool is_cast(std::size_t at) const {
     if (!text_.is(at, "(") || !text_.is(at + 2, ")")) return false;
     const bool zero = text_[at + 3].spelling.find_first_not_of("0.fFhHuU") == std::string_view::npos;
@@ -39,7 +39,7 @@ class Zeroes {
     text_.replace(at, 4, function_name(word(at + 1)) + "()");
   }
 
-  // With the structs of its members.
+  // Adds the struct with the structs of its members.
   void need(std::string_view type) {
     std::vector<std::string_view> open{type};
     while (!open.empty()) {
@@ -52,7 +52,7 @@ class Zeroes {
     }
   }
 
-  // Those of its bases first.
+  // The members of its bases come first.
   std::vector<std::size_t> members(std::string_view type) const {
     constexpr int deepest = 16;
     std::vector<std::size_t> all;
@@ -78,7 +78,7 @@ class Zeroes {
                      body + "return zero; } ");
   }
 
-  // zero.member = (float4)0; or a loop over its elements.
+  // Returns zero.member = (float4)0; or a loop over its elements.
   std::string zero(const DeclaredValue& member) const {
     const std::string_view type = member.type.name;
     if (is_resource(type) || member.type_at == npos) return {};

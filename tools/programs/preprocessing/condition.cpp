@@ -8,7 +8,7 @@ namespace penumbra::preprocessing {
 
 namespace {
 
-// The precedence of binary operators; 0 for other tokens.
+// Returns the precedence of binary operators; 0 for other tokens.
 int precedence_of(const Token& token) {
   if (token.kind != Kind::punctuation) return 0;
   switch (token.spelling) {

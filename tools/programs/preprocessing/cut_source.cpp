@@ -43,7 +43,7 @@ Step step_of(Spelling directive) {
   }
 }
 
-// The header that #include names, if nothing follows it on its line.
+// Returns the header that #include names, if nothing follows it on its line.
 std::optional<Include> read_header(std::string_view line, Spellings& spellings) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<Include> read_header(std::string_view line, Spellings& spellings) 
   if ((kind != Kind::newline && kind != Kind::end) || behind.unusual()) return std::nullopt;
   const std::string_view name = line.substr(1, end - 1);
   const bool as_comment = !quoted && (name.find("//") != name.npos || name.find("/*") != name.npos);
-  if (as_comment) return std::nullopt;  // how glslang's preprocessor treats it in skipped text
+  if (as_comment) return std::nullopt;  // glslang's preprocessor treats it so in skipped text
   return Include{std::string(name), quoted};
 }
 
@@ -139,7 +139,7 @@ class SourceCut {
     Item item;
     item.line = scan_.place().line;
     if (name.kind == Kind::identifier) item.step = step_of(name.spelling);
-    if (name.is(known::hash)) balanced_ = false;  // where glslang skips text, "##else" is #else
+    if (name.is(known::hash)) balanced_ = false;  // in text that glslang skips, "##else" is #else
     const std::string_view rest = scan_.rest();
     const std::vector<Token> line = rest_of_line();
     item.whole_float = scan_.take_whole_float();
@@ -175,7 +175,7 @@ class SourceCut {
         return;
       case Step::otherwise:
       case Step::end:
-        balanced_ = balanced_ && line.empty();  // what follows them is an error in skipped text as well
+        balanced_ = balanced_ && line.empty();  // text behind them is an error in skipped text as well
         return;
       default:
         return;

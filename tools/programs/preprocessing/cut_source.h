@@ -29,10 +29,10 @@ enum class Step : std::uint8_t {
   run,
   define,
   undef,
-  on_condition,  // #if
+  on_condition,  // an #if
   on_defined,
   on_undefined,
-  or_on_condition,  // #elif
+  or_on_condition,  // an #elif
   otherwise,
   end,
   include,
@@ -43,8 +43,8 @@ struct Item {
   Step step = Step::unusual;
   bool malformed = false;    // an error if it is not skipped
   bool whole_float = false;  // a literal such as 1f: an error outside of conditions
-  int line = 0;              // of a directive's name
-  std::size_t index = 0;     // of the run, definition or include, or the spelling of the macro
+  int line = 0;              // line of a directive's name
+  std::size_t index = 0;     // index of the run, definition or include, or the spelling of the macro
   std::size_t first = 0;     // a condition's tokens
   std::size_t last = 0;
   std::size_t next = 0;  // for a condition: the item of the next branch or the end
@@ -57,19 +57,19 @@ struct Include {
 };
 
 struct CutSource {
-  bool usual = false;  // false: the other members are empty, and glslang's preprocessor reads the source
+  bool usual = false;  // if false, the other members are empty, and glslang's preprocessor reads the source
   std::vector<Item> items;
   std::vector<Run> runs;
-  std::vector<Token> tokens;  // of runs and conditions
-  std::vector<Place> places;  // of the tokens
-  // The runs as glslang prints them if no macro is called, and where each token ends in that text.
+  std::vector<Token> tokens;  // tokens of runs and conditions
+  std::vector<Place> places;  // places of the tokens
+  // The runs as glslang prints them if no macro is called, and the end of each token in that text.
   std::string printed;
   std::vector<std::size_t> ends;
   std::vector<Spelling> names;
   std::vector<Definition> definitions;
   std::vector<Include> includes;
   int lines = 0;
-  int depth = 0;  // of nested conditions
+  int depth = 0;  // depth of nested conditions
 };
 
 CutSource cut_source(std::string_view text, Spellings& spellings);

@@ -1,4 +1,4 @@
-// Parses what follows #define. Internal to this folder.
+// Parses the text that follows #define. Internal to this folder.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace penumbra::preprocessing {
 
-// Nothing if glslang would report an error or a warning.
+// Returns nothing if glslang would report an error or a warning.
 std::optional<Definition> cut_definition(const std::vector<Token>& line);
 
-// As the C standard and glslang compare definitions (6.10.3): the same tokens, with white space at the same
-// places.
+// The comparison is that of the C standard and glslang (6.10.3): the same tokens, with white space at the
+// same places.
 bool are_identical(const Definition& a, const Definition& b);
 
 }  // namespace penumbra::preprocessing

@@ -9,7 +9,7 @@ namespace penumbra::preprocessing {
 
 namespace {
 
-constexpr std::size_t most_tokens = 4'000'000;  // of one run; URP's lighting has some ten thousand
+constexpr std::size_t most_tokens = 4'000'000;  // tokens of one run; URP's lighting has some ten thousand
 constexpr int deepest_call = 200;               // nested calls in arguments
 
 bool may_be_joined(const Token& token) {
@@ -47,7 +47,8 @@ Read Expansion::scan_bottom() {
   return read;
 }
 
-// The next token of the top input, which is not exhausted. False if an argument was pushed instead.
+// Reads the next token of the top input, which is not exhausted. Returns false if an argument was pushed
+// instead.
 bool Expansion::scan_input(Read& out) {
   Input& input = inputs_.back();
   if (input.source == Source::put_back) {
@@ -198,7 +199,7 @@ std::unique_ptr<Expansion::Call> Expansion::new_call(std::size_t arguments) {
   return call;
 }
 
-// From after the '(' to after the ')'.
+// Reads from after the '(' to after the ')'.
 std::unique_ptr<Expansion::Call> Expansion::read_arguments(const Definition& macro, Read& read) {
   const std::size_t count = macro.parameters.size();
   std::unique_ptr<Call> call = new_call(count);
@@ -217,9 +218,9 @@ std::unique_ptr<Expansion::Call> Expansion::read_arguments(const Definition& mac
   return call;
 }
 
-// To the comma or the ')' that ends it, which is left in `read`.
+// Reads to the comma or the ')' that ends it, which is left in `read`.
 void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
-  std::vector<Spelling> open;  // what closes each bracket
+  std::vector<Spelling> open;  // the token that closes each bracket
   for (;;) {
     read = scan();
     const Token& token = read.token;
@@ -237,7 +238,7 @@ void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
   }
 }
 
-// The expansion of an argument's tokens.
+// Returns the expansion of an argument's tokens.
 void Expansion::expand_argument(const std::vector<Token>& argument, std::vector<Token>& expanded) {
   if (++depth_ > deepest_call) throw Unusual("macro calls nested too deeply");
   Read end;

@@ -27,7 +27,7 @@ class Expansion {
   // read after the last token of a text.
   void read_text(const Token* first, const Token* last, const Place* places);
   void read_condition(const Token* first, const Token* last);
-  const Token* position() const { return at_; }  // in the bottom input
+  const Token* position() const { return at_; }  // position in the bottom input
 
   Read scan();
   // Applies the ## operators that follow a scanned token.
@@ -35,7 +35,7 @@ class Expansion {
   // If a macro of that name is called here, pushes its expansion and returns true. For an undefined name,
   // pushes 0 if requested.
   bool expand(Read& name, bool undefined_as_zero);
-  // Pops the inputs that are exhausted; true if only the bottom is left.
+  // Pops the inputs that are exhausted; returns true if only the bottom is left.
   bool at_bottom();
   void clear();
 
@@ -76,12 +76,12 @@ class Expansion {
   std::vector<std::unique_ptr<Call>> free_calls_;
   const Token* at_ = nullptr;
   const Token* last_ = nullptr;
-  const Place* places_ = nullptr;  // of the token at `at_`; null for a condition
+  const Place* places_ = nullptr;  // place of the token at `at_`; null for a condition
   int line_ = 0;                   // the position of glslang's scanner
   int column_ = 0;
   bool joined_ = false;  // Place::joined of the last token
   std::size_t scanned_ = 0;
-  int depth_ = 0;  // of nested argument expansions
+  int depth_ = 0;  // depth of nested argument expansions
 };
 
 }  // namespace penumbra::preprocessing

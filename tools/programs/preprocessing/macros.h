@@ -18,7 +18,7 @@ class Macros {
   void define(const Definition& definition);
   void undefine(Spelling name);
 
-  // Whether its own expansion is being read.
+  // Returns whether its own expansion is being read.
   bool is_busy(Spelling name) const { return entries_[name].busy; }
   void set_busy(Spelling name, bool busy) { entries_[name].busy = busy; }
 
@@ -30,7 +30,7 @@ class Macros {
     bool busy = false;
   };
 
-  std::vector<Entry> entries_;          // by name
+  std::vector<Entry> entries_;          // indexed by name
   std::vector<unsigned char> defined_;  // the same, for fast lookup of every name of a text
   std::vector<Spelling> names_;         // all that were ever defined
 };

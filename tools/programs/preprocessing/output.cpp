@@ -6,7 +6,7 @@
 
 namespace penumbra::preprocessing {
 
-// True if it begins a line.
+// Returns true if it begins a line.
 bool Output::sync_to(int line) {
   const bool begins = line_ < line;
   for (; line_ < line; ++line_)

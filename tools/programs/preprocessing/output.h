@@ -14,7 +14,7 @@ class Output {
 
   // `place.column` may be 0 for a token that begins no line.
   void token(const Token& token, int line, int column);
-  // Tokens of one run, in which no macro is called.
+  // Copies tokens of one run, in which no macro is called.
   void copy(const CutSource& source, std::size_t first, std::size_t last);
   // Emits a directive on `line`: the next line is line `next` of the file.
   void line_directive(int line, int next, const std::string& file);

@@ -26,7 +26,7 @@ class Reading {
   std::string take() { return out_.take(); }
 
  private:
-  // The item to continue with.
+  // Returns the item to continue with.
   std::size_t step(const CutSource& source, std::size_t at, const std::string& name) {
     const Item& item = source.items[at];
     if (item.whole_float && depth_ == 0) throw Unusual("a number like 1f");
@@ -61,7 +61,7 @@ class Reading {
     throw Unusual("a directive that only glslang can read");
   }
 
-  // The first item of the active branch, or the end of the condition.
+  // Returns the first item of the active branch, or the end of the condition.
   std::size_t branch(const CutSource& source, std::size_t at) {
     while (source.items[at].step != Step::end && !chosen(source, source.items[at]))
       at = source.items[at].next;

@@ -18,7 +18,8 @@
 
 namespace penumbra::preprocessing {
 
-// A file that #include has found. The source is valid until the file is left; null: the file is skipped.
+// A file that #include has found. The source is valid until the file is left; if it is null, the file is
+// skipped.
 struct IncludedFile {
   std::string name;
   const CutSource* source = nullptr;
@@ -27,18 +28,19 @@ struct IncludedFile {
 class Includes {
  public:
   virtual ~Includes() = default;
-  // Nothing: preprocessing stops. `includer` is the name of the file with the #include.
+  // If it returns nothing, preprocessing stops. `includer` is the name of the file with the #include.
   virtual std::optional<IncludedFile> enter(const std::string& asked, const std::string& includer) = 0;
   virtual void leave() = 0;  // the file that was entered last
 };
 
-// Splits and reads many sources in turn. Not thread-safe.
+// A preprocessor that splits and reads many sources in turn. Not thread-safe.
 class Preprocessor {
  public:
   // The result may be read by this preprocessor only.
   CutSource cut(std::string_view text) { return cut_source(text, spellings_); }
 
-  // `definitions` precede the source and count as no lines. Nothing: glslang has to preprocess the source.
+  // `definitions` precede the source and count as no lines. Returns nothing if glslang has to preprocess the
+  // source.
   std::optional<std::string> run(const CutSource& definitions, const CutSource& source,
                                  const std::string& name, Includes& includes);
 

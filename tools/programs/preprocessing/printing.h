@@ -1,4 +1,4 @@
-// Where glslang's preprocessor prints a space between two tokens (DoPreprocessing in its ShaderLang.cpp).
+// The spaces that glslang's preprocessor prints between two tokens (DoPreprocessing in its ShaderLang.cpp).
 // Internal to this folder.
 #pragma once
 

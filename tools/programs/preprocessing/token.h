@@ -9,12 +9,12 @@
 namespace penumbra::preprocessing {
 
 enum class Kind : std::uint8_t {
-  end,  // of the text
+  end,  // the end of the text
   newline,
   argument_end,
   identifier,
-  integer,  // of type int, which #if can evaluate
-  number,   // any other
+  integer,  // a number of type int, which #if can evaluate
+  number,   // any other number
   string,
   punctuation,
   paste,   // ## in a macro's body
@@ -33,8 +33,8 @@ struct Token {
 };
 
 // Lines and columns count from 1. `after` is the column that glslang's scanner reports once it has read the
-// token; 0 if unknown. `joined`: a backslash right after the token joins the next line, and glslang's
-// scanner, which has read that line's first character, reports a location on that line.
+// token; 0 if unknown. `joined` means that a backslash right after the token joins the next line, and
+// glslang's scanner, which has read that line's first character, reports a location on that line.
 struct Place {
   int line = 0;
   int column = 0;

@@ -16,7 +16,7 @@ constexpr std::string_view decimal = "0123456789";
 constexpr std::string_view octal = "01234567";
 constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
 
-// Longer operators before their prefixes.
+// Longer operators come before their prefixes.
 constexpr std::array<std::string_view, 48> marks{
     "<<=", ">>=", "++", "+=", "--", "-=", "*=", "%=", "^^", "^=", "==", "!=", "||", "|=", "&&", "&=",
     "<<",  "<=",  ">>", ">=", "/=", "::", "~",  "(",  ")",  ",",  "?",  ";",  "[",  "]",  "{",  "}",
@@ -34,8 +34,8 @@ constexpr bool is_identifier_character(char c) {
   return begins_identifier(c) || is_digit(c);
 }
 
-// Macros whose values are not known here. VULKAN and GL_EXT_multiview, which glslang defines as well, are
-// none in HLSL.
+// The values of these macros are not known here. VULKAN and GL_EXT_multiview, which glslang defines as well,
+// are no macros in HLSL.
 bool is_predefined(std::string_view name) {
   return name == "__LINE__" || name == "__FILE__" || name == "__VERSION__";
 }
@@ -68,7 +68,7 @@ bool TokenScan::skip_joins() {
   return any;
 }
 
-// True if there was white space or a comment; a line comment leaves the newline.
+// Returns true if there was white space or a comment; a line comment leaves the newline.
 bool TokenScan::skip_gap() {
   bool any = false;
   while (at_ < text_.size()) {
@@ -131,7 +131,7 @@ Token TokenScan::next() {
   return finish(token, begin);
 }
 
-// Whether text after a joined line could still belong to the token.
+// Returns whether text after a joined line could still belong to the token.
 bool TokenScan::goes_on(Kind kind) const {
   std::size_t at = at_;
   while (at + 1 < text_.size() && text_[at] == '\\' && text_[at + 1] == '\n') at += 2;
@@ -147,7 +147,7 @@ Token TokenScan::finish(Token token, std::size_t begin) {
   if (token.kind == Kind::identifier && is_left_to_glslang(text)) token.kind = Kind::unusual;
   token.spelling = spellings_.number(text);
   place_.after = place_.column + static_cast<int>(text.size()) - 1;
-  // Reproduces its effect when it puts back a newline or a text's last character.
+  // This reproduces its effect when it puts back a newline or a text's last character.
   const bool newline_next = peek() == '\n';
   if (looked_ahead_ && newline_next && line_ > 1) ++place_.after;
   if (looked_ahead_ && !newline_next && at_ + 1 == text_.size()) ++place_.after;
@@ -187,7 +187,8 @@ Kind TokenScan::number() {
   return integer(begin, 8);
 }
 
-// After its digits, which begin at `begin`. A number of more than 32 bits is an error in glslang.
+// Reads the rest of an integer after its digits, which begin at `begin`. A number of more than 32 bits is an
+// error in glslang.
 Kind TokenScan::integer(std::size_t begin, int base) {
   std::uint64_t value = 0;
   const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value, base);
@@ -203,7 +204,7 @@ Kind TokenScan::integer(std::size_t begin, int base) {
   return Kind::integer;
 }
 
-// At the point, the exponent or the suffix.
+// Reads a real number at the point, the exponent or the suffix.
 Kind TokenScan::real(bool fraction) {
   bool whole = !fraction;
   if (fraction) {

@@ -8,7 +8,7 @@
 
 namespace penumbra::preprocessing {
 
-// A macro that glslang predefines, or a name that exceeds its length limit.
+// Returns whether the name is a macro that glslang predefines, or exceeds its length limit.
 bool is_left_to_glslang(std::string_view name);
 
 class TokenScan {
@@ -16,13 +16,13 @@ class TokenScan {
   TokenScan(std::string_view text, Spellings& spellings) : text_(text), spellings_(spellings) {}
 
   Token next();
-  const Place& place() const { return place_; }  // of the token that next() returned last
+  const Place& place() const { return place_; }  // place of the token that next() returned last
   int line() const { return line_; }
   std::string_view rest() const { return text_.substr(at_); }
 
-  // Whether something was read that glslang always reports, or splits into tokens differently.
+  // Returns whether something was read that glslang always reports, or splits into tokens differently.
   bool unusual() const { return unusual_; }
-  // glslang rejects "1f" outside of all conditions. True if one was read since the last call.
+  // glslang rejects "1f" outside of all conditions. Returns true if one was read since the last call.
   bool take_whole_float();
 
  private:
