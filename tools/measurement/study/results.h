@@ -187,10 +187,11 @@ struct Results {
   bool operator==(const Results&) const = default;
 };
 
-// True when a technique returned NaN, infinity or something outside [0, 1]: `measure` exits with findings.
+// Returns true when a technique returned NaN, infinity or something outside [0, 1]: `measure` exits with
+// findings.
 bool has_invalid_values(const Results& results);
 
-// "CPU time" or "GPU time".
+// Returns "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
 
 // Returns the frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a
