@@ -107,8 +107,8 @@ void refuse_foreign_source(const std::string& file, std::string_view emitted) {
   }
 }
 
-// A package may be a stranger's, whose links would lead the output elsewhere. The package's own folder may be
-// a link: the user names it.
+// A package may come from an untrusted source, and its links would lead the output elsewhere. The package's
+// own folder may be a link: the user names it.
 void refuse_link(const fs::path& package, const fs::path& file) {
   if (const std::optional<fs::path> link = platform::link_below(package, package / file))
     throw InputError(link->string(), "is a symbolic link, which output does not follow",
