@@ -129,7 +129,7 @@ std::vector<std::string> JsonObject::keys() const {
 void JsonObject::finish() const {
   for (const std::string& key : keys()) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    std::vector<std::string> known;  // a key may have been asked for several times
+    std::vector<std::string> known;  // a key may have been read several times
     for (const std::string& name : asked_)
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
     fail(key, "unknown key '" + key + "'", unknown_name_way_out(key, known));

@@ -1,4 +1,4 @@
-// How well a point set stands for the unit disk.
+// The quality of a point set as a substitute for the unit disk.
 //
 // half_plane_rmse: root mean square error of coverage over straight shadow edges, the error a filter makes
 //   in a penumbra. Edge direction uniform over the circle, edge offset t uniform in [-1, 1] across the disk:

@@ -24,7 +24,7 @@ enum class FrameKind : char {
   note = 'n',         // from the worker
   answer = 'a',       // from the worker: the message is done
   failure = 'f',      // from the worker: the handler threw
-  spent = 'x',        // from the worker: the handler threw a WorkerSpent, and the worker is of no more use
+  spent = 'x',        // from the worker: the handler threw a WorkerSpent, and the worker cannot be used again
   environment = 'e',  // from the worker: the handler threw an EnvironmentError
 };
 

@@ -55,7 +55,7 @@ std::string cost_json(const CostReport& report);
 // The CSV has one line a row, figures only. A text that a spreadsheet would take for a formula (=, +, - or @
 // first) begins with an apostrophe; sets of keywords ("+A +B") stay as they are.
 std::string cost_csv(const CostReport& report);
-// For a terminal: a table for each family, then the failures.
+// Returns the text for a terminal: a table for each family, then the failures.
 std::string cost_table(const CostReport& report);
 
 // Reads a file that cost_json() wrote; throws InputError with file:line:column.

@@ -34,7 +34,7 @@ struct CostRequest {
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::vector<std::string> families;
-  // Arguments that start this program as serve_compiler(); threads if empty.
+  // These arguments start this program as serve_compiler(); if there are none, threads compile.
   std::vector<std::string> compiler;
   platform::WorkerLimits compiler_limits;        // limits for one source
   std::filesystem::path worker;                  // see NullRadv::worker

@@ -25,7 +25,7 @@ struct ControlFlow {
   Graph successors;
   Graph predecessors;
   std::vector<std::size_t> order;  // reachable nodes in reverse postorder, the entry first
-  // Immediate dominators; the entry's is itself; no_node where unreachable.
+  // The immediate dominator of each node: the entry's is itself; no_node where unreachable.
   std::vector<std::size_t> dominator;
   std::vector<std::size_t> merge;  // for each node: the merge block that it declares, or no_node
   std::vector<std::size_t> depth;  // depth in the dominator tree

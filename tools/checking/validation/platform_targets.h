@@ -15,7 +15,7 @@ namespace penumbra::validation {
 struct PlatformTargets {
   variants::Platform platform;
   std::vector<std::string> targets;
-  // Version of the modules from which the targets are made.
+  // The version of the modules from which the targets are made.
   shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;
 };
 

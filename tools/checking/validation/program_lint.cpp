@@ -17,7 +17,7 @@ namespace {
 
 using SubShaderKey = std::tuple<std::string, std::string, int>;             // file, shader, index
 using ProgramKey = std::tuple<std::string, std::string, int, std::string>;  // the same and pass
-// Results in the order of the run.
+// The results in the order of the run.
 using Results = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;
 
 template <typename Named>

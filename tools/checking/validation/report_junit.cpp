@@ -192,7 +192,7 @@ class JunitReport {
     std::string reason;
     for (const std::size_t i : test.records) {
       const VariantRecord& record = report_.records[i];
-      // A combined case: some variants were tried, and passed.
+      // The case is combined: some variants were tried, and passed.
       if (record.status == VariantStatus::passed) return {};
       if (!reason.empty()) continue;
       reason = status_name(record.status);

@@ -24,7 +24,7 @@ struct UnitJob {
   AnswerContext context;
   std::vector<std::string> given_up;      // targets in which it has crashed or hung before
   Sharing sharing = Sharing::everything;  // shared with what this worker has compiled before
-  // Returns only the text that the parser would read, for a file that reproduces a crash.
+  // The reply then has only the text that the parser would read, for a file that reproduces a crash.
   bool text_only = false;
 };
 

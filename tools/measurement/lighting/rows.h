@@ -1,4 +1,4 @@
-// Rows of a picture on all threads, with progress, ended by Ctrl-C.
+// Runs the rows of a picture on all threads, with progress, ended by Ctrl-C.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A mesh in Embree 3: built once, asked from many threads.
+// A mesh in Embree 3: built once, queried from many threads.
 //
 // Built with RTC_SCENE_FLAG_ROBUST, so that rays do not slip between triangles that share an edge. Space:
 // relative to the scene's origin, metres. Both faces of a triangle block. Where a material is cut out rays

@@ -19,8 +19,8 @@ class ReferenceCache {
   // An empty path means "reference" in platform::cache_directory(). The directory is made on first write.
   explicit ReferenceCache(std::filesystem::path directory = {});
 
-  // key: platform::ContentHash::hex(). It must cover everything that the image depends on, including the
-  // version of its algorithm.
+  // `key` is a platform::ContentHash::hex(). It must cover everything that the image depends on, including
+  // the version of its algorithm.
   std::optional<VisibilityImage> find(const std::string& key) const;
   // Returns false when the file cannot be written (full disk, permissions); nothing partial is left.
   bool store(const std::string& key, const VisibilityImage& image) const;

@@ -19,7 +19,7 @@ struct VisibilityImage {
   std::vector<float> visibility;
   std::vector<std::uint8_t> valid;
   double noise_floor = 0.0;  // RMSE of the visibility, estimated over penumbra pixels; see from_half_counts
-  int samples = 0;           // points of the disc asked per pixel
+  int samples = 0;           // points of the disc tested per pixel
 
   bool operator==(const VisibilityImage&) const = default;
 };

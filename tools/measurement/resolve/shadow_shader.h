@@ -60,7 +60,7 @@ struct Adapter {
   UniformNumbers uniforms;            // these replace the frame's
   std::vector<AdapterTexture> textures;
   parameters::CasterBias bias{};  // URP's own default
-  double light_scale = 1.0;       // the diameter that the function is told, over the light's
+  double light_scale = 1.0;       // the diameter that the function gets, divided by the light's
   std::vector<shaders::PackageRoot> package_roots;
   std::filesystem::path project;     // a Unity project whose Assets/ it includes; may be empty
   std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty

@@ -77,7 +77,7 @@ std::string uniform_of(const std::string& path) {
 struct KnownNames {
   std::vector<std::string> all;    // names of uniforms
   std::vector<std::string> read;   // those of them that the shader reads
-  std::vector<std::string> parts;  // elements and fields of the uniform that was asked for
+  std::vector<std::string> parts;  // elements and fields of the requested uniform
 };
 
 KnownNames known_names(const std::vector<shaders::Resource>& resources, const std::string& asked) {

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostTexturePixels = std::size_t{128} << 20;
 
 struct ModelMaterials {
   std::vector<Material> materials;  // one for each of the file's materials
-  // For each material, the mesh's set of coordinates that its textures use.
+  // The mesh's set of coordinates that the textures of each material use.
   std::vector<unsigned> uv_channels;
   std::vector<Texture> textures;
   std::vector<std::string> notes;  // a line for whatever is left out, with the file and the reason

@@ -26,7 +26,7 @@ struct LabelRequest {
 
 struct PlacedLabel {
   Box box;  // box of the text
-  // True if it is too far from its point, or too near to another one, to be read as its own.
+  // The label needs one if it is too far from its point, or too near to another, to be read as its own.
   bool needs_line = false;
 
   bool operator==(const PlacedLabel&) const = default;

@@ -134,16 +134,16 @@ struct Record {
   RunSettings settings;
   std::string device;
   Metrics metrics;
-  // One for each of several cascades; empty with one, and in older files.
+  // There is a record for each of several cascades; it is empty with one, and in older files.
   std::vector<CascadeRecord> per_cascade;
   std::vector<DistanceRecord>
       by_distance{};  // for scenes that are seen beyond the shadow distance; else empty
-  // Memory of the textures that the technique reads besides the frame.
+  // The memory of the textures that the technique reads besides the frame.
   std::optional<double> baked_mebibytes{};
   // Executed scalar operations of all passes (shaders/counted_module.h), per pixel of the picture; absent in
   // older files.
   std::optional<double> operations_per_pixel{};
-  // In the order in which they run; empty for a technique that is a filter alone.
+  // The passes in the order in which they run; empty for a technique that is a filter alone.
   std::vector<PassRecord> passes;
   std::optional<Shimmer> shimmer;  // present when the study panned
   std::optional<Seam> seam;        // present with several cascades; absent in older files
@@ -187,10 +187,11 @@ struct Results {
   bool operator==(const Results&) const = default;
 };
 
-// True when a technique returned NaN, infinity or something outside [0, 1]: `measure` exits with findings.
+// Returns true when a technique returned NaN, infinity or something outside [0, 1]: `measure` exits with
+// findings.
 bool has_invalid_values(const Results& results);
 
-// "CPU time" or "GPU time".
+// Returns "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
 
 // Returns the frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a

@@ -10,7 +10,7 @@ struct ComputeState {
   std::shared_ptr<PassInterface> interface;
   ComputeShader shader;
 
-  vk::Pipeline pipeline();  // made when first asked for
+  vk::Pipeline pipeline();  // made when first needed
 
  private:
   vk::raii::Pipeline pipeline_ = nullptr;

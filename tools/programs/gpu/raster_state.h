@@ -12,7 +12,7 @@ struct RasterState {
   RasterShaders shaders;
   vk::raii::RenderPass render_pass = nullptr;
 
-  vk::Pipeline pipeline();  // made when first asked for
+  vk::Pipeline pipeline();  // made when first needed
 
  private:
   vk::raii::Pipeline pipeline_ = nullptr;

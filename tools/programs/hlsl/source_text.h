@@ -31,7 +31,7 @@ class SourceFiles {
   void add(const std::string& name, Text text);
   bool contains(const std::string& name) const { return files().texts.count(name) != 0; }
   const std::string& text(const std::string& name) const { return *files().texts.at(name); }
-  // In the order in which they were read.
+  // Returns the names in the order in which the files were read.
   const std::vector<std::string>& names() const { return files().names; }
   // Returns the text of a 1-based line; empty when there is no such file or line.
   std::string line(const std::string& name, int number) const;

@@ -175,7 +175,7 @@ class BaseMembers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  // By target and source type.
+  // The functions by target and source type.
   std::map<std::pair<std::string_view, std::string_view>, std::string> functions_;
 };
 

@@ -27,21 +27,21 @@ class ExpressionReader {
   void read_all();
 
  protected:
-  // For each binary operator, inner ones first; `op` is the operator's first token. Not for plain assignments
-  // with "=".
+  // It is called for each binary operator, inner ones first; `op` is the operator's first token. It is not
+  // called for plain assignments with "=".
   virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
   virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
                                const ReadOperand& /*right*/) {}
-  // For each `condition ? yes : no`; the '?'.
+  // It is called for each `condition ? yes : no`; `mark` is the '?'.
   virtual void read_choice(const ReadOperand& /*condition*/, std::size_t /*mark*/, const ReadOperand& /*yes*/,
                            const ReadOperand& /*no*/) {}
-  // For each unary + - ! ~ and prefix ++ --.
+  // It is called for each unary + - ! ~ and prefix ++ --.
   virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
-  // For each expression in parentheses that are neither a call's nor a cast's.
+  // It is called for each expression in parentheses that are neither a call's nor a cast's.
   virtual void read_parenthesised(std::size_t /*open*/, const NumberShape& /*inside*/) {}
-  // For each call of a function that the text does not define; the name, and the shapes of the arguments.
+  // It is called for each call of a function that the text does not define, with the arguments' shapes.
   virtual void read_intrinsic(std::size_t /*name*/, const std::vector<NumberShape>& /*arguments*/) {}
-  // For each `.member` that is not called, with the shape of the expression before the '.'.
+  // It is called for each `.member` that is not called, with the shape of the expression before the '.'.
   virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 
  private:

@@ -30,7 +30,7 @@ class UniformStructs {
     std::string declarations;
     std::string assignments;
     int left = 4096;  // structs and members to go into: more, and something is wrong with the text
-    int depth = 0;    // structs that are being gone into, one in the other
+    int depth = 0;    // depth of the nested structs that are being read
 
     bool exceeded() const {
       constexpr std::size_t most_text = 1U << 20U;

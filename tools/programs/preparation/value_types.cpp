@@ -371,7 +371,7 @@ class ValueTypesReader {
   static constexpr std::uint32_t not_declared = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> returns_;
   std::vector<std::size_t> visible_;
-  // Index in visible_, and the value that it replaced.
+  // The index in visible_, and the value that it replaced.
   std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;
   std::vector<DeclaredValue> just_read_;
   std::string_view current_struct_;

@@ -86,7 +86,7 @@ class PackageSearch {
       if (root.origin == PackageOrigin::given) compare_with_project(root, manifest.version);
       for (const PackageDependency& dependency : manifest.dependencies) want(dependency.name);
     } catch (const InputError&) {
-      // reported where the folder was found; a root given by hand is checked by version_problems()
+      // The problem was reported where the folder was found; version_problems() checks a root given by hand.
     }
   }
 

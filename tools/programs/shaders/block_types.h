@@ -65,7 +65,7 @@ class BlockTypes {
   std::unordered_map<std::uint32_t, BlockType> types_;
   std::unordered_map<std::uint32_t, std::uint32_t> constants_;
   std::unordered_map<std::uint32_t, std::uint32_t> array_strides_;
-  // Members of structs, before these are defined.
+  // The members of structs that are not defined yet.
   std::unordered_map<std::uint32_t, std::vector<BlockMember>> places_;
 };
 

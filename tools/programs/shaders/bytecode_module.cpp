@@ -130,7 +130,7 @@ class Renaming {
   const std::string entry_;
   ModuleRewrite to_;
   std::map<std::uint32_t, const BytecodeResource*> bound_;  // by variable
-  // Pointee of each pointer type; type of each variable's content.
+  // The pointee of each pointer type, and the type of each variable's content.
   std::map<std::uint32_t, std::uint32_t> pointees_, types_;
   std::map<std::uint32_t, std::uint32_t> loaded_;  // variables, by what was loaded from them
   std::set<Words> decorations_;

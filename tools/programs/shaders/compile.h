@@ -65,7 +65,7 @@ struct PreprocessedSource {
   // A text whose identifiers are suggested in place of unknown ones; if it is empty, `text` is used, which is
   // then not a part of another.
   std::string suggested{};
-  // Those of the entry point, where the source is prepared.
+  // The semantics of the entry point, where the source is prepared.
   std::vector<preparation::SemanticPlace> semantics{};
 };
 

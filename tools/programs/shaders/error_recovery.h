@@ -15,7 +15,7 @@
 namespace penumbra::shaders {
 
 struct FoundErrors {
-  // Errors in source order, at least one; those with the same text once.
+  // The errors are in source order, at least one; those with the same text appear once.
   std::vector<hlsl::Diagnostic> errors;
   // The text without the code of the errors, if the parser accepts it and no error was left out.
   std::optional<std::string> rest{};

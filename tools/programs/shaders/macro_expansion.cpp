@@ -60,7 +60,7 @@ std::string without_redefinitions(const std::string& log) {
 }
 
 using Place = std::pair<std::string, int>;  // file and line
-// Places of each macro, whatever the conditions.
+// The places of each macro's definitions, whatever the conditions.
 using Definitions = std::map<std::string, std::vector<Place>>;
 
 // A reading of the source by glslang's preprocessor.

@@ -257,7 +257,8 @@ bool past_the_end(const LogLine& error, const hlsl::SourceFiles& sources) {
   return error.line > std::count(text.begin(), text.end(), '\n') + (text.ends_with('\n') ? 0 : 1);
 }
 
-// "Fade(f1;" is glslang's name of a function with its parameters' types, "@Main(" that of the entry point.
+// The text "Fade(f1;" is glslang's name of a function with its parameters' types, "@Main(" that of the entry
+// point.
 std::string plain_name(const std::string& mangled) {
   const std::size_t first = mangled.starts_with('@') ? 1 : 0;
   return mangled.substr(first, mangled.find('(') - first);

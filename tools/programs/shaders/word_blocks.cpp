@@ -270,7 +270,7 @@ class WordBlocks {
   bool refused_ = false;
   std::unordered_set<std::uint32_t> block_types_;
   std::unordered_set<std::uint32_t> buffer_types_;
-  // Storage class and pointee of each pointer type.
+  // The storage class and the pointee of each pointer type.
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> pointers_;
   std::map<std::uint32_t, Block> blocks_;                 // by variable
   std::unordered_map<std::uint32_t, BlockPlace> places_;  // by pointer

@@ -58,7 +58,7 @@ bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& 
 }
 
 std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph) {
-  // Indexed by what they write, or test against as a stencil.
+  // The passes are indexed by what they write, or test against as a stencil.
   std::map<std::string, std::set<std::size_t>> users;
   for (std::size_t i = 0; i < graph.passes.size(); ++i) {
     const GraphPass& pass = graph.passes[i];

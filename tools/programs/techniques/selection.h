@@ -35,11 +35,11 @@ struct Selection {
   std::vector<GraphTexture> textures;     // textures of its graph that the filter reads
   bool is_sampled = false;                // see Technique::is_sampled()
   bool widens_with_disc = false;          // penumbrae are as wide as the light's disc makes them
-  // Structs that the feature's C# sets; values and options set others.
+  // These structs are set by the feature's C#; values and options set others.
   std::vector<std::string> computed_parameters;
   bool needs_target_45 = false;  // needs Unity's shader target 4.5: it gathers, or searches for bits
   std::string fallback;  // selection in its place where its passes and filter cannot run; may be empty
-  // Serialised by assets, so it is never changed; if absent, only shaders select it.
+  // Assets serialise the value, so it is never changed; if it is absent, only shaders select the technique.
   std::optional<int> value;
   std::string title;  // title in inspectors; this and the next are for selections with a value
   std::string doc;

@@ -101,7 +101,7 @@ struct TechniqueList {
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
   const ParameterStruct* find_struct(const std::string& name) const;
-  // Folders for the includes of technique_call.h.
+  // Returns the folders for the includes of technique_call.h.
   std::vector<std::filesystem::path> include_directories() const;
   // Returns the structs of the technique's passes, each once, in their order.
   std::vector<const ParameterStruct*> structs_of(const Technique& technique) const;

@@ -99,7 +99,7 @@ class KeywordSpace {
   const VariantList& variants(hlsl::Stage stage) const;
   const VariantList& whole_program() const { return whole_; }
 
-  // Sets after the narrowing of each set on its own.
+  // Returns the sets after the narrowing of each set on its own.
   const std::vector<KeywordSet>& sets() const { return sets_; }
   const std::vector<DynamicKeyword>& dynamic_keywords() const { return dynamic_; }
 

@@ -36,7 +36,7 @@ class VariantCount {
   std::uint64_t value_ = 0;
 };
 
-// "1,234,567"; "more than 18,446,744,073,709,551,614" when saturated.
+// Returns "1,234,567", or "more than 18,446,744,073,709,551,614" when saturated.
 std::string text_of(VariantCount count);
 
 }  // namespace penumbra::variants
