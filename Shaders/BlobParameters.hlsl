@@ -1,5 +1,5 @@
 // Shadows of balls that stand for objects.
-// Written by `penumbra validate --emit-parameters` from Shaders/PenumbraBlobs.technique.json; do not edit.
+// Written by `penumbra emit` from Shaders/PenumbraBlobs.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_BLOB_PARAMETERS_HLSL

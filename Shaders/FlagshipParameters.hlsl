@@ -1,5 +1,5 @@
 // How finely the flagship filters what it does not decide for tiles.
-// Written by `penumbra validate --emit-parameters` from Shaders/PenumbraFlagship.technique.json; do not edit.
+// Written by `penumbra emit` from Shaders/PenumbraFlagship.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_FLAGSHIP_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Shadows flattened onto a plane.
-// Written by `penumbra validate --emit-parameters` from Shaders/PenumbraPlanar.technique.json; do not edit.
+// Written by `penumbra emit` from Shaders/PenumbraPlanar.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PLANAR_PARAMETERS_HLSL

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from Shaders/PenumbraBlobs.technique.json; do not edit.
+    // Written by `penumbra emit` from Shaders/PenumbraBlobs.technique.json; do not edit.
     /// <summary>Shadows of balls that stand for objects.</summary>
     [Serializable]
     public struct BlobParameters

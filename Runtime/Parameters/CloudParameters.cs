@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Far/CloudShadow.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Far/CloudShadow.technique.json; do not edit.
     /// <summary>A procedural layer of clouds, and the map that holds its shadow.</summary>
     [Serializable]
     public struct CloudParameters

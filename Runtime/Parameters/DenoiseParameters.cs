@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
     /// <summary>Smoothing of visibility in penumbrae.</summary>
     [Serializable]
     public struct DenoiseParameters

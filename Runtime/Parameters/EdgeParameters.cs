@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/SampleEdges.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Screen/SampleEdges.technique.json; do not edit.
     /// <summary>Which samples of a pixel count as different surfaces.</summary>
     [Serializable]
     public struct EdgeParameters

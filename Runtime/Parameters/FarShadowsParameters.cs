@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Far/FarShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Far/FarShadows.technique.json; do not edit.
     /// <summary>Shadows beyond the cascades, and how the cascades are handed over to them.</summary>
     [Serializable]
     public struct FarShadowsParameters

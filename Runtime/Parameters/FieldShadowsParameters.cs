@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Fields/FieldShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Fields/FieldShadows.technique.json; do not edit.
     /// <summary>Shadows of objects from their distance fields.</summary>
     [Serializable]
     public struct FieldShadowsParameters

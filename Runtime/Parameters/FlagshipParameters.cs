@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from Shaders/PenumbraFlagship.technique.json; do not edit.
+    // Written by `penumbra emit` from Shaders/PenumbraFlagship.technique.json; do not edit.
     /// <summary>How finely the flagship filters what it does not decide for tiles.</summary>
     [Serializable]
     public struct FlagshipParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
     /// <summary>How far the penumbra mask extends beyond the edges that it found.</summary>
     [Serializable]
     public struct MaskParameters

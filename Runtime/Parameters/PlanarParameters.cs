@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from Shaders/PenumbraPlanar.technique.json; do not edit.
+    // Written by `penumbra emit` from Shaders/PenumbraPlanar.technique.json; do not edit.
     /// <summary>Shadows flattened onto a plane.</summary>
     [Serializable]
     public struct PlanarParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/ScreenTrace.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Screen/ScreenTrace.technique.json; do not edit.
     /// <summary>Shadows of what the camera sees, by a march over its depth texture.</summary>
     [Serializable]
     public struct ScreenTraceParameters

@@ -1,6 +1,6 @@
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-options` from Shaders/PenumbraShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from Shaders/PenumbraShadows.technique.json; do not edit.
     /// <summary>Labels, tooltips and ranges of the options, for the inspectors of the feature and of the Volume.</summary>
     internal static class OptionTable
     {

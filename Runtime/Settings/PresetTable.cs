@@ -1,7 +1,7 @@
 namespace Penumbra
 {
     // The options of the quality presets, in QualityPreset's order.
-    // Written by `penumbra validate --emit-presets` from the technique list; do not edit.
+    // Written by `penumbra emit` from the technique list; do not edit.
     internal static class PresetTable
     {
         internal static readonly ShadowOptions[] Rows =

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-looks` from Shaders/PenumbraShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from Shaders/PenumbraShadows.technique.json; do not edit.
     /// <summary>
     /// The appearance of the light: the size of its disc and the widest penumbra. Looks do not affect quality, and
     /// quality presets do not affect the look.

@@ -3,9 +3,8 @@ using System;
 namespace Penumbra
 {
     /// <summary>
-    /// The passes of a technique and the textures between them, as its manifest declares them. `penumbra validate
-    /// --emit-graphs` checks graphs and generates the C#; ShadowChain combines one or more graphs into what a frame
-    /// runs.
+    /// The passes of a technique and the textures between them, as its manifest declares them. `penumbra emit`
+    /// checks graphs and generates the C#; ShadowChain combines one or more graphs into what a frame runs.
     /// </summary>
     internal sealed class TechniqueGraph
     {

@@ -1,5 +1,5 @@
 // A procedural layer of clouds, and the map that holds its shadow.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Far/CloudShadow.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Far/CloudShadow.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_CLOUD_PARAMETERS_HLSL

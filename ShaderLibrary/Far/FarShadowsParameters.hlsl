@@ -1,5 +1,5 @@
 // Shadows beyond the cascades, and how the cascades are handed over to them.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Far/FarShadows.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Far/FarShadows.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_FAR_SHADOWS_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Shadows of objects from their distance fields.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Fields/FieldShadows.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Fields/FieldShadows.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_FIELD_SHADOWS_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Kernel of N x N bilinear comparisons with equal weights.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/FixedPcf.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/FixedPcf.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_BOX_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Radii of the map of nearest and farthest depths around each texel.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_DEPTH_RANGE_PARAMETERS_HLSL

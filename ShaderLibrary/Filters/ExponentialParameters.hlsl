@@ -1,5 +1,5 @@
 // Exponential shadow maps.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/Exponential.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/Exponential.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_EXPONENTIAL_PARAMETERS_HLSL

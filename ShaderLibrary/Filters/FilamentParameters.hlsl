@@ -1,5 +1,5 @@
 // PCSS and DPCF (Filament): with the rules and parameters of Filament.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/FilamentPcss.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/FilamentPcss.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_FILAMENT_PARAMETERS_HLSL

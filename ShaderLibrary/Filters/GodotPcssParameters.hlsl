@@ -1,5 +1,5 @@
 // PCSS (Godot): with the rules and parameters of Godot 4.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/GodotPcss.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/GodotPcss.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_GODOT_PCSS_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Samples of a multisampled shadow map.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/VarianceMultisampled.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/VarianceMultisampled.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MAP_SAMPLE_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Moment soft shadow mapping.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/Mssm.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/Mssm.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MSSM_PARAMETERS_HLSL

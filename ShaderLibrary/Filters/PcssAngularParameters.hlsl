@@ -1,5 +1,5 @@
 // PCSS: penumbra widths follow from the light's angular diameter.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/PcssAngular.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/PcssAngular.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_ANGULAR_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // PCSS (Poisson): as many blocker samples as filter samples, on Poisson disks.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/PcssClassic.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/PcssClassic.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_CLASSIC_PARAMETERS_HLSL

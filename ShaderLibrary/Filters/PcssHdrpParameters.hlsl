@@ -1,5 +1,5 @@
 // PCSS (HDRP): with the rules and parameters of Unity's HDRP.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/PcssHdrp.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/PcssHdrp.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_HDRP_PARAMETERS_HLSL

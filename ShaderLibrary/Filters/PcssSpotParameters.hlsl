@@ -1,5 +1,5 @@
 // PCSS of a spot light: penumbra widths follow from the radius of its source.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/PcssSpot.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/PcssSpot.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_SPOT_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Soft shadows of one loop over the rings of a disc.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_SINGLE_LOOP_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // SMRT (Unreal): shadow map ray tracing with the parameters of Unreal Engine.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/UnrealSmrt.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/UnrealSmrt.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_UNREAL_SMRT_PARAMETERS_HLSL

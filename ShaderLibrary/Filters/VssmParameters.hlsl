@@ -1,5 +1,5 @@
 // Variance soft shadow mapping.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/Vssm.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Filters/Vssm.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_VSSM_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Penumbra: the technique that a shader keyword selects.
-// Written by `penumbra validate --emit-keywords` from the manifests, *.technique.json; do not edit.
+// Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
 //
 // Computes:   visibility with the filter of the enabled keyword:
 //               _PENUMBRA_HARD                 FilterHard                 Filters/HardTest.hlsl

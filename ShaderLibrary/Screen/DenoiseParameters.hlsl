@@ -1,5 +1,5 @@
 // Smoothing of visibility in penumbrae.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_DENOISE_PARAMETERS_HLSL

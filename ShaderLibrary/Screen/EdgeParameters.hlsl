@@ -1,5 +1,5 @@
 // Which samples of a pixel count as different surfaces.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/SampleEdges.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Screen/SampleEdges.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_EDGE_PARAMETERS_HLSL

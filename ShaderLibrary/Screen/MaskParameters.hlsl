@@ -1,5 +1,5 @@
 // How far the penumbra mask extends beyond the edges that it found.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MASK_PARAMETERS_HLSL

@@ -1,5 +1,5 @@
 // Shadows of what the camera sees, by a march over its depth texture.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/ScreenTrace.technique.json; do not edit.
+// Written by `penumbra emit` from ShaderLibrary/Screen/ScreenTrace.technique.json; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_SCREEN_TRACE_PARAMETERS_HLSL

@@ -17,9 +17,9 @@ constexpr const char* kManifest =
 
 class KeptFiles : public ProgramTest {
  protected:
-  std::string write_ring() const {
-    write("Ring.hlsl", "float FilterRing();\n");
-    return write("Ring.technique.json", kManifest).string();
+  std::string write_ring(const std::string& folder = "") const {
+    write(folder + "Ring.hlsl", "float FilterRing();\n");
+    return write(folder + "Ring.technique.json", kManifest).string();
   }
 
   // The run must end with exit code 2 and these words, and leave the file as it is.
@@ -43,10 +43,15 @@ TEST_F(KeptFiles, ReportsDoNotReplaceSources) {
     expect_kept("Ring.technique.json", {subcommand, "--technique-list", manifest, "-o", manifest},
                 "--output: ");
   }
-  expect_kept("Ring.technique.json", {"validate", "--technique-list", manifest, "--emit-packing", manifest},
-              "--emit-packing: ");
-  expect_kept("Shared.hlsl", {"validate", "--technique-list", manifest, "--emit-techniques", include},
-              "is a source file");
+  const std::vector<std::string> copy{"emit", "--technique-list", manifest, "--single-file", "ring", "-o"};
+  const auto onto = [&](const std::string& file) {
+    std::vector<std::string> arguments = copy;
+    arguments.push_back(file);
+    return arguments;
+  };
+  expect_kept("Ring.technique.json", onto(manifest), "--output: ");
+  expect_kept("Ring.hlsl", onto(path("Ring.hlsl").string()), "--output: ");
+  expect_kept("Shared.hlsl", onto(include), "exists and was not written by penumbra");
 }
 
 TEST_F(KeptFiles, InputsAreNotOutputs) {
@@ -62,36 +67,36 @@ TEST_F(KeptFiles, InputsAreNotOutputs) {
 
 TEST_F(KeptFiles, GeneratedSourcesReplaceGeneratedOnesAlone) {
   const std::string manifest = write_ring();
-  const std::vector<std::string> emit{"validate", "--technique-list", manifest, "--emit-parameters",
-                                      path("").string()};
+  const std::vector<std::string> emit{"emit", "--technique-list", manifest};
   EXPECT_EQ(run(emit).exit_code, 0);
   EXPECT_THAT(read("RingParameters.hlsl"), HasSubstr("int taps;"));
-  EXPECT_EQ(run(emit).exit_code, 0) << "its own file is written again";
+  write("RingParameters.hlsl", "// Written by `penumbra`, in an earlier version.\n");
+  EXPECT_EQ(run(emit).exit_code, 0);
+  EXPECT_THAT(read("RingParameters.hlsl"), HasSubstr("int taps;")) << "its own file is written again";
   write("RingParameters.hlsl", "// mine\n");
+  std::filesystem::remove_all(path("Runtime"));
   expect_kept("RingParameters.hlsl", emit, "exists and was not written by penumbra");
+  EXPECT_FALSE(std::filesystem::exists(path("Runtime/Parameters/RingParameters.cs"))) << "all or none";
 }
 
 // A checkout's links lead nowhere else; the package that the user names may be one.
 TEST_F(KeptFiles, GeneratedSourcesFollowNoLink) {
-  const std::string manifest = write_ring();
   namespace fs = std::filesystem;
-  const auto emit = [&](const std::string& package) {
-    return run({"validate", "--technique-list", manifest, "--emit-parameters", path(package).string()});
-  };
+  const auto emit = [&] { return run({"emit", "--technique-list", write_ring("package/")}); };
   for (const char* linked : {"package/Runtime", "package/Runtime/Parameters", "package/RingParameters.hlsl",
                              "package/Runtime/Parameters/RingParameters.cs"}) {
     fs::remove_all(path("package"));
     fs::create_directories(path(linked).parent_path());
     fs::create_directories(path("elsewhere"));
     fs::create_symlink(path("elsewhere"), path(linked));
-    const auto result = emit("package");
+    const auto result = emit();
     EXPECT_EQ(result.exit_code, 2) << linked;
     EXPECT_THAT(result.errors, AllOf(HasSubstr(path(linked).string()), HasSubstr("is a symbolic link")));
     EXPECT_TRUE(fs::is_empty(path("elsewhere"))) << linked;
   }
   fs::remove_all(path("package"));
   fs::create_directory_symlink(path("elsewhere"), path("package"));
-  EXPECT_EQ(emit("package").exit_code, 0);
+  EXPECT_EQ(emit().exit_code, 0);
   EXPECT_THAT(read("elsewhere/RingParameters.hlsl"), HasSubstr("int taps;"));
 }
 

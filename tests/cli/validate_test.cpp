@@ -431,7 +431,6 @@ TEST_F(Validate, OptionsWithoutEffectAreRefused) {
       {"validate", "--keywords", "+A"},
       command({"--count", "--minimize"}),
       command({"--explain", "Frag", "--minimize"}),
-      {"validate", "--emit-presets", "-", "--target", "spirv"},
       command({"--format", "json", "--verbose"}),
       command({"--root", path("").string()}),
       command({"--no-lint", "--disable-rule", "nan-check"}),

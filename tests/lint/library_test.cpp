@@ -32,11 +32,9 @@ TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
   for (const techniques::Technique& technique : list.techniques) {
     if (technique.graph.filter() == nullptr) continue;  // it has passes of a .shader alone
     for (const std::vector<std::string>& keywords : technique.keyword_sets) {
-      const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
       shaders::CompileRequest request;
       request.file = technique.name;
-      request.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
-                     "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function + entry;
+      request.text = techniques::emit_technique_call(list, technique).source() + entry;
       request.entry = "Fragment";
       request.stage = hlsl::Stage::fragment;
       for (const std::string& keyword : technique.keywords) request.defines.emplace_back(keyword, "1");

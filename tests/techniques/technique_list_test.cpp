@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "input/input_error.h"
@@ -12,12 +10,7 @@
 #include "sanitized.h"
 #include "shaders/shader_files.h"
 #include "techniques/look_emit.h"
-#include "techniques/option_emit.h"
-#include "techniques/packing_cases.h"
-#include "techniques/parameter_emit.h"
 #include "techniques/preset_emit.h"
-#include "techniques/selection_emit.h"
-#include "techniques/selection_hlsl.h"
 #include "techniques/technique_call.h"
 #include "techniques/technique_json.h"
 
@@ -483,52 +476,8 @@ TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {
   EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 5}, "filter": "x"}])"), HasSubstr("filter"));
 }
 
-std::string checked_in(const char* name) {
-  std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 TechniqueList library() {
   return read_technique_list(PENUMBRA_SOURCE_DIR);
-}
-
-TEST(LibraryTechniques, CheckedInParameterStructsAreTheEmittedOnes) {
-  const TechniqueList list = library();
-  EXPECT_GE(list.structs.size(), 6U);
-  for (const ParameterStruct& parameters : list.structs)
-    for (const EmittedFile& emitted : {emit_hlsl(parameters), emit_csharp(parameters)})
-      EXPECT_EQ(checked_in(emitted.file.c_str()), emitted.text)
-          << "write it anew: penumbra validate --emit-parameters .";
-}
-
-TEST(LibraryTechniques, CheckedInPackingCasesAreTheEmittedOnes) {
-  EXPECT_EQ(checked_in("tests/golden/parameter_packing.json"), packing_cases_json(library()))
-      << "write it anew: penumbra validate --emit-packing tests/golden/parameter_packing.json";
-}
-
-TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {
-  EXPECT_EQ(checked_in("Runtime/Settings/PresetTable.cs"), emit_presets_csharp(library()))
-      << "write it anew: penumbra validate --emit-presets Runtime/Settings/PresetTable.cs";
-}
-
-TEST(LibraryTechniques, CheckedInSelectionsAndOptionsAreTheEmittedOnes) {
-  const TechniqueList list = library();
-  EXPECT_EQ(checked_in("ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl"), emit_keywords_hlsl(list))
-      << "write it anew: penumbra validate --emit-keywords ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl";
-  EXPECT_EQ(checked_in("Runtime/Settings/ShadowTechnique.cs"), emit_selections_csharp(list))
-      << "write it anew: penumbra validate --emit-selections Runtime/Settings/ShadowTechnique.cs";
-  EXPECT_EQ(checked_in("Runtime/Settings/OptionTable.cs"), emit_options_csharp(list))
-      << "write it anew: penumbra validate --emit-options Runtime/Settings/OptionTable.cs";
-}
-
-TEST(LibraryTechniques, CheckedInLooksAreTheEmittedOnes) {
-  EXPECT_EQ(checked_in("Runtime/Settings/ShadowLook.cs"), emit_looks_csharp(library()))
-      << "write it anew: penumbra validate --emit-looks Runtime/Settings/ShadowLook.cs";
-}
-
-TEST(LibraryTechniques, CheckedInTechniquesAreTheEmittedOnes) {
-  EXPECT_EQ(checked_in("tests/golden/techniques.json"), techniques_json(library()))
-      << "write it anew: penumbra validate --emit-techniques tests/golden/techniques.json";
 }
 
 TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {

@@ -15,7 +15,8 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes:\n"
     "  0    success\n"
-    "  1    findings: a variant fails, a figure is worse than its baseline, results are invalid\n"
+    "  1    findings: a variant fails, a figure is worse than its baseline, results are invalid, a "
+    "file is outdated\n"
     "  2    usage or input error: correct the command line or the file\n"
     "  3    environment error: no Vulkan device, a missing package, too little memory\n"
     "  70   a bug in penumbra; please report it\n"
@@ -88,6 +89,7 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   add_constants(*app, context);
   add_tables(*app, context);
   add_validate(*app, context);
+  add_emit(*app, context);
   add_cost(*app, context);
   add_merge(*app, context);
   add_render(*app, context);

@@ -23,9 +23,6 @@ void refuse_idle_options(const CLI::App& command, const ValidateOptions& options
               "with --count");
   refuse_idle(command, {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose"},
               options.explain.has_value(), "with --explain");
-  const bool emits = options.emitted.any();
-  refuse_idle(command, {"--target", "--minimize", "--shard", "--format", "--root", "--verbose"}, emits,
-              "with --emit-...");
   const std::string& form = options.report.form;
   refuse_idle(command, {"--root"}, form == "text" || form == "json", "with --format " + form);
   refuse_idle(command, {"--verbose"}, form != "text", "with --format " + form);

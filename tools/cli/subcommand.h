@@ -58,6 +58,7 @@ void check_cache_folder(const std::string& given, const std::filesystem::path& s
 void add_constants(CLI::App& app, Context& context);
 void add_tables(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
+void add_emit(CLI::App& app, Context& context);
 void add_cost(CLI::App& app, Context& context);
 void add_merge(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);

@@ -269,7 +269,6 @@ void check_outputs(const ValidateOptions& options, const Context& context) {
   check_output_file(options.report.output);
   refuse_report_over_source("--output", options.report.output);
   refuse_input_as_output("--output", options.report.output, {options.techniques});
-  check_emitted(options.emitted, options.techniques);
   if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
 }
@@ -295,11 +294,6 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
     request.package_roots.push_back({"com.penumbra.shadows", library});
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
-  }
-  if (options.emitted.any()) {
-    if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
-    write_emitted(options.emitted, *request.techniques);
-    return;
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");
   if (options.list) check_list(options, sources_given);

@@ -138,7 +138,6 @@ void add_validate_options(CLI::App& command, ValidateOptions& options) {
   add_narrowing(command, options);
   add_checks(command, options);
   add_how(command, options);
-  add_emitted_options(command, options.emitted);
 }
 
 }  // namespace penumbra::cli

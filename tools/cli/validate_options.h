@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/emitted_files.h"
 #include "cli/report_output.h"
 #include "cli/shared_options.h"
 
@@ -57,7 +56,6 @@ struct ValidateOptions {
   std::string keep;
   WorkerOptions worker;
   ReportOptions report;
-  EmittedFiles emitted;
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

@@ -11,7 +11,7 @@ namespace Penumbra.Tests
 {
     /// <summary>
     /// Every parameter struct packs as the program that measures it does, to the bit, by
-    /// tests/golden/parameter_packing.json, which `penumbra validate --emit-packing` writes.
+    /// tests/golden/parameter_packing.json, which `penumbra emit` writes.
     /// </summary>
     public sealed class PackingTests
     {

@@ -8,8 +8,7 @@ namespace Penumbra.Tests
 {
     /// <summary>
     /// The techniques of tests/techniques/added, which the C++ tools run too, in the place of one of the feature's:
-    /// their graphs as `penumbra validate --emit-graphs` writes them, their assets as far as names and groups of
-    /// threads go.
+    /// their graphs as `penumbra emit` writes them, their assets as far as names and groups of threads go.
     /// </summary>
     internal static class AddedTechniques
     {

@@ -60,7 +60,6 @@ shaders::CompileRequest base_request(const ValidationRequest& request,
 SourceVariant technique_variant(const ValidationRequest& request, const techniques::Technique& technique,
                                 hlsl::Stage stage, const std::vector<std::string>& keywords) {
   const techniques::TechniqueList& list = *request.techniques;
-  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   SourceVariant variant;
   variant.technique = &technique;
   variant.unit.technique = technique.name;
@@ -75,8 +74,7 @@ SourceVariant technique_variant(const ValidationRequest& request, const techniqu
   const std::string manifest = std::filesystem::path(technique.where).filename().string();
   compile.file =
       "technique " + technique.name + " of " + manifest + " (" + hlsl::stage_name(stage) + " entry)";
-  compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
-                 "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
+  compile.text = techniques::emit_technique_call(list, technique).source() +
                  (stage == hlsl::Stage::fragment ? fragment_entry : compute_entry);
   compile.entry = stage == hlsl::Stage::fragment ? "Fragment" : "Compute";
   compile.stage = stage;

@@ -64,13 +64,11 @@ shaders::CompileRequest triangle_request() {
 
 ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
                               Taps taps, bool reversed_z, techniques::LightKind light) {
-  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   ShadowShader shader;
   shader.name = technique.name;
   shader.written_for = list.package / technique.file();
   shader.include_directories = list.include_directories();
-  shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
-                "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
+  shader.body = techniques::emit_technique_call(list, technique).source();
   shader.defines = depth_defines(reversed_z);
   for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
   if (light == techniques::LightKind::spot) shader.defines.emplace_back("PENUMBRA_SPOT_LIGHT", "1");

@@ -223,7 +223,7 @@ std::string csharp_class(const std::string& manifest) {
 
 std::string head(const std::string& manifest) {
   return "using UnityEngine.Experimental.Rendering;\n\nnamespace Penumbra\n{\n"
-         "    // Written by `penumbra validate --emit-graphs` from " +
+         "    // Written by `penumbra emit` from " +
          manifest +
          "; do not edit.\n"
          "    /// <summary>The manifest's graphs; passes are listed in the order in which they "

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kComponents = "xyzw";
 
 constexpr const char* kHlsl = R"(// {doc}
-// Written by `penumbra validate --emit-parameters` from {manifest}; do not edit.
+// Written by `penumbra emit` from {manifest}; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef {guard}
@@ -40,7 +40,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {{
-    // Written by `penumbra validate --emit-parameters` from {manifest}; do not edit.
+    // Written by `penumbra emit` from {manifest}; do not edit.
     /// <summary>{doc}</summary>
     [Serializable]
     public struct {name}

@@ -18,7 +18,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-selections` from the manifests, *.technique.json; do not edit.
+    // Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
     /// <summary>
     /// The technique that computes the visibility: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that
     /// the feature offers, and for each that passes of its own draw. Inspectors, documentation and reports use these

@@ -71,6 +71,11 @@ class CallWriter {
 
 }  // namespace
 
+std::string TechniqueCall::source() const {
+  return "#include \"Platform/Platform.hlsl\"\n" + includes + "#include \"Core/ShadowStructs.hlsl\"\n" +
+         declarations + function;
+}
+
 std::string uniform_name(const ParameterStruct& parameters, std::size_t vector, const CascadeRule& rule) {
   return uniform_name(parameters, vector) + "From" + std::to_string(rule.from);
 }

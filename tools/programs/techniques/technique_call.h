@@ -12,6 +12,8 @@ struct TechniqueCall {
   std::string includes;      // #include lines, resolved in the package's folder
   std::string declarations;  // resources, and the uniforms of its parameters (parameter_packing.h)
   std::string function;
+
+  std::string source() const;  // all of it, with the library's macros and structs
 };
 
 // Throws std::invalid_argument for a technique without a filter.

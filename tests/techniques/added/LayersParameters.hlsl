@@ -1,0 +1,21 @@
+// Of the test.
+// Written by `penumbra emit` from Layers.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_LAYERS_PARAMETERS_HLSL
+#define PENUMBRA_LAYERS_PARAMETERS_HLSL
+
+struct LayersParameters
+{
+    float opacity; // 1: of one surface
+};
+
+// Unpacks the uniforms _PenumbraLayersParameters0, which the package's C# struct of the same name sets.
+LayersParameters UnpackLayersParameters(float4 packed0)
+{
+    LayersParameters parameters;
+    parameters.opacity = packed0.x;
+    return parameters;
+}
+
+#endif

@@ -1,0 +1,62 @@
+#include "techniques/generated_files.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "shaders/package_shader.h"
+#include "techniques/graph_emit.h"
+#include "techniques/look_emit.h"
+#include "techniques/option_emit.h"
+#include "techniques/packing_cases.h"
+#include "techniques/parameter_emit.h"
+#include "techniques/preset_emit.h"
+#include "techniques/preset_programs.h"
+#include "techniques/selection_emit.h"
+#include "techniques/selection_hlsl.h"
+#include "techniques/technique_json.h"
+
+namespace penumbra::techniques {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFeatureShader = "Shaders/PenumbraShadows.shader";
+
+std::string programs_json(const TechniqueList& list) {
+  return preset_programs_json(list, shaders::PackageShader(list.package / kFeatureShader));
+}
+
+struct PackageFile {
+  const char* file;
+  std::string (*text)(const TechniqueList&);
+  bool shipped = true;  // else it is of the repository alone
+};
+
+constexpr std::array<PackageFile, 8> kPackageFiles{
+    {{"Runtime/Settings/OptionTable.cs", emit_options_csharp},
+     {"Runtime/Settings/PresetTable.cs", emit_presets_csharp},
+     {"Runtime/Settings/ShadowLook.cs", emit_looks_csharp},
+     {"Runtime/Settings/ShadowTechnique.cs", emit_selections_csharp},
+     {"ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl", emit_keywords_hlsl},
+     {"Documentation~/variants/presets.json", programs_json, false},
+     {"tests/golden/parameter_packing.json", packing_cases_json, false},
+     {"tests/golden/techniques.json", techniques_json, false}}};
+
+}  // namespace
+
+std::vector<EmittedFile> generated_files(const TechniqueList& list) {
+  std::vector<EmittedFile> files = emit_graphs_csharp(list);
+  for (const ParameterStruct& parameters : list.structs) {
+    files.push_back(emit_hlsl(parameters));
+    files.push_back(emit_csharp(parameters));
+  }
+  std::error_code error;
+  if (!fs::exists(list.package / kFeatureShader, error)) return files;
+  for (const PackageFile& made : kPackageFiles)
+    if (made.shipped || fs::is_directory((list.package / made.file).parent_path(), error))
+      files.push_back({made.file, made.text(list)});
+  return files;
+}
+
+}  // namespace penumbra::techniques
