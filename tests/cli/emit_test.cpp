@@ -1,4 +1,5 @@
-// penumbra emit: what is checked in is what the manifests say, and a copy of a technique is that technique.
+// Tests penumbra emit: what is checked in is what the manifests say, and a copy of a technique is that
+// technique.
 #include <array>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,7 +24,7 @@ const fs::path added = root / "tests/techniques/added";
 
 class Emit : public ProgramTest {
  protected:
-  // A manifest with a filter's parameters and passes before it, in a folder of its own.
+  // The manifest has a filter with parameters, and passes before it.
   std::string write_means() const {
     for (const char* name : {"Means.hlsl", "Means.shader", "MeansPasses.hlsl", "Means.technique.json"})
       fs::copy_file(added / name, path(name));
@@ -87,7 +88,8 @@ TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
               HasSubstr(": the end of the file without a line break would be the end of the file\n"));
 }
 
-// As it is embedded in a project: without the repository's tests, and in the folder that the user is in.
+// The package is as it is embedded in a project, without the repository's tests, and the user is in its
+// folder.
 TEST_F(Emit, APackageHasTheFeaturesTablesToo) {
   for (const char* folder : {"ShaderLibrary", "Shaders"})
     fs::copy(root / folder, path(folder), fs::copy_options::recursive);
@@ -118,8 +120,8 @@ TEST_F(Emit, OptionsThatExcludeEachOtherAreRefused) {
   EXPECT_THAT(run({"emit", "--single-file", "tent5"}).errors, HasSubstr("'tent-5'"));
 }
 
-// Declares what the harness gives, and calls the copy as tools/measurement/resolve/shaders/Resolve.hlsl calls
-// a technique.
+// The adapter declares what the harness gives, and calls the copy as
+// tools/measurement/resolve/shaders/Resolve.hlsl calls a technique.
 constexpr const char* kAdapter = R"(#include "Copied.hlsl"
 #include "Core/CascadeSelection.hlsl"
 #include "Core/Noise.hlsl"

@@ -1,4 +1,4 @@
-// One technique as one file: the compiler makes of it what it makes of the library's files.
+// Tests one technique as one file: the compiler makes of it what it makes of the library's files.
 #include "techniques/single_file.h"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,7 @@ float4 Fragment(float4 position : SV_Position, float3 shadowCoord : TEXCOORD0, f
 }
 )";
 
-// With the function names that it has before optimisation.
+// The module is that before optimisation, with the names of functions.
 std::vector<std::uint32_t> module_of(const std::string& text,
                                      const std::vector<std::filesystem::path>& directories,
                                      const std::vector<std::string>& keywords) {

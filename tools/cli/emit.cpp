@@ -1,5 +1,5 @@
-// penumbra emit: the files that are made from techniques' manifests, each at its place; or one technique as
-// one HLSL file.
+// penumbra emit writes the files that are made from techniques' manifests, each at its place, or one
+// technique as one HLSL file.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -56,10 +56,10 @@ void refuse_link(const fs::path& package, const fs::path& file) {
 struct ChangedFile {
   fs::path file;
   std::string text;
-  std::string difference;  // the first differing line
+  std::string difference;  // is the first differing line
 };
 
-// What is there, and what would be.
+// The text says what is there, and what would be.
 std::string first_difference(const std::string& found, const std::string& text) {
   const std::vector<std::string> before = split(found, '\n'), after = split(text, '\n');
   const auto [is, would] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());

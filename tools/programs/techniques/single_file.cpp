@@ -37,7 +37,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// "include" of `# include "A.hlsl"`, and what stands behind it; two empty texts of a line of code.
+// The result is "include" of `# include "A.hlsl"`, and what stands behind it. A line of code gives two empty
+// texts.
 std::pair<std::string_view, std::string_view> directive_of(std::string_view bare_line) {
   constexpr const char* blanks = " \t";
   const auto trimmed = [&](std::string_view text) {
@@ -57,7 +58,7 @@ class Paste {
     roots_.own.push_back(project::own_tree(fs::absolute(list.package / technique.file())));
   }
 
-  // The text of a file, or with an empty path one that is in no file.
+  // Adds the text of a file; an empty path says that it is in none.
   void add(const std::string& text, const fs::path& file) {
     const std::vector<std::string> lines = lines_of(text);
     std::vector<std::string> bare = lines_of(preparation::bare_source(text));
@@ -92,7 +93,7 @@ class Paste {
   const std::string& text() const { return text_; }
   const std::set<fs::path>& pasted() const { return pasted_; }
 
-  // Relative to the package or to the library; no folder of this machine.
+  // The name is relative to the package or to the library, and has no folder of this machine.
   std::string name_of(const fs::path& file) const {
     for (const fs::path& root : {package_, library_}) {
       const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(
@@ -108,7 +109,8 @@ class Paste {
   static constexpr const char* kPackage = "com.penumbra.shadows";
   static constexpr const char* kRemoved = "#";  // a directive that does nothing
 
-  // Its condition and its end; its #define stays. The guard's name; empty: there is none.
+  // The guard's condition and its end go, its #define stays. The result is its name, which is empty without
+  // one.
   static std::string remove_guard(std::vector<std::string>& bare) {
     std::string whole;
     for (const std::string& line : bare) whole += line + "\n";
@@ -120,7 +122,7 @@ class Paste {
     return guard;
   }
 
-  // Nothing of a package that is not this library: its #include stays.
+  // There is no file where the #include is of another package than this library: it stays.
   std::optional<fs::path> included_file(std::string_view quoted, const fs::path& file,
                                         const std::string& where) const {
     const std::size_t end = quoted.find(quoted.starts_with('<') ? '>' : '"', 1);
@@ -140,7 +142,7 @@ class Paste {
   std::string text_;
 };
 
-// Lines of a comment, broken between words.
+// The text becomes lines of a comment, which are broken between words.
 std::string comment(const std::string& indent, const std::string& text) {
   constexpr std::size_t kWidth = 120;
   std::string lines;
@@ -161,7 +163,7 @@ std::string commented(const std::string& text) {
   return lines;
 }
 
-// What Markdown calls a heading in links: "apache-license-version-20".
+// Links of Markdown call a heading so: "apache-license-version-20".
 std::string anchor_of(const std::string& heading) {
   std::string anchor;
   for (const char c : heading)
@@ -170,7 +172,7 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
-// The sections of the notices that name a pasted file, and those that these refer to.
+// The result has the sections that name a pasted file, and those that these refer to.
 std::string notices(const Paste& paste) {
   const std::string all = read_found_text_file(paste.library() / "Third Party Notices.md");
   std::string chosen;
@@ -209,7 +211,7 @@ std::string argument_use(const std::string& argument, const PassGraph& graph) {
   return texture == nullptr ? argument_name(argument) + ": a texture" : texture_use(*texture, graph);
 }
 
-// Every vector with its components: the field, its unit, what it is and its value.
+// Each vector is named, and of each component the field, its value, its unit and what it is.
 template <typename Name>
 std::string struct_uses(const ParameterStruct& parameters,
                         const std::map<std::string, std::vector<double>>& values, Name name) {
