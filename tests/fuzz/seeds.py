@@ -20,6 +20,9 @@ import zlib
 
 root = pathlib.Path(__file__).resolve().parents[2]
 tests = root / 'tests'
+sys.path.insert(0, str(tests))
+from results_table import read_table  # noqa: E402
+
 LONGEST = 16384
 
 
@@ -68,8 +71,13 @@ def cut(text, lists):
 
 
 def results():
-    for file in sorted(root.glob('Documentation~/results/*/results.json')):
-        yield cut(file.read_text(), ['frames', 'records'])
+    """Each study's as a table and as JSON, of few frames and records."""
+    for file in sorted(root.glob('Documentation~/results/*/results.tsv')):
+        text = file.read_text()
+        lines = text.splitlines(keepends=True)
+        head = sum(line.startswith('#') for line in lines)
+        yield ''.join(lines[:head + 3]).encode()
+        yield cut(json.dumps(read_table(text)), ['frames', 'records'])
     yield cut((root / 'Documentation~/results/cost.json').read_text(), ['families', 'rows'])
 
 

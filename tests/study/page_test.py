@@ -42,8 +42,8 @@ class Pages(unittest.TestCase):
         figures = page.MEASURING.read_text().split("\n## Figures\n")[1].split("\n## ")[0]
         cells = re.findall(r"^\| (.*?) \|", figures, re.MULTILINE)
         named = {name for cell in cells for name in re.findall("`([^`]*)`", cell)}
-        for file in page.RESULTS.glob("**/results.json"):
-            for record in json.loads(file.read_text())["records"]:
+        for file in page.RESULTS.glob("**/results.tsv"):
+            for record in page.read_table(file.read_text())["records"]:
                 parts = [record, *(record[part] for part in PARTS if part in record)]
                 self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in docs/measuring.md")
 

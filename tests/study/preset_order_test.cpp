@@ -12,7 +12,7 @@ namespace {
 
 TEST(PublishedPresets, EachIsBetterThanTheOneBelowUnderEveryLightAndComputesMore) {
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const Results results = read_results(root / "Documentation~/results/presets/results.json");
+  const Results results = read_results(root / "Documentation~/results/presets/results.tsv");
   const std::vector<double> lights = light_sizes(results);
   EXPECT_EQ(lights, (std::vector<double>{0.53, 2.0, 5.0}));
   std::map<std::pair<std::string, double>, SummaryLine> lines;

@@ -324,7 +324,7 @@ TEST_P(Published, ShowsTheCommittedResults) {
 // stands once in a table stands for both, and a package that was changed by hand is found.
 TEST(PublishedPeers, UrpsFiltersAndOursAreTheSame) {
   const Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                       "Documentation~/results/equal-bias/results.json");
+                                       "Documentation~/results/equal-bias/results.tsv");
   for (const auto& [urp, ours] :
        {std::pair{"urp-low", "four-tap"}, {"urp-medium", "tent-5"}, {"urp-high", "tent-7"}}) {
     for (const Record& record : results.records) {
@@ -344,7 +344,7 @@ INSTANTIATE_TEST_SUITE_P(Page, Published, testing::ValuesIn(published_pages()),
 // The inspector shows these figures.
 TEST(PublishedPresets, AreTheCommittedResults) {
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const Results results = read_results(root / "Documentation~/results/presets/results.json");
+  const Results results = read_results(root / "Documentation~/results/presets/results.tsv");
   EXPECT_EQ(file_text(root / "Editor/Inspectors/PresetFigures.cs"),
             preset_figures_csharp(results, "preset-"));
 }
@@ -352,7 +352,7 @@ TEST(PublishedPresets, AreTheCommittedResults) {
 // Results may be a stranger's, and the titles stand in comments of C#.
 TEST(PublishedPresets, ATitleDoesNotEndItsComment) {
   Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                 "Documentation~/results/presets/results.json");
+                                 "Documentation~/results/presets/results.tsv");
   const std::string before = preset_figures_csharp(results, "preset-");
   for (const char* end : {"\n", "\r", "\u0085", "\u2028", "\u2029", "\u202E"}) {
     Results evil = results;
@@ -365,7 +365,7 @@ TEST(PublishedPresets, ATitleDoesNotEndItsComment) {
 
 TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
   Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                 "Documentation~/results/presets/results.json");
+                                 "Documentation~/results/presets/results.tsv");
   const std::string last = results.records.back().technique;
   results.records.pop_back();  // it is the last technique's last scene
   expect_input_error([&] { (void)preset_figures_csharp(results, last); },

@@ -131,6 +131,46 @@ TEST(Results, WhateverIsWrittenReadsBackEqual) {
   }
 }
 
+// Settings are exact; figures have seven digits, ends of intervals five. What is not a number comes back as
+// it was.
+TEST(Results, ATableHoldsTheSame) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Results results = RandomResults(seed)();
+    const std::string table = to_table(results);
+    const Results read = parse_results(table, "results.tsv");
+    EXPECT_EQ(to_table(read), table) << "seed " << seed;
+    ASSERT_EQ(read.frames, results.frames);
+    ASSERT_EQ(read.records.size(), results.records.size());
+    for (std::size_t i = 0; i < results.records.size(); ++i) {
+      EXPECT_EQ(read.records[i].settings, results.records[i].settings);
+      EXPECT_EQ(read.records[i].parameters, results.records[i].parameters);
+    }
+    const nlohmann::json written = nlohmann::json::parse(to_json(results)).flatten();
+    const nlohmann::json found = nlohmann::json::parse(to_json(read)).flatten();
+    ASSERT_EQ(found.size(), written.size()) << "seed " << seed;
+    for (const auto& [path, value] : written.items()) {
+      if (value.is_number())
+        EXPECT_NEAR(
+            found.at(path).get<double>(), value.get<double>(),
+            (path.find("intervals/") == std::string::npos ? 5.1e-7 : 5.1e-5) * std::abs(value.get<double>()));
+      else
+        EXPECT_EQ(found.at(path), value) << path;
+    }
+  }
+}
+
+TEST(Results, ATableNamesTheCellThatIsWrong) {
+  Results results = synthetic::results();
+  results.records[0].metrics.rmse_all = 0.71828;
+  const std::string table = to_table(results);
+  const std::size_t cell = table.find("\t0.71828") + 1;
+  const std::size_t line_start = table.rfind('\n', cell) + 1;
+  const std::string place = "results.json:" + std::to_string(line_of(table, "\t0.71828")) + ":" +
+                            std::to_string(cell - line_start + 1) + ": ";
+  EXPECT_THAT(message_of(replaced(table, "0.71828", "7.1828")),
+              StartsWith(place + "'rmse_all' must be between 0 and 1"));
+}
+
 TEST(Results, TheSameResultsAreTheSameBytes) {
   EXPECT_EQ(to_json(synthetic::results()), to_json(synthetic::results()));
 }

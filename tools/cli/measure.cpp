@@ -48,8 +48,8 @@ struct MeasureOptions : StudyOptions {
   int pan_frames = 0;
   int penumbra_pixels = 0;
   int edge_samples = 0;
-  std::string from;                        // earlier results.json; if given, nothing is measured
-  std::string earlier;                     // results.json from which rows are added to the measured ones
+  std::string from;                        // earlier results, JSON or a table; if given, nothing is measured
+  std::string earlier;                     // results from which rows are added to the measured ones
   std::vector<std::string> earlier_rows;   // techniques of those rows
   std::string readme;                      // file whose result block is replaced
   std::string block{study::kResultBlock};  // name of that block
@@ -363,7 +363,7 @@ void add_measure(CLI::App& app, Context& context) {
   const auto file = [&](const char* name, std::string& value, const char* description) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
-  file("--from", options->from, "Read the figures from this results.json instead of measuring");
+  file("--from", options->from, "Read the figures from this results.json or results.tsv instead of measuring");
   CLI::Option* earlier =
       file("--earlier", options->earlier,
            "Results of the same pictures, of which --earlier-rows are added to those of this run");
@@ -398,7 +398,7 @@ void add_measure(CLI::App& app, Context& context) {
        "Write the quality presets' figures as C# to this file; - is standard output");
   command
       ->add_option("-o,--output", options->output,
-                   "Folder for results.json, report.html, charts and pictures")
+                   "Folder for results.json and results.tsv, report.html, charts and pictures")
       ->type_name("FOLDER")
       ->default_str("only the JSON, on standard output");
   end_help(

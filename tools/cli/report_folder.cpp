@@ -34,7 +34,7 @@ void remove_earlier_report(const std::filesystem::path& folder) {
 }  // namespace
 
 void check_report_files(const std::filesystem::path& folder) {
-  static const std::set<std::string> kEndings{".json", ".html", ".svg", ".png"};
+  static const std::set<std::string> kEndings{".json", ".tsv", ".html", ".svg", ".png"};
   std::error_code absent;
   for (const auto& entry : std::filesystem::directory_iterator(folder, absent)) {
     std::error_code ignored;
@@ -51,7 +51,9 @@ void check_report_files(const std::filesystem::path& folder) {
 void write_report(const std::filesystem::path& folder, const study::Results& results,
                   std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts) {
   make_folder(folder);
-  platform::write_file_atomically(folder / "results.json", study::to_json(results));
+  const std::string json = study::to_json(results);
+  const std::string table = study::to_table(results);
+  platform::write_files_atomically({{folder / "results.json", json}, {folder / "results.tsv", table}});
   remove_earlier_report(folder);
   study::ReportContent content;
   content.results = results;

@@ -1,4 +1,4 @@
-// The folder of `penumbra measure --output`: results.json, report.html, charts and pictures.
+// The folder of `penumbra measure --output`: results.json and results.tsv, report.html, charts and pictures.
 #pragma once
 
 #include <filesystem>

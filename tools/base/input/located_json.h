@@ -14,6 +14,8 @@
 
 namespace penumbra {
 
+class LocatingParser;  // locating_parser.h
+
 class LocatedJson {
  public:
   using Pointer = nlohmann::json::json_pointer;
@@ -34,6 +36,7 @@ class LocatedJson {
   static LocatedJson read(const std::filesystem::path& file);
   static LocatedJson read_found(const std::filesystem::path& file);  // reads as read_found_text_file()
   static LocatedJson parse(std::string_view text, const std::string& name);
+  LocatedJson(LocatingParser&& parser, const std::string& name);  // what has been parsed, named `name`
 
   const nlohmann::json& value() const { return *value_; }
   const nlohmann::json& at(const Pointer& pointer) const { return value_->at(pointer); }

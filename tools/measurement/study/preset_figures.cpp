@@ -16,7 +16,7 @@ constexpr const char* figures_begin =
     R"(namespace Penumbra.Editor
 {{
     // Means over {0} scenes; Documentation~/presets.md says how they were measured.
-    // Written by `penumbra measure --presets` from Documentation~/results/presets/results.json; do not edit.
+    // Written by `penumbra measure --presets` from Documentation~/results/presets/results.tsv; do not edit.
     internal static class PresetFigures
     {{
         /// <summary>One row per preset, in QualityPreset's order; by ascending angular diameter.</summary>

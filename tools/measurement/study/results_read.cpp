@@ -5,7 +5,9 @@
 #include <set>
 
 #include "input/input_error.h"
+#include "input/json_table.h"
 #include "input/located_json.h"
+#include "input/text_file.h"
 #include "parameters/settings_input.h"
 #include "study/results.h"
 
@@ -474,11 +476,12 @@ Results read_document(const LocatedJson& document) {
 }  // namespace
 
 Results parse_results(std::string_view text, const std::string& name) {
-  return read_document(LocatedJson::parse(text, name));
+  return read_document(is_json_table(text) ? parse_json_table(text, name, "records")
+                                           : LocatedJson::parse(text, name));
 }
 
 Results read_results(const std::filesystem::path& file) {
-  return read_document(LocatedJson::read(file));
+  return parse_results(read_text_file(file), file.string());
 }
 
 }  // namespace penumbra::study

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "input/json_table.h"
 #include "parameters/settings_input.h"
 #include "study/results.h"
 
@@ -262,7 +263,9 @@ class LineWriter {
 
 }  // namespace
 
-std::string to_json(const Results& results) {
+namespace {
+
+Json json_of(const Results& results) {
   Json json;
   json["schema_version"] = kResultsSchemaVersion;
   json["library_version"] = results.library_version;
@@ -280,7 +283,23 @@ std::string to_json(const Results& results) {
   for (const MeasuredFrame& frame : results.frames) json["frames"].push_back(json_of(frame));
   json["records"] = Json::array();
   for (const Record& record : results.records) json["records"].push_back(json_of(record, time_kind(results)));
-  return LineWriter().text_of(json);
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Results& results) {
+  return LineWriter().text_of(json_of(results));
+}
+
+std::string to_table(const Results& results) {
+  const auto digits = [](const std::string& path) {
+    for (const char* setting : {"parameters/", "light_degrees", "settings/"})
+      if (path.starts_with(setting)) return kAllDigits;
+    // Pages show four digits at most; means of several figures, and differences, keep their last one.
+    return path.find("intervals/") == std::string::npos ? 7 : 5;
+  };
+  return json_table(json_of(results), "records", digits);
 }
 
 }  // namespace penumbra::study
