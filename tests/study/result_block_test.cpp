@@ -351,8 +351,8 @@ TEST(PublishedPresets, AreTheCommittedResults) {
 
 // Results may be a stranger's, and the titles stand in comments of C#.
 TEST(PublishedPresets, ATitleDoesNotEndItsComment) {
-  Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                 "Documentation~/results/presets/results.tsv");
+  Results results =
+      read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~/results/presets/results.tsv");
   const std::string before = preset_figures_csharp(results, "preset-");
   for (const char* end : {"\n", "\r", "\u0085", "\u2028", "\u2029", "\u202E"}) {
     Results evil = results;
@@ -364,8 +364,8 @@ TEST(PublishedPresets, ATitleDoesNotEndItsComment) {
 }
 
 TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
-  Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                 "Documentation~/results/presets/results.tsv");
+  Results results =
+      read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~/results/presets/results.tsv");
   const std::string last = results.records.back().technique;
   results.records.pop_back();  // it is the last technique's last scene
   expect_input_error([&] { (void)preset_figures_csharp(results, last); },

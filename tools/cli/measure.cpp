@@ -363,7 +363,8 @@ void add_measure(CLI::App& app, Context& context) {
   const auto file = [&](const char* name, std::string& value, const char* description) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
-  file("--from", options->from, "Read the figures from this results.json or results.tsv instead of measuring");
+  file("--from", options->from,
+       "Read the figures from this results.json or results.tsv instead of measuring");
   CLI::Option* earlier =
       file("--earlier", options->earlier,
            "Results of the same pictures, of which --earlier-rows are added to those of this run");

@@ -200,13 +200,13 @@ const MeasuredFrame& frame_of(const Results& results, const Record& record);
 
 std::string to_json(const Results& results);
 
-// Returns the same as a table (input/json_table.h) with a line for each record. Figures have seven significant
-// digits, and the ends of intervals five.
+// Returns the same as a table (input/json_table.h) with a line for each record. Figures have seven
+// significant digits, and the ends of intervals five.
 std::string to_table(const Results& results);
 
-// Reads either form. Throws InputError with file:line:column for anything that to_json() would not have written:
-// wrong type, missing or unknown key, another schema version, a rate outside [0, 1], two records of the same
-// measurement.
+// Reads either form. Throws InputError with file:line:column for anything that to_json() would not have
+// written: wrong type, missing or unknown key, another schema version, a rate outside [0, 1], two records of
+// the same measurement.
 Results parse_results(std::string_view text, const std::string& name);
 Results read_results(const std::filesystem::path& file);
 
