@@ -1,4 +1,4 @@
-// Diagnostics about JSON files, for reports that also contain those about shaders. Internal to this room.
+// Diagnostics about JSON files, for reports that also contain those about shaders.
 #pragma once
 
 #include <filesystem>
