@@ -8,12 +8,11 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // Of a module before inlining.
-std::vector<Finding> indexed_write_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> indexed_write_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -22,10 +22,10 @@ class LintedModules {
   // `compiled` with its unoptimised module; `of_text`: what was found in its text. Findings of rules that are
   // left out are not among the messages.
   std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled,
-                                         std::vector<lint::Finding> of_text);
+                                         std::vector<hlsl::Diagnostic> of_text);
 
  private:
-  RecentResults<std::vector<lint::Finding>> findings_{256};
+  RecentResults<std::vector<hlsl::Diagnostic>> findings_{256};
 };
 
 // Leaves the rules that repeat FXC (lint::RuleInfo::of_fxc) out of the units whose program is among those
@@ -37,7 +37,7 @@ bool holds_suppression(std::string_view source);  // a comment that silences a r
 std::string encode(const std::vector<lint::ConstantBuffer>& buffers);
 std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view bytes);
 
-// A finding as a message of a report; nothing when its rule is left out.
-std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrder& order);
+// Without those whose rule is left out.
+std::vector<hlsl::Diagnostic> wanted(std::vector<hlsl::Diagnostic> findings, const LintOrder& order);
 
 }  // namespace penumbra::validation
