@@ -7,20 +7,15 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
 #include "preparation/number_shape.h"
 
 namespace penumbra::preparation {
 
-struct SemanticProblem {
-  std::string words;  // follows the semantic's name; empty: no problem
-  hlsl::Severity severity = hlsl::Severity::error;
-  bool crashes = false;  // glslang, which must not see it
-};
-
-// `semantic` as written, with its index.
-SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+// Problems with a semantic as written, with its index: words that follow it in a message; empty: none.
+std::string semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+std::string distance_problem(const std::string& semantic, hlsl::Stage stage, bool input);  // crashes glslang
+std::string attribute_problem(const std::string& semantic);  // of a vertex program's input; a warning
 
 // The system value that FXC's compatibility mode, in which Unity runs it, reads in a name of Direct3D 9:
 // POSITION of a vertex program's outputs, VPOS of a fragment program's inputs, COLOR and DEPTH of its

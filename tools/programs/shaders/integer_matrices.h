@@ -10,7 +10,7 @@
 namespace penumbra::shaders {
 
 // Those that remain in `optimised`; `text` and `file`: its source, for the locations.
-std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file);
+std::vector<hlsl::Diagnostic> integer_matrices(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file);
 
 }  // namespace penumbra::shaders

@@ -12,6 +12,6 @@ namespace penumbra::shaders {
 
 // Each once, with the texture's name if the module has names. For modules after legalisation. Accepts
 // malformed words.
-std::vector<ModuleProblem> misread_textures(const SpirvModule& module);
+std::vector<hlsl::Diagnostic> misread_textures(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -11,7 +11,7 @@
 namespace penumbra::shaders {
 
 // `optimised`: the module with the names of the resources that it still uses; `text` and `file`: its source.
-std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file);
+std::vector<hlsl::Diagnostic> shared_registers(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file);
 
 }  // namespace penumbra::shaders

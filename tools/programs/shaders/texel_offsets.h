@@ -13,6 +13,6 @@
 namespace penumbra::shaders {
 
 // Each once. For modules after legalisation. Accepts malformed words.
-std::vector<ModuleProblem> refused_offsets(const SpirvModule& module);
+std::vector<hlsl::Diagnostic> refused_offsets(const SpirvModule& module);
 
 }  // namespace penumbra::shaders
