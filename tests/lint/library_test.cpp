@@ -45,10 +45,9 @@ TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
       shaders::CompileResult result = shaders::compile(request);
       ASSERT_FALSE(result.spirv.empty()) << technique.name;
       ++modules;
-      for (const Finding& finding :
+      for (const hlsl::Diagnostic& finding :
            lint_module({result.spirv, request.stage, technique.name, result.sources, 0}))
-        found.insert(std::filesystem::path(finding.diagnostic.file).filename().string() + ": " +
-                     finding.rule);
+        found.insert(std::filesystem::path(finding.file).filename().string() + ": " + finding.rule);
     }
   }
   EXPECT_GE(modules, list.techniques.size());

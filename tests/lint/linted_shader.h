@@ -30,8 +30,8 @@ inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stag
 
 // The findings with the legalised module of the compiler, as `penumbra validate` has it; nothing where the
 // module cannot be optimised.
-inline std::optional<std::vector<Finding>> lint_as_compiled(const std::string& text, hlsl::Stage stage,
-                                                            int shader_target) {
+inline std::optional<std::vector<hlsl::Diagnostic>> lint_as_compiled(const std::string& text,
+                                                                     hlsl::Stage stage, int shader_target) {
   shaders::CompileRequest request;
   request.file = "Test.hlsl";
   request.text = text;
@@ -44,26 +44,25 @@ inline std::optional<std::vector<Finding>> lint_as_compiled(const std::string& t
 }
 
 // The finding as "3:5 error rule: message", or "3 ..." where the column is unknown.
-inline std::string told(const Finding& finding) {
-  const hlsl::Diagnostic& at = finding.diagnostic;
+inline std::string told(const hlsl::Diagnostic& at) {
   const char* severity = at.severity == hlsl::Severity::error     ? " error "
                          : at.severity == hlsl::Severity::warning ? " warning "
                                                                   : " note ";
   return std::to_string(at.line) + (at.column == 0 ? "" : ":" + std::to_string(at.column)) + severity +
-         finding.rule + ": " + at.message;
+         at.rule + ": " + at.message;
 }
 
-inline std::vector<std::string> told(const std::vector<Finding>& findings) {
+inline std::vector<std::string> told(const std::vector<hlsl::Diagnostic>& findings) {
   std::vector<std::string> all;
-  for (const Finding& finding : findings) all.push_back(told(finding));
+  for (const hlsl::Diagnostic& finding : findings) all.push_back(told(finding));
   return all;
 }
 
-inline std::vector<Finding> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
-                                 int shader_target = 0) {
+inline std::vector<hlsl::Diagnostic> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
+                                          int shader_target = 0) {
   shaders::CompileResult result = compiled(text, stage);
   if (result.spirv.empty()) return {};
-  std::vector<Finding> findings =
+  std::vector<hlsl::Diagnostic> findings =
       lint_module({std::move(result.spirv), stage, "Test.hlsl", std::move(result.sources), shader_target});
   if (const auto as_compiled = lint_as_compiled(text, stage, shader_target)) {
     EXPECT_EQ(told(*as_compiled), told(findings)) << text;
@@ -76,7 +75,7 @@ inline std::vector<std::string> findings_of(const std::string& rule, const std::
                                             hlsl::Stage stage = hlsl::Stage::fragment,
                                             int shader_target = 0) {
   std::vector<std::string> all;
-  for (const Finding& finding : lint(text, stage, shader_target))
+  for (const hlsl::Diagnostic& finding : lint(text, stage, shader_target))
     if (finding.rule == rule) all.push_back(told(finding));
   return all;
 }

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::EndsWith;
 using testing::IsEmpty;
 
-std::vector<Finding> lint_file(const shaders::CompileRequest& given) {
+std::vector<hlsl::Diagnostic> lint_file(const shaders::CompileRequest& given) {
   shaders::CompileRequest request = given;
   request.optimise = false;
   request.debug_lines = true;
@@ -31,11 +31,11 @@ TEST(LintModule, AFindingInAnIncludedFileIsThere) {
   const ShaderFiles files;
   files.write("Part.hlsl", part);
   files.write("Main.hlsl", "#include \"Part.hlsl\"\n" + fragment("", "Bent(uv.x)"));
-  const std::vector<Finding> found = lint_file(files.request("Main.hlsl", hlsl::Stage::fragment));
+  const std::vector<hlsl::Diagnostic> found = lint_file(files.request("Main.hlsl", hlsl::Stage::fragment));
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_THAT(found[0].diagnostic.file, EndsWith("Part.hlsl"));
+  EXPECT_THAT(found[0].file, EndsWith("Part.hlsl"));
   EXPECT_EQ(told(found[0]).substr(0, 25), "4:12 warning negative-pow");
-  EXPECT_EQ(found[0].diagnostic.source_line, "    return pow(x, 1.5);");
+  EXPECT_EQ(found[0].source_line, "    return pow(x, 1.5);");
 }
 
 TEST(LintModule, ASuppressionInAnIncludedFileCounts) {
@@ -54,9 +54,9 @@ TEST(LintModule, PlacesHoldWhenPrecisionTwinsAreMerged) {
   shaders::CompileRequest request = files.request("Main.hlsl", hlsl::Stage::fragment);
   request.prepare = true;
   std::vector<std::string> places;
-  for (const Finding& finding : lint_file(request))
-    places.push_back(std::filesystem::path(finding.diagnostic.file).filename().string() + ":" +
-                     std::to_string(finding.diagnostic.line));
+  for (const hlsl::Diagnostic& finding : lint_file(request))
+    places.push_back(std::filesystem::path(finding.file).filename().string() + ":" +
+                     std::to_string(finding.line));
   EXPECT_THAT(places, ElementsAre("Main.hlsl:6", "Part.hlsl:4"));
 }
 
@@ -67,7 +67,7 @@ TEST(LintModule, AFunctionCalledTwiceSpeaksOnce) {
 TEST(LintModule, FindingsStandInTheOrderOfLines) {
   const std::string text = fragment("    float a;\n    float b = pow(uv.x, 1.5);\n", "a + b");
   std::vector<std::string> rules;
-  for (const Finding& finding : lint(text)) rules.push_back(finding.rule);
+  for (const hlsl::Diagnostic& finding : lint(text)) rules.push_back(finding.rule);
   EXPECT_THAT(rules, ElementsAre("negative-pow", "read-before-set"));
 }
 
@@ -86,7 +86,7 @@ TEST(LintModule, WhatIsTooLargeIsSaidAndNotFollowed) {
   std::string statements = "    float a;\n";
   for (int i = 0; i < 2'100; ++i) statements += "    if (uv.x > " + std::to_string(i) + ") a = uv.y;\n";
   std::vector<std::string> all;
-  for (const Finding& finding : lint(fragment(statements, "a"))) all.push_back(told(finding));
+  for (const hlsl::Diagnostic& finding : lint(fragment(statements, "a"))) all.push_back(told(finding));
   EXPECT_THAT(
       all, ElementsAre("0 note not-checked: the shader is too large for the rules that need it inlined",
                        "1:8 note not-checked: 'Main' is too large for data-flow analysis of its variables"));

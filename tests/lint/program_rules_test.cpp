@@ -19,9 +19,9 @@ PassStage pass(const std::string& name, const std::string& declarations, const s
           constant_buffers(compiled(fragment("", expression, declarations)).spirv)};
 }
 
-std::vector<std::string> all(const std::vector<Finding>& findings) {
+std::vector<std::string> all(const std::vector<hlsl::Diagnostic>& findings) {
   std::vector<std::string> text;
-  for (const Finding& finding : findings) text.push_back(told(finding));
+  for (const hlsl::Diagnostic& finding : findings) text.push_back(told(finding));
   return text;
 }
 

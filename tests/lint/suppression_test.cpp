@@ -20,7 +20,7 @@ std::vector<std::string> with_comments(const std::string& behind, const std::str
                            (above.empty() ? "" : above + "\n") + "c += pow(uv.x, 1.5); " + behind +
                            "\nreturn c; }\n";
   std::vector<std::string> rules;
-  for (const Finding& finding : lint(text)) rules.push_back(finding.rule);
+  for (const hlsl::Diagnostic& finding : lint(text)) rules.push_back(finding.rule);
   return rules;
 }
 
@@ -64,13 +64,13 @@ TEST(Suppression, FindingsWithoutALineNeedTheWholeFile) {
   hlsl::SourceFiles sources;
   sources.add("A.hlsl",
               "// penumbra-lint: disable-file=sampler-limit\n// penumbra-lint: disable=register-limit\n");
-  const Finding samplers{"sampler-limit", {"A.hlsl", 0, 0, hlsl::Severity::error, "17", {}}};
-  const Finding registers{"register-limit", {"A.hlsl", 0, 0, hlsl::Severity::error, "33", {}}};
-  const Finding elsewhere{"sampler-limit", {"B.hlsl", 0, 0, hlsl::Severity::error, "17", {}}};
-  const std::vector<Finding> left = without_suppressed({samplers, registers, elsewhere}, sources);
+  const hlsl::Diagnostic samplers{"A.hlsl", 0, 0, hlsl::Severity::error, "17", {}, "sampler-limit"};
+  const hlsl::Diagnostic registers{"A.hlsl", 0, 0, hlsl::Severity::error, "33", {}, "register-limit"};
+  const hlsl::Diagnostic elsewhere{"B.hlsl", 0, 0, hlsl::Severity::error, "17", {}, "sampler-limit"};
+  const std::vector<hlsl::Diagnostic> left = without_suppressed({samplers, registers, elsewhere}, sources);
   ASSERT_THAT(left, SizeIs(2));
   EXPECT_EQ(left[0].rule, "register-limit");
-  EXPECT_EQ(left[1].diagnostic.file, "B.hlsl");
+  EXPECT_EQ(left[1].file, "B.hlsl");
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ bool compares_with_itself(const spirv::Instruction& instruction) {
 
 }  // namespace
 
-std::vector<Finding> arithmetic_findings(const LintedCode& linted) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> arithmetic_findings(const LintedCode& linted) {
+  std::vector<hlsl::Diagnostic> findings;
   std::set<spirv::Id> tested_for_infinity;  // isfinite() tests one value for both
   for (const spirv::Instruction& instruction : linted.code.instructions())
     if (instruction.op == spv::OpIsInf) tested_for_infinity.insert(instruction.operands[0]);

@@ -8,12 +8,11 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // `linted` is a legalised module.
-std::vector<Finding> arithmetic_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> arithmetic_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -13,8 +13,9 @@ bool is_barrier(const spirv::Instruction& instruction) {
   return instruction.op == spv::OpControlBarrier;
 }
 
-Finding finding_of(const LintedCode& linted, const spirv::Function& function, const Divergence& divergence,
-                   const spirv::Instruction& barrier, std::size_t node, std::size_t branch) {
+hlsl::Diagnostic finding_of(const LintedCode& linted, const spirv::Function& function,
+                            const Divergence& divergence, const spirv::Instruction& barrier, std::size_t node,
+                            std::size_t branch) {
   const bool in_loop = divergence.loop_left_by(branch, node) != no_node;
   return finding_at(linted, "divergent-barrier", barrier.place,
                     {"GroupMemoryBarrierWithGroupSync", "AllMemoryBarrierWithGroupSync",
@@ -29,8 +30,8 @@ Finding finding_of(const LintedCode& linted, const spirv::Function& function, co
 
 }  // namespace
 
-std::vector<Finding> barrier_findings(const LintedCode& linted) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> barrier_findings(const LintedCode& linted) {
+  std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
     const auto& all = linted.code.instructions();

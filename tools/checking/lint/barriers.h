@@ -4,12 +4,11 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // `linted` is a legalised compute shader.
-std::vector<Finding> barrier_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> barrier_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -44,8 +44,8 @@ class ReturnsOf {
         flow_(control_flow(linted.code, function)) {}
 
   // `large` means that the size of the function's result makes every condition around a return a branch.
-  std::vector<Finding> findings(bool large) const {
-    std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings(bool large) const {
+    std::vector<hlsl::Diagnostic> findings;
     std::set<std::size_t>
         setting;  // conditions around returns that FXC turns into a choice: the result is set behind them
     for (const std::size_t node : flow_.order) {
@@ -117,7 +117,7 @@ class ReturnsOf {
     });
   }
 
-  Finding finding_of(const spirv::Instruction& at) const {
+  hlsl::Diagnostic finding_of(const spirv::Instruction& at) const {
     std::string name = linted_.code.name(function_.id);
     name = name.substr(0, name.find('('));
     return finding_at(linted_, "early-return", at.place, {"return"},
@@ -145,16 +145,16 @@ bool has_several_returns(const spirv::Code& code, const spirv::Function& functio
 
 }  // namespace
 
-std::vector<Finding> early_return_findings(const LintedCode& linted) {
+std::vector<hlsl::Diagnostic> early_return_findings(const LintedCode& linted) {
   const spirv::Code& code = linted.code;
   const KnownValues values(code);
   const std::set<spirv::Id> readers = texture_readers(code);
   ComponentLayout layout(code);
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : code.functions()) {
     if (!has_several_returns(code, function)) continue;
     const bool large = layout.count(function.result_type) > most_chosen;
-    for (Finding& finding : ReturnsOf(linted, function, values, readers).findings(large))
+    for (hlsl::Diagnostic& finding : ReturnsOf(linted, function, values, readers).findings(large))
       findings.push_back(std::move(finding));
   }
   return findings;

@@ -34,13 +34,13 @@ struct Gradient {
   std::size_t node = 0;
 };
 
-Finding in_loop(const LintedCode& linted, const spirv::Function& function, const Divergence& divergence,
-                const Gradient& gradient, std::size_t branch) {
+hlsl::Diagnostic in_loop(const LintedCode& linted, const spirv::Function& function,
+                         const Divergence& divergence, const Gradient& gradient, std::size_t branch) {
   const std::size_t header = divergence.loop_left_by(branch, gradient.node);
   const bool bounded =
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
   const spirv::Place place = gradient.instruction.place;
-  Finding finding =
+  hlsl::Diagnostic finding =
       finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
                  "derivatives are taken in divergent control flow: the loop's number of iterations "
                  "differs between pixels, by the condition" +
@@ -48,12 +48,12 @@ Finding in_loop(const LintedCode& linted, const spirv::Function& function, const
                      (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
                               : "; Direct3D must unroll it and finds no bound") +
                      ": use SampleLevel or SampleGrad");
-  if (bounded) finding.diagnostic.severity = hlsl::Severity::warning;
+  if (bounded) finding.severity = hlsl::Severity::warning;
   return finding;
 }
 
-Finding under_condition(const LintedCode& linted, const spirv::Function& function, const Gradient& gradient,
-                        std::size_t branch) {
+hlsl::Diagnostic under_condition(const LintedCode& linted, const spirv::Function& function,
+                                 const Gradient& gradient, std::size_t branch) {
   const bool derivative = is_derivative(gradient.instruction.op);
   const spirv::Place place = gradient.instruction.place;
   return finding_at(
@@ -66,7 +66,7 @@ Finding under_condition(const LintedCode& linted, const spirv::Function& functio
 }
 
 void check(const LintedCode& linted, const spirv::Function& function, const Divergence& divergence,
-           const Gradient& gradient, std::vector<Finding>& findings) {
+           const Gradient& gradient, std::vector<hlsl::Diagnostic>& findings) {
   const std::vector<std::size_t> branches = divergence.varying_branches_over(gradient.node);
   if (branches.empty()) return;
   const auto leaving = std::find_if(branches.begin(), branches.end(), [&](std::size_t branch) {
@@ -78,8 +78,8 @@ void check(const LintedCode& linted, const spirv::Function& function, const Dive
 
 }  // namespace
 
-std::vector<Finding> gradient_findings(const LintedCode& linted) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted) {
+  std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
     const auto& all = linted.code.instructions();
@@ -107,8 +107,8 @@ bool names_bound(const LintedCode& linted, const spirv::Place& place) {
   return false;
 }
 
-std::vector<Finding> unroll_findings(const LintedCode& linted) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> unroll_findings(const LintedCode& linted) {
+  std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
     const ControlFlow flow = control_flow(linted.code, function);

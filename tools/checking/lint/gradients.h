@@ -9,15 +9,14 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // `linted` is a legalised fragment shader.
-std::vector<Finding> gradient_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted);
 
 // Finds loops marked [unroll] without a constant bound, in any legalised stage.
-std::vector<Finding> unroll_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> unroll_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -34,7 +34,7 @@ class WritesOf {
   WritesOf(const LintedCode& linted, const spirv::Function& function, const KnownValues& values)
       : linted_(linted), function_(function), values_(values), flow_(control_flow(linted.code, function)) {}
 
-  std::vector<Finding> findings() {
+  std::vector<hlsl::Diagnostic> findings() {
     for (const std::size_t node : flow_.order)
       for (std::size_t i = function_.blocks[node].begin; i < function_.blocks[node].end; ++i) {
         const spirv::Instruction& instruction = linted_.code.instructions()[i];
@@ -91,20 +91,20 @@ class WritesOf {
   const spirv::Function& function_;
   const KnownValues& values_;
   const ControlFlow flow_;
-  std::vector<Finding> findings_;
+  std::vector<hlsl::Diagnostic> findings_;
 };
 
 }  // namespace
 
-std::vector<Finding> indexed_write_findings(const LintedCode& linted) {
+std::vector<hlsl::Diagnostic> indexed_write_findings(const LintedCode& linted) {
   const auto& all = linted.code.instructions();
   const auto writes = [&](const spirv::Instruction& any) { return writes_by_index(linted.code, any); };
   if (std::none_of(all.begin(), all.end(), writes)) return {};
   const KnownValues values(linted.code);
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
-    for (Finding& finding : WritesOf(linted, function, values).findings())
+    for (hlsl::Diagnostic& finding : WritesOf(linted, function, values).findings())
       findings.push_back(std::move(finding));
   }
   return findings;

@@ -9,12 +9,11 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // `linted` is a module before inlining.
-std::vector<Finding> indexed_write_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> indexed_write_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -25,13 +25,12 @@ namespace penumbra::lint {
 
 namespace {
 
-void append(std::vector<Finding>& to, std::vector<Finding> from) {
+void append(std::vector<hlsl::Diagnostic>& to, std::vector<hlsl::Diagnostic> from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
-auto order_of(const Finding& finding) {
-  const hlsl::Diagnostic& at = finding.diagnostic;
-  return std::tie(at.file, at.line, at.column, finding.rule, at.message);
+auto order_of(const hlsl::Diagnostic& finding) {
+  return std::tie(finding.file, finding.line, finding.column, finding.rule, finding.message);
 }
 
 bool is_small(const spirv::Code& code) {
@@ -41,9 +40,9 @@ bool is_small(const spirv::Code& code) {
 }
 
 // `known` has the legalised words, if available.
-std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
-                                        const spirv::Module& known) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
+                                                 const spirv::Module& known) {
+  std::vector<hlsl::Diagnostic> findings;
   std::optional<spirv::Module> words = known.empty() ? legalised(spirv) : simplified(known);
   if (!words) return findings;
   const spirv::Code code(std::move(*words));
@@ -57,12 +56,13 @@ std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv:
 }
 
 // An inlined function causes one finding per call.
-void sort_and_unify(std::vector<Finding>& findings) {
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return order_of(a) < order_of(b); });
-  const auto last = std::unique(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-    return order_of(a) == order_of(b);
-  });
+void sort_and_unify(std::vector<hlsl::Diagnostic>& findings) {
+  std::stable_sort(
+      findings.begin(), findings.end(),
+      [](const hlsl::Diagnostic& a, const hlsl::Diagnostic& b) { return order_of(a) < order_of(b); });
+  const auto last = std::unique(
+      findings.begin(), findings.end(),
+      [](const hlsl::Diagnostic& a, const hlsl::Diagnostic& b) { return order_of(a) == order_of(b); });
   findings.erase(last, findings.end());
 }
 
@@ -74,9 +74,9 @@ spirv::Module without_lines(const spirv::Module& words) {
   });
 }
 
-std::vector<Finding> all_findings(const ModuleToLint& module, const spirv::Module& spirv,
-                                  const spirv::Module& legalised) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> all_findings(const ModuleToLint& module, const spirv::Module& spirv,
+                                           const spirv::Module& legalised) {
+  std::vector<hlsl::Diagnostic> findings;
   const spirv::Code written(spirv);
   const LintedCode linted{written, module.sources, module.file};
   append(findings, unset_values(linted));
@@ -93,18 +93,19 @@ std::vector<Finding> all_findings(const ModuleToLint& module, const spirv::Modul
 
 // Most modules have no finding, and debug lines, which only serve to locate findings, double the time of
 // legalisation.
-std::vector<Finding> module_findings(const ModuleToLint& module) {
+std::vector<hlsl::Diagnostic> module_findings(const ModuleToLint& module) {
   if (all_findings(module, without_lines(module.spirv), module.legalised).empty()) return {};
   return all_findings(module, module.spirv, {});
 }
 
-std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources) {
+std::vector<hlsl::Diagnostic> with_suppressions(std::vector<hlsl::Diagnostic> findings,
+                                                const hlsl::SourceFiles& sources) {
   append(findings, unknown_suppressions(sources));
   sort_and_unify(findings);
   return without_suppressed(std::move(findings), sources);
 }
 
-std::vector<Finding> lint_module(const ModuleToLint& module) {
+std::vector<hlsl::Diagnostic> lint_module(const ModuleToLint& module) {
   return with_suppressions(module_findings(module), module.sources);
 }
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
-#include "lint/rule.h"
 
 namespace penumbra::lint {
 
@@ -30,11 +30,12 @@ struct ModuleToLint {
   std::vector<std::uint32_t> legalised{};
 };
 
-std::vector<Finding> lint_module(const ModuleToLint& module);
+std::vector<hlsl::Diagnostic> lint_module(const ModuleToLint& module);
 
 // These are the two steps: the findings of the module, equal for equal modules, and their filtering by the
 // comments in the texts.
-std::vector<Finding> module_findings(const ModuleToLint& module);
-std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
+std::vector<hlsl::Diagnostic> module_findings(const ModuleToLint& module);
+std::vector<hlsl::Diagnostic> with_suppressions(std::vector<hlsl::Diagnostic> findings,
+                                                const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
-#include "lint/rule.h"
 
 namespace penumbra::lint {
 
@@ -57,7 +57,7 @@ struct ShaderToLint {
 
 // Rule srp-batcher: properties outside of UnityPerMaterial, and differing layouts of it. A stage without
 // UnityPerMaterial is not compared. Engine properties (unity_*) outside of UnityPerDraw are not checked.
-std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader);
+std::vector<hlsl::Diagnostic> srp_batcher_findings(const ShaderToLint& shader);
 
 // The result of preprocessing or compiling one variant.
 struct VariantText {
@@ -76,6 +76,6 @@ struct ProgramKeywords {
 
 // Rule unused-keyword: a keyword is unused if every pair of variants that differ only in it has equal results
 // and there is such a pair. Keywords that no pair tests are not reported.
-std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program);
+std::vector<hlsl::Diagnostic> unused_keyword_findings(const ProgramKeywords& program);
 
 }  // namespace penumbra::lint

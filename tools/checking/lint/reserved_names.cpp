@@ -74,18 +74,18 @@ std::vector<std::size_t> declared_names(const Tokens& tokens) {
 
 }  // namespace
 
-std::vector<Finding> reserved_name_findings(const std::string& expanded, const std::string& main_file,
-                                            const hlsl::SourceFiles& sources) {
+std::vector<hlsl::Diagnostic> reserved_name_findings(const std::string& expanded,
+                                                     const std::string& main_file,
+                                                     const hlsl::SourceFiles& sources) {
   if (declared_names(hlsl::lex(expanded)).empty()) return {};
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   const hlsl::TokenPlaces tokens(expanded, main_file);
   for (const std::size_t at : declared_names(tokens)) {
     const hlsl::TokenPlace place = tokens.at(at, sources);
-    findings.push_back({"reserved-name",
-                        {place.file, place.line, place.column, hlsl::Severity::warning,
-                         "'" + std::string(tokens[at].spelling) +
-                             "' is a reserved word of FXC, Unity's compiler: choose another name",
-                         sources.line(place.file, place.line)}});
+    findings.push_back({place.file, place.line, place.column, hlsl::Severity::warning,
+                        "'" + std::string(tokens[at].spelling) +
+                            "' is a reserved word of FXC, Unity's compiler: choose another name",
+                        sources.line(place.file, place.line), "reserved-name"});
   }
   return findings;
 }

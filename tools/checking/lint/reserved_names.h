@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
-#include "lint/rule.h"
 
 namespace penumbra::lint {
 
 // `expanded` is without comments and macros, with #line directives (hlsl/tokens.h); lines before the first
 // that names a file are in `main_file`. There is one finding for each place.
-std::vector<Finding> reserved_name_findings(const std::string& expanded, const std::string& main_file,
-                                            const hlsl::SourceFiles& sources);
+std::vector<hlsl::Diagnostic> reserved_name_findings(const std::string& expanded,
+                                                     const std::string& main_file,
+                                                     const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

@@ -74,7 +74,7 @@ std::vector<Used> used_resources(const spirv::Code& code) {
 }
 
 void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used,
-                         std::vector<Finding>& findings) {
+                         std::vector<hlsl::Diagnostic>& findings) {
   std::set<std::string> textures;
   for (const Used& resource : used)
     if (resource.kind == Kind::texture) textures.insert(linted.code.name(resource.variable));
@@ -98,7 +98,7 @@ bool is_counter(const std::string& name) {
 }
 
 void check_count(const LintedCode& linted, const std::vector<Used>& used, const char* rule, Kind kind,
-                 std::size_t most, const std::string& what, std::vector<Finding>& findings) {
+                 std::size_t most, const std::string& what, std::vector<hlsl::Diagnostic>& findings) {
   std::size_t slots = 0;
   std::string names;
   for (const Used& resource : used) {
@@ -114,7 +114,8 @@ void check_count(const LintedCode& linted, const std::vector<Used>& used, const 
                                     std::to_string(most) + ": " + names));
 }
 
-void check_sizes(const LintedCode& linted, const std::vector<Used>& used, std::vector<Finding>& findings) {
+void check_sizes(const LintedCode& linted, const std::vector<Used>& used,
+                 std::vector<hlsl::Diagnostic>& findings) {
   for (const Used& resource : used) {
     if (resource.kind != Kind::constant_buffer) continue;
     const ConstantBuffer buffer = constant_buffer(linted.code, resource.type);
@@ -156,7 +157,7 @@ std::size_t interpolators_of_target(int shader_target) {
 }
 
 void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader_target,
-                         std::vector<Finding>& findings) {
+                         std::vector<hlsl::Diagnostic>& findings) {
   const bool reads = stage == hlsl::Stage::fragment;
   if (!reads && stage != hlsl::Stage::vertex && stage != hlsl::Stage::domain) return;
   const spv::StorageClass storage = reads ? spv::StorageClassInput : spv::StorageClassOutput;
@@ -179,19 +180,20 @@ void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader
   }
   const std::size_t most = interpolators_of_target(shader_target);
   if (sum.registers <= most) return;
-  Finding finding =
+  hlsl::Diagnostic finding =
       finding_at(linted, "register-limit", {}, {},
                  std::to_string(sum.registers) + " interpolators are used; devices of #pragma target " +
                      std::to_string(shader_target / 10) + "." + std::to_string(shader_target % 10) +
                      " may have only " + std::to_string(most));
-  finding.diagnostic.severity = hlsl::Severity::note;
+  finding.severity = hlsl::Severity::note;
   findings.push_back(finding);
 }
 
 }  // namespace
 
-std::vector<Finding> resource_findings(const LintedCode& linted, hlsl::Stage stage, int shader_target) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> resource_findings(const LintedCode& linted, hlsl::Stage stage,
+                                                int shader_target) {
+  std::vector<hlsl::Diagnostic> findings;
   const std::vector<Used> used = used_resources(linted.code);
   check_sampler_names(linted, used, findings);
   check_count(linted, used, "sampler-limit", Kind::sampler, most_samplers, "samplers", findings);

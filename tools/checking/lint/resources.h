@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "hlsl/stage.h"
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // `linted` is a legalised module. shader_target is ten times `#pragma target`, and 0 for none.
-std::vector<Finding> resource_findings(const LintedCode& linted, hlsl::Stage stage, int shader_target);
+std::vector<hlsl::Diagnostic> resource_findings(const LintedCode& linted, hlsl::Stage stage,
+                                                int shader_target);
 
 }  // namespace penumbra::lint

@@ -1,4 +1,4 @@
-// The lint rules: name, severity, description and source of each, and the findings.
+// The lint rules: name, severity, description and source of each.
 //
 // docs/lint.md has one section for each; a test compares the two lists.
 #pragma once
@@ -21,10 +21,5 @@ struct RuleInfo {
 // The rules are in the order of the documentation.
 const std::vector<RuleInfo>& rules();
 const RuleInfo* find_rule(const std::string& name);
-
-struct Finding {
-  std::string rule;
-  hlsl::Diagnostic diagnostic;
-};
 
 }  // namespace penumbra::lint

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "lint/rule.h"
+
 namespace penumbra::lint {
 
 namespace {
@@ -42,19 +44,19 @@ int column_of_word(std::string_view word, std::string_view line) {
   return column;
 }
 
-Finding finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
-                   const std::vector<std::string>& words, std::string message) {
+hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
+                            const std::vector<std::string>& words, std::string message) {
   std::string file = linted.code.file_name(place.file);
   if (file.empty()) file = linted.main_file;
   const std::string line = linted.sources.line(file, place.line);
   int column = 0;
   for (const std::string& word : words)
     if (column == 0) column = column_of_word(word, without_comment(line));
-  return {rule, {file, place.line, column, severity_of(rule), std::move(message), line}};
+  return {file, place.line, column, severity_of(rule), std::move(message), line, rule};
 }
 
-Finding finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
-                            const std::string& name, const std::string& word, std::string message) {
+hlsl::Diagnostic finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
+                                     const std::string& name, const std::string& word, std::string message) {
   std::string file = linted.code.file_name(body.file);
   if (file.empty()) file = linted.main_file;
   int header = body.line;
@@ -71,8 +73,9 @@ Finding finding_at_function(const LintedCode& linted, const std::string& rule, s
   return finding_at(linted, rule, {body.file, line}, {word, name}, std::move(message));
 }
 
-Finding finding_at_declaration(const LintedCode& linted, const std::string& rule, const std::string& name,
-                               const std::vector<std::string>& declaring, std::string message) {
+hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::string& rule,
+                                        const std::string& name, const std::vector<std::string>& declaring,
+                                        std::string message) {
   for (const std::string& file : linted.sources.names()) {
     const std::string& text = linted.sources.text(file);
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -88,10 +91,10 @@ Finding finding_at_declaration(const LintedCode& linted, const std::string& rule
       const auto end_of_start = text.begin() + static_cast<std::ptrdiff_t>(start);
       const int number = static_cast<int>(std::count(text.begin(), end_of_start, '\n')) + 1;
       const int column = static_cast<int>(at - start) + 1;
-      return {rule, {file, number, column, severity_of(rule), std::move(message), line}};
+      return {file, number, column, severity_of(rule), std::move(message), line, rule};
     }
   }
-  return {rule, {linted.main_file, 0, 0, severity_of(rule), std::move(message), {}}};
+  return {linted.main_file, 0, 0, severity_of(rule), std::move(message), {}, rule};
 }
 
 }  // namespace penumbra::lint

@@ -7,7 +7,6 @@
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
-#include "lint/rule.h"
 #include "spirv/code.h"
 
 namespace penumbra::lint {
@@ -21,18 +20,19 @@ struct LintedCode {
 
 // Returns a finding of the rule, with its severity, at the line; the column is that of the first of the names
 // that occurs in the line exactly once ("uv" of "input.uv" as well), else unknown.
-Finding finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
-                   const std::vector<std::string>& words, std::string message);
+hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
+                            const std::vector<std::string>& words, std::string message);
 
 // Returns the same at a function's definition: OpLine gives the line of its body's brace, so the preceding
 // lines are searched for its name, and from there for the first name in `words` (a parameter).
-Finding finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
-                            const std::string& name, const std::string& word, std::string message);
+hlsl::Diagnostic finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
+                                     const std::string& name, const std::string& word, std::string message);
 
 // Returns the same where a global name is declared: the first line that contains the name and a keyword that
 // makes it a declaration, outside of // comments. Without such a line, the finding is for the whole file.
-Finding finding_at_declaration(const LintedCode& linted, const std::string& rule, const std::string& name,
-                               const std::vector<std::string>& declaring, std::string message);
+hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::string& rule,
+                                        const std::string& name, const std::vector<std::string>& declaring,
+                                        std::string message);
 
 // Returns the 1-based column of the name if it occurs exactly once as a whole identifier, else 0.
 int column_of_word(std::string_view word, std::string_view line);

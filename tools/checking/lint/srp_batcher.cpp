@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lint/program_rules.h"
+#include "lint/rule.h"
 
 namespace penumbra::lint {
 
@@ -12,8 +13,8 @@ namespace {
 constexpr const char* rule = "srp-batcher";
 constexpr const char* material_buffer = "UnityPerMaterial";
 
-Finding finding(const ShaderToLint& shader, const NamedPlace& at, std::string message) {
-  return {rule, {shader.file, at.line, at.column, find_rule(rule)->severity, std::move(message), {}}};
+hlsl::Diagnostic finding(const ShaderToLint& shader, const NamedPlace& at, std::string message) {
+  return {shader.file, at.line, at.column, find_rule(rule)->severity, std::move(message), {}, rule};
 }
 
 const ConstantBuffer* find_buffer(const PassStage& stage, const std::string& name) {
@@ -29,7 +30,7 @@ std::string stage_of(const PassStage& stage) {
 }
 
 // Reports the buffer that contains a property, if it is not UnityPerMaterial.
-std::optional<Finding> misplaced(const ShaderToLint& shader, const NamedPlace& property) {
+std::optional<hlsl::Diagnostic> misplaced(const ShaderToLint& shader, const NamedPlace& property) {
   for (const PassStage& stage : shader.stages)
     for (const ConstantBuffer& buffer : stage.buffers) {
       if (buffer.name == material_buffer) continue;
@@ -61,10 +62,11 @@ std::string difference(const ConstantBuffer& first, const ConstantBuffer& other)
 
 }  // namespace
 
-std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader) {
-  std::vector<Finding> findings;
+std::vector<hlsl::Diagnostic> srp_batcher_findings(const ShaderToLint& shader) {
+  std::vector<hlsl::Diagnostic> findings;
   for (const NamedPlace& property : shader.properties)
-    if (std::optional<Finding> found = misplaced(shader, property)) findings.push_back(std::move(*found));
+    if (std::optional<hlsl::Diagnostic> found = misplaced(shader, property))
+      findings.push_back(std::move(*found));
   const PassStage* reference = nullptr;
   std::set<std::string> told;  // passes
   for (const PassStage& stage : shader.stages) {

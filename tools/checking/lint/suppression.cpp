@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "input/nearest_name.h"
+#include "lint/rule.h"
 
 namespace penumbra::lint {
 
@@ -105,34 +106,34 @@ Silenced silenced_in(const std::string& text) {
 
 }  // namespace
 
-std::vector<Finding> without_suppressed(std::vector<Finding> findings, const hlsl::SourceFiles& sources) {
+std::vector<hlsl::Diagnostic> without_suppressed(std::vector<hlsl::Diagnostic> findings,
+                                                 const hlsl::SourceFiles& sources) {
   std::map<std::string, Silenced> by_file;
-  const auto is_silenced = [&](const Finding& finding) {
-    const std::string& file = finding.diagnostic.file;
-    if (!sources.contains(file)) return false;
-    auto found = by_file.find(file);
-    if (found == by_file.end()) found = by_file.emplace(file, silenced_in(sources.text(file))).first;
+  const auto is_silenced = [&](const hlsl::Diagnostic& finding) {
+    if (!sources.contains(finding.file)) return false;
+    auto found = by_file.find(finding.file);
+    if (found == by_file.end())
+      found = by_file.emplace(finding.file, silenced_in(sources.text(finding.file))).first;
     if (found->second.everywhere.contains(finding.rule)) return true;
-    const auto line = found->second.on_line.find(finding.diagnostic.line);
+    const auto line = found->second.on_line.find(finding.line);
     return line != found->second.on_line.end() && line->second.contains(finding.rule);
   };
   std::erase_if(findings, is_silenced);
   return findings;
 }
 
-std::vector<Finding> unknown_suppressions(const hlsl::SourceFiles& sources) {
+std::vector<hlsl::Diagnostic> unknown_suppressions(const hlsl::SourceFiles& sources) {
   std::vector<std::string> known;
   for (const RuleInfo& rule : rules()) known.push_back(rule.name);
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   for (const std::string& file : sources.names())
     for (const Comment& comment : comments_of(sources.text(file)))
       for (const Comment::Name& name : comment.names) {
         if (find_rule(name.text) != nullptr) continue;
-        findings.push_back({"unknown-rule",
-                            {file, comment.line, name.column, hlsl::Severity::warning,
-                             "this comment disables an unknown rule, '" + name.text + "'; " +
-                                 unknown_name_way_out(name.text, known),
-                             sources.line(file, comment.line)}});
+        findings.push_back({file, comment.line, name.column, hlsl::Severity::warning,
+                            "this comment disables an unknown rule, '" + name.text + "'; " +
+                                unknown_name_way_out(name.text, known),
+                            sources.line(file, comment.line), "unknown-rule"});
       }
   return findings;
 }

@@ -8,16 +8,17 @@
 
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
-#include "lint/rule.h"
 
 namespace penumbra::lint {
 
 // Returns the findings that no comment at their location suppresses. A finding without a line is suppressed
 // only by disable-file.
-std::vector<Finding> without_suppressed(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
+std::vector<hlsl::Diagnostic> without_suppressed(std::vector<hlsl::Diagnostic> findings,
+                                                 const hlsl::SourceFiles& sources);
 
 // Reports comments that name an unknown rule: a suppression without effect looks like one that works.
-std::vector<Finding> unknown_suppressions(const hlsl::SourceFiles& sources);
+std::vector<hlsl::Diagnostic> unknown_suppressions(const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

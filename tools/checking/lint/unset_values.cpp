@@ -55,32 +55,32 @@ bool declares_stream(const std::string& line, const std::string& parameter) {
   return false;
 }
 
-Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const spirv::Function& function,
-                       const UnsetOutput& output) {
+hlsl::Diagnostic output_finding(const LintedCode& linted, ComponentLayout& layout,
+                                const spirv::Function& function, const UnsetOutput& output) {
   const std::string name = plain_name(linted.code.name(function.id));
   if (output.nothing_returned)
     return finding_at_function(linted, "output-not-set", output.place, name, "",
                                "not every path through '" + name + "' returns a value");
   if (output.parameter != 0) {
     const std::string parameter = linted.code.name(output.parameter);
-    Finding finding =
+    hlsl::Diagnostic finding =
         finding_at_function(linted, "output-not-set", output.place, name, parameter,
                             "out parameter " + missing(layout, parameter, output.type, output.set) + " of '" +
                                 name + "' is not set on every path");
     // Direct3D rejects values that are never assigned, and warns about those assigned on some paths only.
-    if (output.ever_set) finding.diagnostic.severity = hlsl::Severity::warning;
+    if (output.ever_set) finding.severity = hlsl::Severity::warning;
     return finding;
   }
   const std::string parts = missing(layout, "", output.type, output.set);
   const std::string what =
       parts == "''" ? "what '" + name + "' returns" : "output " + parts + " of '" + name + "'";
-  Finding finding =
+  hlsl::Diagnostic finding =
       finding_at(linted, "output-not-set", output.place, {"return"}, what + " is not set on every path");
-  finding.diagnostic.severity = hlsl::Severity::warning;
+  finding.severity = hlsl::Severity::warning;
   return finding;
 }
 
-Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const UnsetRead& read) {
+hlsl::Diagnostic read_finding(const LintedCode& linted, ComponentLayout& layout, const UnsetRead& read) {
   const std::string callee = read.callee == 0 ? "" : plain_name(linted.code.name(read.callee));
   const std::string path = layout.first_missing(read.type, read.known).path;
   if (read.variable == 0)
@@ -96,9 +96,9 @@ Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const Un
 
 }  // namespace
 
-std::vector<Finding> unset_values(const LintedCode& linted) {
+std::vector<hlsl::Diagnostic> unset_values(const LintedCode& linted) {
   ComponentLayout layout(linted.code);
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   std::map<spirv::Id, AssignmentFindings> by_function = assignment_findings(linted.code);
   for (const spirv::Function& function : linted.code.functions()) {
     const AssignmentFindings& found = by_function[function.id];
@@ -107,9 +107,9 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
       // read, or where they leave the stage.
       const bool part_of_result = output.parameter == 0 && !output.nothing_returned;
       if (part_of_result && !is_entry(linted, function)) continue;
-      Finding finding = output_finding(linted, layout, function, output);
-      const bool is_stream = output.parameter != 0 && declares_stream(finding.diagnostic.source_line,
-                                                                      linted.code.name(output.parameter));
+      hlsl::Diagnostic finding = output_finding(linted, layout, function, output);
+      const bool is_stream =
+          output.parameter != 0 && declares_stream(finding.source_line, linted.code.name(output.parameter));
       if (!is_stream) findings.push_back(std::move(finding));
     }
     std::set<std::tuple<spirv::Id, spirv::Id, std::string>>

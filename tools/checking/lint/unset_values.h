@@ -8,12 +8,11 @@
 
 #include <vector>
 
-#include "lint/rule.h"
 #include "lint/source_place.h"
 
 namespace penumbra::lint {
 
 // The module must have its functions and names (unoptimised).
-std::vector<Finding> unset_values(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> unset_values(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lint/program_rules.h"
+#include "lint/rule.h"
 
 namespace penumbra::lint {
 
@@ -31,24 +32,24 @@ Verdict toggled(const std::map<Variant, std::string>& hash_of, const std::string
 
 }  // namespace
 
-std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program) {
+std::vector<hlsl::Diagnostic> unused_keyword_findings(const ProgramKeywords& program) {
   constexpr const char* rule = "unused-keyword";
   std::map<Variant, std::string> hash_of;
   for (const VariantText& variant : program.variants)
     hash_of[{variant.source, {variant.keywords.begin(), variant.keywords.end()}}] = variant.hash;
-  std::vector<Finding> findings;
+  std::vector<hlsl::Diagnostic> findings;
   for (const NamedPlace& keyword : program.declared) {
     const Verdict verdict = toggled(hash_of, keyword.name);
     if (verdict.pairs == 0 || verdict.changes) continue;
     const std::string compared = std::to_string(verdict.pairs) + (verdict.pairs == 1 ? " pair" : " pairs");
-    findings.push_back({rule,
-                        {keyword.file.empty() ? program.file : keyword.file,
-                         keyword.line,
-                         keyword.column,
-                         find_rule(rule)->severity,
-                         "keyword '" + keyword.name + "' changes nothing in " + program.program + " (" +
-                             compared + " of variants compared), but doubles how many are compiled",
-                         {}}});
+    findings.push_back({keyword.file.empty() ? program.file : keyword.file,
+                        keyword.line,
+                        keyword.column,
+                        find_rule(rule)->severity,
+                        "keyword '" + keyword.name + "' changes nothing in " + program.program + " (" +
+                            compared + " of variants compared), but doubles how many are compiled",
+                        {},
+                        rule});
   }
   return findings;
 }

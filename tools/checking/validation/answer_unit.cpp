@@ -142,7 +142,7 @@ class UnitAtWork {
       const std::string& text = source_.sources.text(file);
       files.push_back({file, source_hash(text), job_.unit.lint.wanted && holds_suppression(text)});
     }
-    std::vector<lint::Finding> names;
+    std::vector<hlsl::Diagnostic> names;
     if (job_.unit.lint.wanted)
       names = lint::reserved_name_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
     shaders::CompileRequest request = job_.unit.compile;
@@ -167,7 +167,8 @@ class UnitAtWork {
     reply_.compile_cached = false;
   }
 
-  void lint(const shaders::CompileResult& result, std::vector<lint::Finding> names, CompileAnswer& answer) {
+  void lint(const shaders::CompileResult& result, std::vector<hlsl::Diagnostic> names,
+            CompileAnswer& answer) {
     link_.note(note_lint);
     for (hlsl::Diagnostic& message : linted_.messages(job_.unit, result, std::move(names)))
       answer.diagnostics.push_back(std::move(message));

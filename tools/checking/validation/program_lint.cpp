@@ -44,7 +44,7 @@ bool is_instanced(const CompileUnit& unit) {
   });
 }
 
-std::vector<lint::Finding> keyword_findings(const ProgramToLint& program, const Results& results) {
+std::vector<hlsl::Diagnostic> keyword_findings(const ProgramToLint& program, const Results& results) {
   if (!program.is_whole || program.keywords.empty()) return {};
   lint::ProgramKeywords keywords;
   keywords.file = program.file;
@@ -80,7 +80,7 @@ bool has_material(const std::vector<lint::PassStage>& stages) {
   });
 }
 
-std::vector<lint::Finding> buffer_findings(const ProgramToLint& program, const Results& results) {
+std::vector<hlsl::Diagnostic> buffer_findings(const ProgramToLint& program, const Results& results) {
   lint::ShaderToLint shader{program.file, program.properties, stages_of(results)};
   if (!program.scriptable_pipeline && !has_material(shader.stages)) return {};
   return lint::srp_batcher_findings(shader);
@@ -88,13 +88,12 @@ std::vector<lint::Finding> buffer_findings(const ProgramToLint& program, const R
 
 class Findings {
  public:
-  void add(const ProgramToLint& program, std::vector<lint::Finding> findings) {
+  void add(const ProgramToLint& program, std::vector<hlsl::Diagnostic> findings) {
     if (findings.empty()) return;
-    for (lint::Finding& finding : findings) read(finding.diagnostic);
+    for (hlsl::Diagnostic& finding : findings) read(finding);
     VariantRecord& record = record_of(program);
-    for (lint::Finding& finding : lint::without_suppressed(std::move(findings), sources_))
-      if (std::optional<hlsl::Diagnostic> message = message_of(std::move(finding), order_))
-        record.diagnostics.push_back(*std::move(message));
+    for (hlsl::Diagnostic& finding : wanted(lint::without_suppressed(std::move(findings), sources_), order_))
+      record.diagnostics.push_back(std::move(finding));
   }
 
   std::vector<VariantRecord> take() {

@@ -11,32 +11,28 @@
 
 namespace penumbra::validation {
 
-std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrder& order) {
-  if (std::find(order.left_out.begin(), order.left_out.end(), finding.rule) != order.left_out.end())
-    return std::nullopt;
-  finding.diagnostic.rule = std::move(finding.rule);
-  return std::move(finding.diagnostic);
+std::vector<hlsl::Diagnostic> wanted(std::vector<hlsl::Diagnostic> findings, const LintOrder& order) {
+  std::erase_if(findings, [&](const hlsl::Diagnostic& finding) {
+    return std::find(order.left_out.begin(), order.left_out.end(), finding.rule) != order.left_out.end();
+  });
+  return findings;
 }
 
 std::vector<hlsl::Diagnostic> LintedModules::messages(const CompileUnit& unit,
                                                       const shaders::CompileResult& compiled,
-                                                      std::vector<lint::Finding> of_text) {
+                                                      std::vector<hlsl::Diagnostic> of_text) {
   const std::string file = unit.compile.file.string();
   platform::ContentHash hash;
   hash.update(std::span<const std::uint32_t>(compiled.unoptimised)).update(file);
   hash.update(static_cast<int>(unit.compile.stage)).update(unit.lint.shader_target);
   const std::string key = hash.hex();
-  std::shared_ptr<const std::vector<lint::Finding>> known = findings_.find(key);
+  std::shared_ptr<const std::vector<hlsl::Diagnostic>> known = findings_.find(key);
   if (!known)
     known = findings_.keep(
         key, lint::module_findings({compiled.unoptimised, unit.compile.stage, file, compiled.sources,
                                     unit.lint.shader_target, compiled.legalised}));
-  std::vector<hlsl::Diagnostic> messages;
   of_text.insert(of_text.end(), known->begin(), known->end());
-  for (lint::Finding& finding : lint::with_suppressions(std::move(of_text), compiled.sources))
-    if (std::optional<hlsl::Diagnostic> message = message_of(std::move(finding), unit.lint))
-      messages.push_back(*std::move(message));
-  return messages;
+  return wanted(lint::with_suppressions(std::move(of_text), compiled.sources), unit.lint);
 }
 
 void leave_to_compilers(std::vector<CompileUnit>& units) {

@@ -22,10 +22,10 @@ class LintedModules {
   // `compiled` is the result with its unoptimised module, and `of_text` has the findings in its text.
   // Findings of rules that are left out are not among the messages.
   std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled,
-                                         std::vector<lint::Finding> of_text);
+                                         std::vector<hlsl::Diagnostic> of_text);
 
  private:
-  RecentResults<std::vector<lint::Finding>> findings_{256};
+  RecentResults<std::vector<hlsl::Diagnostic>> findings_{256};
 };
 
 // Leaves the rules that repeat FXC (lint::RuleInfo::of_fxc) out of the units whose program is among those
@@ -37,7 +37,7 @@ bool holds_suppression(std::string_view source);  // true for a comment that sil
 std::string encode(const std::vector<lint::ConstantBuffer>& buffers);
 std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view bytes);
 
-// Returns a finding as a message of a report; nothing when its rule is left out.
-std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrder& order);
+// Returns the findings whose rule is not left out.
+std::vector<hlsl::Diagnostic> wanted(std::vector<hlsl::Diagnostic> findings, const LintOrder& order);
 
 }  // namespace penumbra::validation

@@ -1,7 +1,6 @@
 #include "validation/validate_techniques.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -34,28 +33,15 @@ void judge(VariantRecord& record, const techniques::Technique* technique) {
   }
 }
 
-// Returns a diagnostic at "file:line:column" of a manifest.
-hlsl::Diagnostic diagnostic_at(const std::string& where, std::string message) {
-  hlsl::Diagnostic diagnostic{where, 0, 0, hlsl::Severity::error, std::move(message), {}};
-  const std::size_t column = where.rfind(':');
-  const std::size_t line = column == std::string::npos ? column : where.rfind(':', column - 1);
-  if (line == std::string::npos) return diagnostic;
-  diagnostic.file = where.substr(0, line);
-  diagnostic.line = std::atoi(where.c_str() + line + 1);
-  diagnostic.column = std::atoi(where.c_str() + column + 1);
-  return diagnostic;
-}
-
 // A target that lacks a feature required by the technique's graph fails, although the program compiles.
 void add_target_problems(VariantRecord& record, const techniques::Technique* technique) {
   if (technique == nullptr || record.status == VariantStatus::unreached) return;
   for (const techniques::GraphPass& pass : technique->graph.passes) {
     const bool its = pass.program == record.pass && record.file.ends_with(pass.file);
     if (!its || record.stage != hlsl::Stage::compute) continue;
-    for (const techniques::GraphProblem& problem :
-         techniques::target_problems(technique->graph, pass, record.target)) {
+    for (hlsl::Diagnostic& problem : techniques::target_problems(technique->graph, pass, record.target)) {
       record.status = VariantStatus::failed;
-      record.diagnostics.push_back(diagnostic_at(problem.where, problem.text + "; " + problem.way_out));
+      record.diagnostics.push_back(std::move(problem));
     }
   }
 }

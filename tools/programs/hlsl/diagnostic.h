@@ -16,6 +16,8 @@ struct Diagnostic {
   std::string message;
   std::string source_line;  // the text of that line, for the caret
   std::string rule{};       // name of the lint rule that found it; empty for a compiler's message
+
+  bool operator==(const Diagnostic&) const = default;
 };
 
 // Returns "file:line:column: error: message", the source line, and a caret under the column.

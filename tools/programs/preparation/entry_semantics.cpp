@@ -314,24 +314,32 @@ class EntrySemantics {
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     for (const bool output : {false, true})
       if (output ? value.direction.out : value.direction.in) add_place(value.semantic, output);
-    if (value.direction.in && !fetches)
-      judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
-    if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
-    judge(value.semantic, semantic, {type_problem(semantic, shape_of_type(word(value.type)))});
+    if (value.direction.in && !fetches) judge(value.semantic, semantic, true);
+    if (value.direction.out) judge(value.semantic, semantic, false);
+    judge(value.semantic, semantic, type_problem(semantic, shape_of_type(word(value.type))));
     if (entry_.stage != hlsl::Stage::vertex && entry_.stage != hlsl::Stage::fragment) return;
     if (value.direction.in && !fetches) repeated_.add({value.type, value.name, value.semantic, false});
     if (value.direction.out) repeated_.add({value.type, value.name, value.semantic, true});
   }
 
-  void judge(std::size_t at, const std::string& semantic, const SemanticProblem& problem) {
-    if (problem.words.empty()) return;
-    if (!reported_.insert(at).second) return;
-    text_.note(at, problem.severity, "'" + semantic + "' " + problem.words);
-    if (problem.crashes) text_.replace(at, 1, "Unsupported_" + semantic);
+  void judge(std::size_t at, const std::string& semantic, bool input) {
+    judge(at, semantic, semantic_problem(semantic, entry_.stage, input));
+    if (judge(at, semantic, distance_problem(semantic, entry_.stage, input)))
+      text_.replace(at, 1, "Unsupported_" + semantic);
+    if (input && entry_.stage == hlsl::Stage::vertex)
+      judge(at, semantic, attribute_problem(semantic), hlsl::Severity::warning);
   }
 
-  void report(std::size_t at, std::string message) {
-    if (reported_.insert(at).second) text_.note(at, hlsl::Severity::error, std::move(message));
+  bool judge(std::size_t at, const std::string& semantic, const std::string& problem,
+             hlsl::Severity severity = hlsl::Severity::error) {
+    return !problem.empty() && report(at, "'" + semantic + "' " + problem, severity);
+  }
+
+  // False if one was reported there before.
+  bool report(std::size_t at, std::string message, hlsl::Severity severity = hlsl::Severity::error) {
+    if (!reported_.insert(at).second) return false;
+    text_.note(at, severity, std::move(message));
+    return true;
   }
 
   TokenText& text_;

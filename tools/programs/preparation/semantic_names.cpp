@@ -124,18 +124,6 @@ std::string listed(const Names& names) {
   return text;
 }
 
-// These have clip and cull distances that glslang cannot compile.
-std::string unsupported_distance(const std::string& name, hlsl::Stage stage, bool input) {
-  static const Names distances{"SV_ClipDistance", "SV_CullDistance"};
-  if (!is_one_of(name, distances)) return {};
-  if (stage == hlsl::Stage::geometry && input)
-    return "cannot be read in a geometry program here: pass the distance in a TEXCOORD, and write " + name +
-           " in the geometry program";
-  if (stage == hlsl::Stage::hull || stage == hlsl::Stage::domain)
-    return std::string("is not supported in a ") + hlsl::stage_name(stage) + " program";
-  return {};
-}
-
 // Returns the largest number of components of integer system values.
 int whole_numbers(const std::string& key) {
   static constexpr hlsl::NameSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
@@ -174,31 +162,43 @@ std::string system_value_of(const std::string& semantic, hlsl::Stage stage, bool
   return name == "COLOR" ? "SV_Target" + index : name == "DEPTH" ? "SV_Depth" + index : std::string();
 }
 
-SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
+std::string semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
   const std::string name = without_index(semantic);
   if (name.empty()) return {};
   if (upper(name).starts_with("SV_") && !is_one_of(name, system_values()))
-    return {"is not a system value of HLSL" + hint(name, system_values())};
+    return "is not a system value of HLSL" + hint(name, system_values());
   if (stage == hlsl::Stage::fragment && !input && !is_one_of(name, fragment_outputs()))
-    return {"is not an output of a fragment program" + hint(name, fragment_outputs())};
+    return "is not an output of a fragment program" + hint(name, fragment_outputs());
   const std::string index = semantic.substr(name.size());
   if (upper(name) == "SV_TARGET" && (index.size() > 1 || index > "7"))
-    return {"does not exist: the targets are SV_Target0 to SV_Target7"};
+    return "does not exist: the targets are SV_Target0 to SV_Target7";
   if (stage == hlsl::Stage::compute && input && !is_one_of(name, compute_inputs()))
-    return {"is not an input of a compute program, which has " + listed(compute_inputs())};
-  if (const std::string unsupported = unsupported_distance(name, stage, input); !unsupported.empty())
-    return {unsupported, hlsl::Severity::error, true};
-  const bool own = !upper(name).starts_with("SV_");
+    return "is not an input of a compute program, which has " + listed(compute_inputs());
   const Names& values = stage_values(stage, input);
-  if (!own && !values.empty() && !is_one_of(name, values))
-    return {std::string("is not an ") + (input ? "input" : "output") + " of a " + hlsl::stage_name(stage) +
-            " program"};
-  if (stage == hlsl::Stage::vertex && input && own && !is_one_of(name, vertex_inputs())) {
-    const std::string meant = hint(name, vertex_inputs());
-    if (!meant.empty())
-      return {"is not a vertex attribute of Unity's meshes" + meant, hlsl::Severity::warning};
-  }
+  if (!upper(name).starts_with("SV_") || values.empty() || is_one_of(name, values)) return {};
+  return std::string("is not an ") + (input ? "input" : "output") + " of a " + hlsl::stage_name(stage) +
+         " program";
+}
+
+// glslang gives up on clip and cull distances of these stages.
+std::string distance_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
+  static const Names distances{"SV_ClipDistance", "SV_CullDistance"};
+  const std::string name = without_index(semantic);
+  if (!is_one_of(name, distances)) return {};
+  if (stage == hlsl::Stage::geometry && input)
+    return "cannot be read in a geometry program here: pass the distance in a TEXCOORD, and write " + name +
+           " in the geometry program";
+  if (stage == hlsl::Stage::hull || stage == hlsl::Stage::domain)
+    return std::string("is not supported in a ") + hlsl::stage_name(stage) + " program";
   return {};
+}
+
+// Only of names that resemble an attribute's.
+std::string attribute_problem(const std::string& semantic) {
+  const std::string name = without_index(semantic);
+  if (name.empty() || upper(name).starts_with("SV_") || is_one_of(name, vertex_inputs())) return {};
+  const std::string meant = hint(name, vertex_inputs());
+  return meant.empty() ? "" : "is not a vertex attribute of Unity's meshes" + meant;
 }
 
 }  // namespace penumbra::preparation

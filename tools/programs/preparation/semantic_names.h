@@ -7,20 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
 #include "preparation/number_shape.h"
 
 namespace penumbra::preparation {
 
-struct SemanticProblem {
-  std::string words;  // follows the semantic's name; empty: no problem
-  hlsl::Severity severity = hlsl::Severity::error;
-  bool crashes = false;  // true if glslang, which must not see it, crashes on it
-};
-
-// `semantic` is as written, with its index.
-SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+// Each returns what is wrong with a semantic as written, with its index: words that follow it in a message;
+// empty if nothing is. glslang crashes on the distances, and an attribute of a vertex program's input is a
+// warning.
+std::string semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+std::string distance_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+std::string attribute_problem(const std::string& semantic);
 
 // Returns the system value that FXC's compatibility mode, in which Unity runs it, reads in a name of Direct3D
 // 9: POSITION of a vertex program's outputs, VPOS of a fragment program's inputs, COLOR and DEPTH of its

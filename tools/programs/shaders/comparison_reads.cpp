@@ -59,7 +59,7 @@ class Search final : public glslang::TIntermTraverser {
     return true;
   }
 
-  std::vector<ModuleProblem> found;
+  std::vector<hlsl::Diagnostic> found;
 
  private:
   // Returns an empty name if it is not a variable.
@@ -70,19 +70,18 @@ class Search final : public glslang::TIntermTraverser {
     return symbol == nullptr ? "" : symbol->getName().c_str();
   }
 
-  static ModuleProblem problem(const glslang::TIntermTyped& texture, const TIntermNode& read) {
+  static hlsl::Diagnostic problem(const glslang::TIntermTyped& texture, const TIntermNode& read) {
     const std::string name = sampler_of(texture);
     const std::string sampler = name.empty() ? "this" : "'" + name + "'";
-    return {place_of_node(read),
-            sampler +
-                " is a comparison sampler and this read does not compare; use a sampler like "
-                "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW"};
+    return error_at(read, sampler +
+                              " is a comparison sampler and this read does not compare; use a sampler like "
+                              "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW");
   }
 };
 
 }  // namespace
 
-std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree) {
+std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermediate& tree) {
   Search search;
   if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
   return std::move(search.found);

@@ -11,6 +11,6 @@
 namespace penumbra::shaders {
 
 // Finds them in the whole syntax tree, because SPIR-V is generated for all of it.
-std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree);
+std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

@@ -108,20 +108,18 @@ bool generate(const Source& source, const glslang::TIntermediate& tree, CompileR
   return complete;
 }
 
-hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const hlsl::SourceFiles& sources,
-                          std::string message) {
-  hlsl::Diagnostic diagnostic = whole_file(source, hlsl::Severity::error, std::move(message));
-  if (place.line == 0 || !sources.contains(place.file)) return diagnostic;
-  diagnostic.file = place.file;
-  diagnostic.line = place.line;
-  diagnostic.source_line = sources.line(place.file, place.line);
-  return diagnostic;
+// With the text of its line; of the whole file when it has no line of the sources.
+hlsl::Diagnostic quoted(hlsl::Diagnostic problem, const Source& source, const hlsl::SourceFiles& sources) {
+  if (problem.line == 0 || !sources.contains(problem.file))
+    return whole_file(source, problem.severity, std::move(problem.message));
+  problem.source_line = sources.line(problem.file, problem.line);
+  return problem;
 }
 
 bool report(const Source& source, const hlsl::SourceFiles& sources,
-            const std::vector<ModuleProblem>& problems, CompileResult& result) {
-  for (const ModuleProblem& problem : problems)
-    result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
+            const std::vector<hlsl::Diagnostic>& problems, CompileResult& result) {
+  for (const hlsl::Diagnostic& problem : problems)
+    result.diagnostics.push_back(quoted(problem, source, sources));
   return !problems.empty();
 }
 
@@ -160,7 +158,7 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
           ? SourcePlace{}
           : problem_place(words_with_lines(tree, wanted, source.request.vulkan), source.request.vulkan);
   for (const std::string& problem : problems)
-    result.diagnostics.push_back(at_place(source, place, sources, validation + problem));
+    result.diagnostics.push_back(quoted(error_at(place, validation + problem), source, sources));
   return optimised && problems.empty();
 }
 
@@ -173,7 +171,7 @@ void find_target_problems(const Source& source, const hlsl::SourceFiles& sources
     TargetDiagnostics of{target_name(target), {}};
     for (const auto& [targets, problem] : problems)
       if (std::find(targets.begin(), targets.end(), target) != targets.end())
-        of.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
+        of.diagnostics.push_back(quoted(problem, source, sources));
     if (!of.diagnostics.empty()) result.of_targets.push_back(std::move(of));
   }
 }

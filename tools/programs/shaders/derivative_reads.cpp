@@ -55,7 +55,7 @@ class Search final : public glslang::TIntermTraverser {
     return true;
   }
 
-  std::vector<ModuleProblem> found;
+  std::vector<hlsl::Diagnostic> found;
 
  private:
   void add(glslang::TOperator op, const TIntermNode& node) {
@@ -64,10 +64,11 @@ class Search final : public glslang::TIntermTraverser {
     const bool samples = op != glslang::EOpTextureQueryLod && name == std::string_view("Sample");
     // Some nodes that the front end creates have no location: their parent's is used.
     const bool has_place = node.getLoc().line > 0 || getParentNode() == nullptr;
-    found.push_back({place_of_node(has_place ? node : *getParentNode()),
-                     std::string(samples ? "a texture is sampled with" : name) +
-                         (samples ? " derivatives" : " needs derivatives") + ", which a " + stage_ +
-                         " program does not have" + (samples ? ": use SampleLevel or SampleGrad" : "")});
+    found.push_back(error_at(has_place ? node : *getParentNode(),
+                             std::string(samples ? "a texture is sampled with" : name) +
+                                 (samples ? " derivatives" : " needs derivatives") + ", which a " + stage_ +
+                                 " program does not have" +
+                                 (samples ? ": use SampleLevel or SampleGrad" : "")));
   }
 
   std::string stage_;
@@ -92,22 +93,22 @@ bool is_such_instruction(spv::Op op) {
 
 }  // namespace
 
-std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage) {
+std::vector<hlsl::Diagnostic> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage) {
   Search search(stage);
   if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
   return std::move(search.found);
 }
 
-std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module) {
+std::vector<hlsl::Diagnostic> remaining(std::vector<hlsl::Diagnostic> written, const SpirvModule& module) {
   std::set<std::pair<std::string, int>> lines;
   DebugLines debug_lines;
   spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     const SourcePlace& place = debug_lines.visit(instruction);
     if (is_such_instruction(spirv::opcode(instruction))) lines.emplace(place.file, place.line);
   });
-  std::vector<ModuleProblem> kept;
-  for (ModuleProblem& problem : written)
-    if (lines.count({problem.place.file, problem.place.line}) != 0 &&
+  std::vector<hlsl::Diagnostic> kept;
+  for (hlsl::Diagnostic& problem : written)
+    if (lines.count({problem.file, problem.line}) != 0 &&
         std::find(kept.begin(), kept.end(), problem) == kept.end())
       kept.push_back(std::move(problem));
   return kept;

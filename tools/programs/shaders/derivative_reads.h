@@ -17,10 +17,10 @@
 namespace penumbra::shaders {
 
 // Finds them in the whole syntax tree, each with its location.
-std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage);
+std::vector<hlsl::Diagnostic> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage);
 
 // Returns those of `written` for which the module, which keeps its debug lines, has an instruction on the
 // same line.
-std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module);
+std::vector<hlsl::Diagnostic> remaining(std::vector<hlsl::Diagnostic> written, const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -95,22 +95,23 @@ std::string thread_problem(const glslang::TIntermediate& tree) {
 
 }  // namespace
 
-std::vector<ModuleProblem> beyond_group_limits(const glslang::TIntermediate& tree,
-                                               const SpirvModule& optimised, const std::string& text,
-                                               const std::string& file) {
+std::vector<hlsl::Diagnostic> beyond_group_limits(const glslang::TIntermediate& tree,
+                                                  const SpirvModule& optimised, const std::string& text,
+                                                  const std::string& file) {
   const std::string threads = thread_problem(tree);
   const std::uint64_t shared = SharedMemory(optimised).bytes();
   if (threads.empty() && shared <= kMostShared) return {};
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
-  std::vector<ModuleProblem> problems;
+  std::vector<hlsl::Diagnostic> problems;
   if (!threads.empty()) {
     const std::size_t entry = entry_of(tokens, tree.getEntryPointName());
-    problems.push_back({place_of("numthreads", tokens, entry, file), threads});
+    problems.push_back(error_at(place_of("numthreads", tokens, entry, file), threads));
   }
   if (shared > kMostShared)
-    problems.push_back({place_of("groupshared", tokens, tokens.size(), file),
-                        "the groupshared variables take " + std::to_string(shared) +
-                            " bytes, and Direct3D has " + std::to_string(kMostShared) + " for a group"});
+    problems.push_back(error_at(place_of("groupshared", tokens, tokens.size(), file),
+                                "the groupshared variables take " + std::to_string(shared) +
+                                    " bytes, and Direct3D has " + std::to_string(kMostShared) +
+                                    " for a group"));
   return problems;
 }
 

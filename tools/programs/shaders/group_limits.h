@@ -15,8 +15,8 @@ namespace penumbra::shaders {
 
 // Finds [numthreads] beyond 1024, 1024 and 64 threads along the axes or 1024 in total, and more than 32 KiB
 // of groupshared variables that `optimised` still uses. `text` and `file` are the source, for the locations.
-std::vector<ModuleProblem> beyond_group_limits(const glslang::TIntermediate& tree,
-                                               const SpirvModule& optimised, const std::string& text,
-                                               const std::string& file);
+std::vector<hlsl::Diagnostic> beyond_group_limits(const glslang::TIntermediate& tree,
+                                                  const SpirvModule& optimised, const std::string& text,
+                                                  const std::string& file);
 
 }  // namespace penumbra::shaders

@@ -87,23 +87,24 @@ Declared declaration_of(const std::string& name, const std::string& text, const 
 
 }  // namespace
 
-std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file) {
+std::vector<hlsl::Diagnostic> integer_matrices(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file) {
   MatrixSearch search;
   const std::set<std::string> members = search.run(optimised);
-  std::vector<ModuleProblem> problems;
+  std::vector<hlsl::Diagnostic> problems;
   for (const std::string& member : members) {
     const Declared declared = declaration_of(member, text, file);
-    problems.push_back(
-        {declared.place, "'" + member +
-                             "' is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: "
-                             "declare an array of its rows, such as " +
-                             declared.rows});
+    problems.push_back(error_at(
+        declared.place, "'" + member +
+                            "' is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: "
+                            "declare an array of its rows, such as " +
+                            declared.rows));
   }
   if (problems.empty() && search.any())
-    problems.push_back({{},
-                        "an integer matrix is stored in memory, which SPIR-V, GLSL and Metal cannot do: "
-                        "use an array of its rows, such as int4 rows[4]"});
+    problems.push_back(
+        error_at(SourcePlace{},
+                 "an integer matrix is stored in memory, which SPIR-V, GLSL and Metal cannot do: "
+                 "use an array of its rows, such as int4 rows[4]"));
   return problems;
 }
 

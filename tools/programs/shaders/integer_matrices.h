@@ -10,7 +10,7 @@
 namespace penumbra::shaders {
 
 // Finds those that remain in `optimised`; `text` and `file` are its source, for the locations.
-std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file);
+std::vector<hlsl::Diagnostic> integer_matrices(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file);
 
 }  // namespace penumbra::shaders

@@ -71,7 +71,7 @@ class LostSearch final : public ModuleSearch {
 
 }  // namespace
 
-std::vector<ModuleProblem> lost_resources(const SpirvModule& module) {
+std::vector<hlsl::Diagnostic> lost_resources(const SpirvModule& module) {
   return LostSearch(module).run();
 }
 

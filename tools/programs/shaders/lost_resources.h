@@ -15,6 +15,6 @@ namespace penumbra::shaders {
 
 // Reports each once; empty if every texture and sampler that is read is known. It is for modules after
 // legalisation: before that, resources may still be passed by value. Accepts malformed words.
-std::vector<ModuleProblem> lost_resources(const SpirvModule& module);
+std::vector<hlsl::Diagnostic> lost_resources(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -39,7 +39,7 @@ class MatrixOperations final : public TreeRewrite {
  public:
   explicit MatrixOperations(ProductMarks marks) : marks_(std::move(marks)) {}
 
-  std::vector<ModuleProblem> problems;
+  std::vector<hlsl::Diagnostic> problems;
 
  private:
   // An operand's rows before they are combined.
@@ -264,7 +264,7 @@ class MatrixOperations final : public TreeRewrite {
   }
 
   TIntermTyped* refuse(TIntermTyped& node, const std::string& what) {
-    problems.push_back({place_of_node(node), "not supported here: " + what});
+    problems.push_back(error_at(node, "not supported here: " + what));
     return &node;
   }
 
@@ -284,17 +284,17 @@ class BoolMatrices final : public glslang::TIntermTraverser {
  public:
   bool visitAggregate(glslang::TVisit /*when*/, TIntermAggregate* node) override {
     if (node->isConstructor() && node->isMatrix() && node->getBasicType() == glslang::EbtBool)
-      problems.push_back({place_of_node(*node),
-                          "not supported here: a matrix of bools; use a vector of bools for each row"});
+      problems.push_back(
+          error_at(*node, "not supported here: a matrix of bools; use a vector of bools for each row"));
     return true;
   }
 
-  std::vector<ModuleProblem> problems;
+  std::vector<hlsl::Diagnostic> problems;
 };
 
 }  // namespace
 
-std::vector<ModuleProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
+std::vector<hlsl::Diagnostic> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
   MatrixOperations operations(std::move(marks));
   operations.run(tree);
   BoolMatrices bools;

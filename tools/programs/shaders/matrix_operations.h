@@ -19,6 +19,6 @@
 namespace penumbra::shaders {
 
 // Returns the operations that it cannot expand, in order.
-std::vector<ModuleProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
+std::vector<hlsl::Diagnostic> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
 
 }  // namespace penumbra::shaders

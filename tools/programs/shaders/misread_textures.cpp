@@ -90,7 +90,7 @@ class MisreadSearch final : public ModuleSearch {
 
 }  // namespace
 
-std::vector<ModuleProblem> misread_textures(const SpirvModule& module) {
+std::vector<hlsl::Diagnostic> misread_textures(const SpirvModule& module) {
   return MisreadSearch(module).run();
 }
 

@@ -12,6 +12,6 @@ namespace penumbra::shaders {
 
 // Reports each once, with the texture's name if the module has names. It is for modules after legalisation.
 // Accepts malformed words.
-std::vector<ModuleProblem> misread_textures(const SpirvModule& module);
+std::vector<hlsl::Diagnostic> misread_textures(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

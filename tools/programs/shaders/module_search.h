@@ -20,7 +20,7 @@ class ModuleSearch {
   ModuleSearch(const ModuleSearch&) = delete;
   ModuleSearch& operator=(const ModuleSearch&) = delete;
 
-  std::vector<ModuleProblem> run() {
+  std::vector<hlsl::Diagnostic> run() {
     spirv::for_each_instruction(module_, [this](spirv::Words instruction) {
       place_ = lines_.visit(instruction);
       visit(instruction);
@@ -33,7 +33,7 @@ class ModuleSearch {
 
   // Reports a problem of the current instruction.
   void report(std::string message) {
-    ModuleProblem problem{place_, std::move(message)};
+    hlsl::Diagnostic problem = error_at(place_, std::move(message));
     if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
       problems_.push_back(std::move(problem));
   }
@@ -42,7 +42,7 @@ class ModuleSearch {
   const SpirvModule& module_;
   DebugLines lines_;
   SourcePlace place_;
-  std::vector<ModuleProblem> problems_;
+  std::vector<hlsl::Diagnostic> problems_;
 };
 
 }  // namespace penumbra::shaders

@@ -31,7 +31,7 @@ class InstructionSearch final : public ModuleSearch {
 
 }  // namespace
 
-std::vector<ModuleProblem> refused_instructions(const SpirvModule& module, hlsl::Stage stage) {
+std::vector<hlsl::Diagnostic> refused_instructions(const SpirvModule& module, hlsl::Stage stage) {
   return InstructionSearch(module, stage).run();
 }
 

@@ -9,6 +9,6 @@
 
 namespace penumbra::shaders {
 
-std::vector<ModuleProblem> refused_instructions(const SpirvModule& module, hlsl::Stage stage);
+std::vector<hlsl::Diagnostic> refused_instructions(const SpirvModule& module, hlsl::Stage stage);
 
 }  // namespace penumbra::shaders

@@ -82,7 +82,7 @@ class MemorySearch final : public ModuleSearch {
 
 }  // namespace
 
-std::vector<ModuleProblem> refused_memory(const SpirvModule& module, hlsl::Stage stage) {
+std::vector<hlsl::Diagnostic> refused_memory(const SpirvModule& module, hlsl::Stage stage) {
   return MemorySearch(module, stage).run();
 }
 

@@ -10,6 +10,6 @@
 
 namespace penumbra::shaders {
 
-std::vector<ModuleProblem> refused_memory(const SpirvModule& module, hlsl::Stage stage);
+std::vector<hlsl::Diagnostic> refused_memory(const SpirvModule& module, hlsl::Stage stage);
 
 }  // namespace penumbra::shaders

@@ -44,9 +44,9 @@ class Search final : public glslang::TIntermTraverser {
     const bool of_floats =
         node->getLeft()->getType().isFloatingDomain() || node->getRight()->getType().isFloatingDomain();
     if (!name.empty() && of_floats)
-      found.push_back({place_of_node(*node), "'" + std::string(name) +
-                                                 "' takes integers, and an operand is a float: convert it "
-                                                 "with (int), or read its bits with asuint()"});
+      found.push_back(error_at(*node, "'" + std::string(name) +
+                                          "' takes integers, and an operand is a float: convert it "
+                                          "with (int), or read its bits with asuint()"));
     return true;
   }
 
@@ -62,14 +62,14 @@ class Search final : public glslang::TIntermTraverser {
     const int given = place->getType().getVectorSize();
     if (wanted == 0 || given == wanted || (!has_level && given > wanted)) return true;
     const int level = has_level ? 1 : 0;
-    found.push_back({place_of_node(*node), "this Load takes an " + int_of(wanted + level) +
-                                               (has_level ? ", the last for the mip level" : "") +
-                                               ", and its argument has " + std::to_string(given + level) +
-                                               (given + level == 1 ? " component" : " components")});
+    found.push_back(error_at(*node, "this Load takes an " + int_of(wanted + level) +
+                                        (has_level ? ", the last for the mip level" : "") +
+                                        ", and its argument has " + std::to_string(given + level) +
+                                        (given + level == 1 ? " component" : " components")));
     return true;
   }
 
-  std::vector<ModuleProblem> found;
+  std::vector<hlsl::Diagnostic> found;
 
  private:
   // Returns 0 if it is not known.
@@ -91,7 +91,7 @@ class Search final : public glslang::TIntermTraverser {
 
 }  // namespace
 
-std::vector<ModuleProblem> refused_operands(const glslang::TIntermediate& tree) {
+std::vector<hlsl::Diagnostic> refused_operands(const glslang::TIntermediate& tree) {
   Search search;
   if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
   return std::move(search.found);

@@ -12,6 +12,6 @@ namespace penumbra::shaders {
 
 // Finds floats as operands of & | ^ << >> (FXC X3082), and a Load with too few or too many coordinates for
 // its texture (FXC X3017): glslang treats the last of several as the mip level.
-std::vector<ModuleProblem> refused_operands(const glslang::TIntermediate& tree);
+std::vector<hlsl::Diagnostic> refused_operands(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

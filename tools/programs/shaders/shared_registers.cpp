@@ -103,25 +103,25 @@ std::set<std::string> used_names(const SpirvModule& module) {
 
 }  // namespace
 
-std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file) {
+std::vector<hlsl::Diagnostic> shared_registers(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file) {
   if (text.find("register") == std::string::npos) return {};
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
   std::vector<Placed> placed = RegisterReader(tokens).run();
   const std::set<std::string> used = used_names(optimised);
   std::erase_if(placed,
                 [&](const Placed& one) { return !used.contains(std::string(tokens[one.name].spelling)); });
-  std::vector<ModuleProblem> problems;
+  std::vector<hlsl::Diagnostic> problems;
   for (std::size_t later = 1; later < placed.size(); ++later) {
     const auto earlier = std::find_if(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(later),
                                       [&](const Placed& one) { return overlap(one, placed[later]); });
     if (earlier == placed.begin() + static_cast<std::ptrdiff_t>(later)) continue;
     const hlsl::Token& name = tokens[placed[later].name];
-    problems.push_back({{name.file.empty() ? file : std::string(name.file), name.line},
-                        "'" + std::string(name.spelling) + "' and '" +
-                            std::string(tokens[earlier->name].spelling) +
-                            "' are used and have the same register: leave the registers out, as Unity binds "
-                            "by name, or give each its own"});
+    problems.push_back(
+        error_at(SourcePlace{name.file.empty() ? file : std::string(name.file), name.line},
+                 "'" + std::string(name.spelling) + "' and '" + std::string(tokens[earlier->name].spelling) +
+                     "' are used and have the same register: leave the registers out, as Unity binds "
+                     "by name, or give each its own"));
   }
   return problems;
 }

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 // `optimised` is the module with the names of the resources that it still uses; `text` and `file` are its
 // source.
-std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
-                                            const std::string& file);
+std::vector<hlsl::Diagnostic> shared_registers(const SpirvModule& optimised, const std::string& text,
+                                               const std::string& file);
 
 }  // namespace penumbra::shaders

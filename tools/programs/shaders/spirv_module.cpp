@@ -180,6 +180,10 @@ std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVe
   return problems;
 }
 
+hlsl::Diagnostic error_at(const SourcePlace& place, std::string message) {
+  return {place.file, place.line, 0, hlsl::Severity::error, std::move(message), {}};
+}
+
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan) {
   const std::optional<std::size_t> instruction = problem_instruction(module, vulkan);
   return instruction ? place_of_instruction(module, *instruction) : SourcePlace{};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "shaders/vulkan_version.h"
 #include "spirv/module.h"
 
@@ -39,15 +40,8 @@ struct SourcePlace {
   int line = 0;  // 1-based; 0 if unknown
 };
 
-// A construct in a module that HLSL does not allow.
-struct ModuleProblem {
-  SourcePlace place;  // known in modules with debug lines
-  std::string message;
-
-  bool operator==(const ModuleProblem& other) const {
-    return message == other.message && place.line == other.place.line && place.file == other.place.file;
-  }
-};
+// Returns an error there, about a construct that HLSL does not allow.
+hlsl::Diagnostic error_at(const SourcePlace& place, std::string message);
 
 // Returns the location of the first problem of an invalid module with debug lines.
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);

@@ -130,19 +130,20 @@ SourcePlace declaration_of(const std::string& name, const std::string& text, con
 std::vector<TargetProblem> target_problems(const SpirvModule& module, const std::string& text,
                                            const std::string& file) {
   std::vector<TargetProblem> problems;
-  for (ModuleProblem& problem : WaveOperations(module).run())
+  for (hlsl::Diagnostic& problem : WaveOperations(module).run())
     problems.push_back({all_but_metal(), std::move(problem)});
-  for (ModuleProblem& problem : Interpolations(module).run())
+  for (hlsl::Diagnostic& problem : Interpolations(module).run())
     problems.push_back({of_language(TargetLanguage::essl), std::move(problem)});
-  for (ModuleProblem& problem : DerivativeKinds(module).run())
+  for (hlsl::Diagnostic& problem : DerivativeKinds(module).run())
     problems.push_back({of_language(TargetLanguage::essl), std::move(problem)});
   for (const std::string& name : BufferArrays().run(module))
     problems.push_back(
         {{Target::hlsl50},
-         {declaration_of(name, text, file),
-          "'" + name +
-              "' is an array of constant buffers, which needs shader model 5.1, and Direct3D 11 has 5.0: "
-              "declare one cbuffer with an array in it"}});
+         error_at(
+             declaration_of(name, text, file),
+             "'" + name +
+                 "' is an array of constant buffers, which needs shader model 5.1, and Direct3D 11 has 5.0: "
+                 "declare one cbuffer with an array in it")});
   return problems;
 }
 

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 struct TargetProblem {
   std::vector<Target> targets;
-  ModuleProblem problem;
+  hlsl::Diagnostic problem;
 };
 
 // Finds wave functions, evaluation of an attribute elsewhere in its pixel, fine and coarse derivatives, and

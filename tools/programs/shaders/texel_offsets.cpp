@@ -85,7 +85,7 @@ class OffsetSearch final : public ModuleSearch {
 
 }  // namespace
 
-std::vector<ModuleProblem> refused_offsets(const SpirvModule& module) {
+std::vector<hlsl::Diagnostic> refused_offsets(const SpirvModule& module) {
   return OffsetSearch(module).run();
 }
 

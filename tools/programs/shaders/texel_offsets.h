@@ -13,6 +13,6 @@
 namespace penumbra::shaders {
 
 // Reports each once. It is for modules after legalisation. Accepts malformed words.
-std::vector<ModuleProblem> refused_offsets(const SpirvModule& module);
+std::vector<hlsl::Diagnostic> refused_offsets(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -94,9 +94,10 @@ TIntermNode* TreeRewrite::of_switch(glslang::TIntermSwitch& node) {
   return made;
 }
 
-SourcePlace place_of_node(const TIntermNode& node) {
+hlsl::Diagnostic error_at(const TIntermNode& node, std::string message) {
   const glslang::TSourceLoc& at = node.getLoc();
-  return {at.getFilename() == nullptr ? "" : at.getFilename(), at.line};
+  return error_at(SourcePlace{at.getFilename() == nullptr ? "" : at.getFilename(), at.line},
+                  std::move(message));
 }
 
 TIntermTyped* unary_node(const TIntermNode& at, glslang::TOperator op, TIntermTyped* operand,

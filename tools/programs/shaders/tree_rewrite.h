@@ -28,7 +28,7 @@ class TreeRewrite {
   TIntermNode* of_switch(glslang::TIntermSwitch& node);
 };
 
-SourcePlace place_of_node(const TIntermNode& node);
+hlsl::Diagnostic error_at(const TIntermNode& node, std::string message);
 
 // Creates nodes at another node's source location.
 glslang::TIntermTyped* unary_node(const TIntermNode& at, glslang::TOperator op,

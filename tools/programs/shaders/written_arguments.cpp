@@ -59,16 +59,16 @@ class Search final : public glslang::TIntermTraverser {
 
   void tell(const glslang::TIntermAggregate& call, std::size_t argument, const std::string& what) {
     const std::string name(call.getName().c_str());
-    found.push_back({place_of_node(call), "'" + name.substr(0, name.find('(')) + "' writes to its argument " +
-                                              std::to_string(argument + 1) + ", " + what});
+    found.push_back(error_at(call, "'" + name.substr(0, name.find('(')) + "' writes to its argument " +
+                                       std::to_string(argument + 1) + ", " + what));
   }
 
-  std::vector<ModuleProblem> found;
+  std::vector<hlsl::Diagnostic> found;
 };
 
 }  // namespace
 
-std::vector<ModuleProblem> unwritable_arguments(const glslang::TIntermediate& tree) {
+std::vector<hlsl::Diagnostic> unwritable_arguments(const glslang::TIntermediate& tree) {
   Search search;
   if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
   return std::move(search.found);

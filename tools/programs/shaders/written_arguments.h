@@ -13,6 +13,6 @@ namespace penumbra::shaders {
 
 // Finds constants, results of operators and conversions, in the whole syntax tree; other expressions that are
 // not lvalues are not reported.
-std::vector<ModuleProblem> unwritable_arguments(const glslang::TIntermediate& tree);
+std::vector<hlsl::Diagnostic> unwritable_arguments(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

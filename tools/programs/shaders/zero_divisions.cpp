@@ -56,13 +56,13 @@ void mark_zero_divisions(SpirvModule& unoptimised) {
   for (const std::size_t at : zero_divisions(unoptimised)) unoptimised[at + 4] = unoptimised[at + 3];
 }
 
-std::vector<ModuleProblem> marked_divisions(const SpirvModule& optimised) {
-  std::vector<ModuleProblem> problems;
+std::vector<hlsl::Diagnostic> marked_divisions(const SpirvModule& optimised) {
+  std::vector<hlsl::Diagnostic> problems;
   DebugLines lines;
   spirv::for_each_instruction(optimised, [&](spirv::Words instruction) {
     const SourcePlace& place = lines.visit(instruction);
     if (!divides_integers(instruction) || instruction[3] != instruction[4]) return;
-    ModuleProblem problem{place, "an integer is divided by zero"};
+    hlsl::Diagnostic problem = error_at(place, "an integer is divided by zero");
     if (std::find(problems.begin(), problems.end(), problem) == problems.end())
       problems.push_back(std::move(problem));
   });

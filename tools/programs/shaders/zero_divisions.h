@@ -16,6 +16,6 @@ bool divides_by_zero(const SpirvModule& unoptimised);
 // Replaces every such division by a division of a value by itself, which the optimiser does not fold.
 void mark_zero_divisions(SpirvModule& unoptimised);
 // Reports each once. It is for a module that was marked and then optimised, with debug lines.
-std::vector<ModuleProblem> marked_divisions(const SpirvModule& optimised);
+std::vector<hlsl::Diagnostic> marked_divisions(const SpirvModule& optimised);
 
 }  // namespace penumbra::shaders

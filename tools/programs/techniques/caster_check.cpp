@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "input/input_error.h"
 #include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
@@ -12,39 +13,37 @@ bool has_depth_format(const GraphTexture& texture) {
   return find_texel_format(texture.format)->depth;
 }
 
-GraphProblem problem_of(const GraphPass& pass, const std::string& text, const std::string& way_out = "") {
-  return {pass.where, "'" + pass.name + "' " + text, way_out};
+void refuse(const GraphPass& pass, const std::string& text, const std::string& way_out = "") {
+  throw InputError(pass.where, "'" + pass.name + "' " + text, way_out);
 }
 
 // The shadow map holds the depth of casters that are drawn where it has them.
-Found wrong_map_depth(const PassGraph& graph, const GraphPass& pass) {
+void check_map_depth(const PassGraph& graph, const GraphPass& pass) {
   if (pass.writes.empty())
-    return problem_of(pass, "tests against the shadow map, and writes nothing", "give it \"writes\"");
+    refuse(pass, "tests against the shadow map, and writes nothing", "give it \"writes\"");
   const GraphTexture* target = graph.texture(pass.writes.front().second);
-  if (target == nullptr) return std::nullopt;  // wrong_targets()
-  if (target->extent == ExtentOf::map && target->divisor == 1 && target->samples == 1) return std::nullopt;
-  return problem_of(pass,
-                    "tests against the shadow map, whose texels are not those of '" + target->name + "'",
-                    "give '" + target->name + "' the extent \"map\", without divisor and samples");
+  if (target == nullptr) return;  // check_targets()
+  if (target->extent == ExtentOf::map && target->divisor == 1 && target->samples == 1) return;
+  refuse(pass, "tests against the shadow map, whose texels are not those of '" + target->name + "'",
+         "give '" + target->name + "' the extent \"map\", without divisor and samples");
 }
 
 // Compares the sizes of a pass and of the depth that it is tested against.
-Found wrong_sizes(const PassGraph& graph, const GraphPass& pass, const GraphTexture& depth) {
+void check_sizes(const PassGraph& graph, const GraphPass& pass, const GraphTexture& depth) {
   for (const auto& [shader_name, name] : pass.writes) {
     const GraphTexture* target = graph.texture(name);
     if (target != nullptr && !same_extent(*target, depth))
-      return problem_of(
-          pass, "draws into '" + name + "' and depth '" + depth.name + "', which differ in size or samples");
+      refuse(pass,
+             "draws into '" + name + "' and depth '" + depth.name + "', which differ in size or samples");
   }
-  return std::nullopt;
 }
 
-Found wrong_own_depth(const PassGraph& graph, const GraphPass& pass) {
+void check_own_depth(const PassGraph& graph, const GraphPass& pass) {
   const GraphTexture& depth = *graph.texture(pass.depth);
   if (!has_depth_format(depth))
-    return problem_of(pass, "has '" + depth.name + "' as its depth, of format " + depth.format,
-                      "give it one of depth16, depth24, depth32 and depth32s8");
-  return wrong_sizes(graph, pass, depth);
+    refuse(pass, "has '" + depth.name + "' as its depth, of format " + depth.format,
+           "give it one of depth16, depth24, depth32 and depth32s8");
+  check_sizes(graph, pass, depth);
 }
 
 }  // namespace
@@ -62,61 +61,58 @@ bool is_depth(const PassGraph& graph, const std::string& name) {
                      [&](const GraphPass& pass) { return pass.depth == name; });
 }
 
-Found wrong_stencil(const PassGraph& graph, const GraphPass& pass) {
+void check_stencil(const PassGraph& graph, const GraphPass& pass) {
   const GraphTexture& texture = *graph.texture(pass.stencil);
   if (!find_texel_format(texture.format)->stencil)
-    return problem_of(pass, "has '" + texture.name + "' as its stencil, of format " + texture.format,
-                      "give it depth32s8");
+    refuse(pass, "has '" + texture.name + "' as its stencil, of format " + texture.format,
+           "give it depth32s8");
   if (!pass.depth.empty())
-    return problem_of(pass, "has a depth and a stencil", "leave out \"depth\": a stencil brings its own");
+    refuse(pass, "has a depth and a stencil", "leave out \"depth\": a stencil brings its own");
   if (!is_depth(graph, texture.name))
-    return problem_of(pass, "has '" + texture.name + "' as its stencil, whose depth no casters draw",
-                      "let a pass of casters have it as its \"depth\"");
+    refuse(pass, "has '" + texture.name + "' as its stencil, whose depth no casters draw",
+           "let a pass of casters have it as its \"depth\"");
   if (texture.extent != ExtentOf::screen || pass.frequency != Frequency::frame || pass.each_mip)
-    return problem_of(pass, "has a stencil, and is not drawn over the screen once a frame");
-  if (reads(graph, pass, texture.name))
-    return problem_of(pass, "reads '" + texture.name + "', which is its stencil");
-  return wrong_sizes(graph, pass, texture);
+    refuse(pass, "has a stencil, and is not drawn over the screen once a frame");
+  if (reads(graph, pass, texture.name)) refuse(pass, "reads '" + texture.name + "', which is its stencil");
+  check_sizes(graph, pass, texture);
 }
 
-Found wrong_casters(const PassGraph& graph, const GraphPass& pass) {
+void check_casters(const PassGraph& graph, const GraphPass& pass) {
   const bool map_depth = pass.depth == shadow_map_name;
   const bool own_depth = !pass.depth.empty() && !map_depth;
   if (map_depth) {
-    if (Found found = wrong_map_depth(graph, pass)) return found;
+    check_map_depth(graph, pass);
   } else if (own_depth) {
-    if (Found found = wrong_own_depth(graph, pass)) return found;
+    check_own_depth(graph, pass);
   } else if (pass.writes.empty() && pass.stencil.empty()) {
-    return problem_of(pass, "writes nothing", "give it \"writes\", \"depth\" or both");
+    refuse(pass, "writes nothing", "give it \"writes\", \"depth\" or both");
   }
   if (pass.casters == DrawnCasters::volumes && pass.stencil.empty())
-    return problem_of(pass, "draws shadow volumes without a stencil to count in",
-                      "give it \"stencil\", the depth of an earlier pass of casters");
+    refuse(pass, "draws shadow volumes without a stencil to count in",
+           "give it \"stencil\", the depth of an earlier pass of casters");
   const GraphTexture* target = graph.texture(own_depth               ? pass.depth
                                              : !pass.stencil.empty() ? pass.stencil
                                                                      : pass.writes.front().second);
-  if (target == nullptr) return std::nullopt;  // wrong_targets()
+  if (target == nullptr) return;  // check_targets()
   if (target->extent == ExtentOf::fixed)
-    return problem_of(pass, "draws casters into '" + target->name + "', which has a size of its own",
-                      "the light sees them in the extents map and tile, the camera in screen");
+    refuse(pass, "draws casters into '" + target->name + "', which has a size of its own",
+           "the light sees them in the extents map and tile, the camera in screen");
   if (in_cascades(*target) && pass.frequency != Frequency::cascade)
-    return problem_of(pass, "draws casters into '" + target->name + "', which each cascade has a part of",
-                      "add \"runs\": \"cascade\"");
+    refuse(pass, "draws casters into '" + target->name + "', which each cascade has a part of",
+           "add \"runs\": \"cascade\"");
   if (target->extent == ExtentOf::screen && pass.frequency != Frequency::frame)
-    return problem_of(pass, "draws what the camera sees, which changes every frame",
-                      "leave out \"runs\", or give it \"frame\"");
-  return std::nullopt;
+    refuse(pass, "draws what the camera sees, which changes every frame",
+           "leave out \"runs\", or give it \"frame\"");
 }
 
-Found misused_depth(const PassGraph& graph) {
+void refuse_misused_depth(const PassGraph& graph) {
   for (const GraphPass& pass : graph.passes)
     for (const auto& [shader_name, name] : pass.writes) {
       const GraphTexture* texture = graph.texture(name);
       if (texture != nullptr && has_depth_format(*texture))
-        return problem_of(pass, "writes '" + name + "', of format " + texture->format,
-                          "only casters write depth, into their \"depth\"; r32f holds depths, too");
+        refuse(pass, "writes '" + name + "', of format " + texture->format,
+               "only casters write depth, into their \"depth\"; r32f holds depths, too");
     }
-  return std::nullopt;
 }
 
 }  // namespace penumbra::techniques

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "input/input_error.h"
 #include "techniques/texel_formats.h"
 
 namespace penumbra::techniques {
@@ -50,24 +51,21 @@ double bytes_of(const PassGraph& graph, const GraphBuffer& buffer) {
 
 }  // namespace
 
-Found too_much_memory(const PassGraph& graph) {
+void check_memory(const PassGraph& graph) {
   double sum = 0.0;
-  const auto add = [&sum](double bytes, const char* kind, const auto& item) -> Found {
+  const auto add = [&sum](double bytes, const char* kind, const auto& item) {
     sum += bytes;
-    if (sum <= kMostGraphBytes) return std::nullopt;
-    return GraphProblem{
+    if (sum <= kMostGraphBytes) return;
+    throw InputError(
         item.where,
         fmt::format("{} '{}': with it, the graph's textures and buffers take {:.0f} MiB, more than the "
                     "{:.0f} MiB that a graph may (of a screen of {} x {} pixels and a map of {} x {})",
                     kind, item.name, sum / kMebibyte, kMostGraphBytes / kMebibyte, kScreenPixels[0],
                     kScreenPixels[1], kMapSide, kMapSide),
-        "use fewer or smaller textures, a \"divisor\", or a format of fewer bytes"};
+        "use fewer or smaller textures, a \"divisor\", or a format of fewer bytes");
   };
-  for (const GraphTexture& texture : graph.textures)
-    if (Found found = add(bytes_of(texture), "texture", texture)) return found;
-  for (const GraphBuffer& buffer : graph.buffers)
-    if (Found found = add(bytes_of(graph, buffer), "buffer", buffer)) return found;
-  return std::nullopt;
+  for (const GraphTexture& texture : graph.textures) add(bytes_of(texture), "texture", texture);
+  for (const GraphBuffer& buffer : graph.buffers) add(bytes_of(graph, buffer), "buffer", buffer);
 }
 
 }  // namespace penumbra::techniques

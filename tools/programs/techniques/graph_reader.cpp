@@ -205,7 +205,7 @@ void require_bounded(JsonObject& object, const PassGraph& graph) {
                 "a graph has at most " + std::to_string(kMostItems) + " passes, textures and buffers");
 }
 
-// graph_problem() reports names that are not declared.
+// check_graph() reports names that are not declared.
 void give_shapes(std::vector<GraphTexture>& textures, const PassGraph& graph) {
   for (GraphTexture& texture : textures) {
     if (texture.previous_of.empty()) continue;

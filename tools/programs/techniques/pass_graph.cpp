@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "project/json_diagnostic.h"
 #include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
@@ -237,17 +238,17 @@ std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph) {
   return ordered;
 }
 
-std::vector<GraphProblem> target_problems(const PassGraph& graph, const GraphPass& pass,
-                                          const std::string& target) {
-  std::vector<GraphProblem> problems;
+std::vector<hlsl::Diagnostic> target_problems(const PassGraph& graph, const GraphPass& pass,
+                                              const std::string& target) {
+  std::vector<hlsl::Diagnostic> problems;
   if (target != "essl310" || pass.kind != PassKind::compute) return problems;
   for (const auto& [shader_name, name] : pass.writes) {
     const GraphTexture* texture = graph.texture(name);
     if (texture == nullptr || find_texel_format(texture->format)->essl_storage) continue;
-    problems.push_back({texture->where,
-                        "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format +
-                            "', the format of '" + name + "'",
-                        "r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"});
+    problems.push_back(project::diagnostic_at(
+        texture->where, hlsl::Severity::error,
+        "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format + "', the format of '" + name +
+            "'; r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"));
   }
   return problems;
 }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
+
 namespace penumbra::techniques {
 
 // The sizes of which an extent is a share: the camera's picture, the shadow map with all cascades, one
@@ -166,17 +168,12 @@ PassGraph graph_of(FilterCall filter, const std::string& where);
 // Returns both, one after the other: the visibility of `earlier`, a texture, is the source of `later`.
 PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later);
 
-struct GraphProblem {
-  std::string where;  // place of the texture, buffer or pass; may be empty
-  std::string text;
-  std::string way_out;  // may be empty
-};
-
-// Returns the first problem: names that nothing has or two have, a texture that nothing or two passes write
-// (others may change it), or nothing reads, depth where there is none, passes that wait for each other, a
-// pass that runs more rarely than what it reads, targets of different extents, uses that a format does not
-// have anywhere, no visibility or one of another size than the screen's.
-std::optional<GraphProblem> graph_problem(const PassGraph& graph);
+// Throws InputError for the first thing that is wrong, at its texture, buffer or pass, or else at `where`:
+// names that nothing has or two have, a texture that nothing or two passes write (others may change it), or
+// nothing reads, depth where there is none, passes that wait for each other, a pass that runs more rarely
+// than what it reads, targets of different extents, uses that a format does not have anywhere, no visibility
+// or one of another size than the screen's.
+void check_graph(const PassGraph& graph, const std::string& where);
 
 // Returns the passes in an order in which each comes after those whose output it reads, else in the order
 // given; absent where passes wait for each other.
@@ -184,7 +181,7 @@ std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph);
 
 // Returns the features that the pass needs and this target lacks, at the texture that needs them: formats
 // that its compute shaders cannot write. Targets have the names that `penumbra validate` takes.
-std::vector<GraphProblem> target_problems(const PassGraph& graph, const GraphPass& pass,
-                                          const std::string& target);
+std::vector<hlsl::Diagnostic> target_problems(const PassGraph& graph, const GraphPass& pass,
+                                              const std::string& target);
 
 }  // namespace penumbra::techniques

@@ -39,10 +39,7 @@ TechniqueBias read_bias(JsonObject object) {
 
 // The result is in running order. A problem of the graph as a whole is reported at the key.
 PassGraph checked(const JsonObject& object, const std::string& key, PassGraph graph) {
-  if (const std::optional<GraphProblem> problem = graph_problem(graph)) {
-    if (problem->where.empty()) object.fail(key, problem->text, problem->way_out);
-    throw InputError(problem->where, problem->text, problem->way_out);
-  }
+  check_graph(graph, object.where(key));
   graph.passes = *in_running_order(graph);
   return graph;
 }
