@@ -6,12 +6,11 @@ namespace penumbra {
 namespace {
 
 TEST(JsonLines, AreOfTheMembersAndTheirElements) {
-  const auto json = nlohmann::ordered_json::parse(
-      R"({"b": [{"x": [1, 0.1]}, 1e-30], "a\n": {"d": {}, "c": [[2.0]]}, "e": [], "f": "g"})");
-  EXPECT_EQ(json_lines(json), R"({
+  EXPECT_EQ(json_lines(R"({"b":[{"x":[1,0.1]},1e-30,-0.0],"a\n":{"d":{},"c":[[2.0]]},"e":[],"f":"g"})"), R"({
  "b": [
   {"x":[1,0.1]},
-  1e-30
+  1e-30,
+  -0.0
  ],
  "a\n": {
   "d": {},
@@ -21,8 +20,7 @@ TEST(JsonLines, AreOfTheMembersAndTheirElements) {
  "f": "g"
 }
 )");
-  EXPECT_EQ(nlohmann::ordered_json::parse(json_lines(json)), json);
-  EXPECT_EQ(json_lines(nlohmann::ordered_json::array()), "[]\n");
+  EXPECT_EQ(json_lines("[]"), "[]\n");
 }
 
 }  // namespace

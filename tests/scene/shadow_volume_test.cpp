@@ -351,7 +351,7 @@ std::string golden_text() {
                        {"volumePositions", numbers_of(volume.positions)},
                        {"volumeTriangles", volume.indices}});
     }
-  return json_lines({{"cases", cases}});
+  return json_lines(nlohmann::ordered_json{{"cases", cases}}.dump());
 }
 
 TEST(ShadowVolume, OfTheGoldenFileAreTheSame) {

@@ -170,7 +170,7 @@ std::string golden() {
   }
   nlohmann::ordered_json fields = nlohmann::ordered_json::object();
   for (const auto& [name, value] : frame) fields[name] = value.front();
-  return json_lines({{"frame", fields}, {"cases", cases}});
+  return json_lines(nlohmann::ordered_json{{"frame", fields}, {"cases", cases}}.dump());
 }
 
 TEST(CascadeRules, ArePackedAsTheCheckedInCasesSay) {

@@ -1,5 +1,7 @@
 #include "input/json_lines.h"
 
+#include <nlohmann/json.hpp>
+
 namespace penumbra {
 namespace {
 
@@ -21,8 +23,8 @@ std::string lines(const Json& json, std::size_t depth) {
 
 }  // namespace
 
-std::string json_lines(const Json& json) {
-  return lines(json, 0) + "\n";
+std::string json_lines(std::string_view json) {
+  return lines(Json::parse(json), 0) + "\n";
 }
 
 }  // namespace penumbra

@@ -2,12 +2,12 @@
 // line of its own.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace penumbra {
 
-// Numbers and texts are written as nlohmann::json::dump() writes them; the text ends with a line end.
-std::string json_lines(const nlohmann::ordered_json& json);
+// `json` is JSON as nlohmann::json::dump() writes it, and its numbers and texts stay as they are.
+std::string json_lines(std::string_view json);
 
 }  // namespace penumbra

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
@@ -37,7 +38,7 @@ std::string rounded(double value, int digits) {
 }
 
 std::string json_text(const ordered_json& value, bool ascii = false) {
-  return value.dump(-1, ' ', ascii, ordered_json::error_handler_t::replace);
+  return value.dump(-1, ' ', ascii);
 }
 
 bool reads_as_text(const std::string& text) {
@@ -96,7 +97,8 @@ std::string head_value(const ordered_json& value) {
 
 }  // namespace
 
-std::string json_table(const ordered_json& document, const std::string& list, const DigitsOfPath& digits) {
+std::string json_table(std::string_view json, const std::string& list, const DigitsOfPath& digits) {
+  const ordered_json document = ordered_json::parse(json);
   std::vector<Cells> rows;
   std::vector<std::string> columns;
   std::set<std::string> known;
@@ -114,7 +116,7 @@ std::string json_table(const ordered_json& document, const std::string& list, co
   for (auto column = own; column != columns.end(); ++column) {
     const std::string& cell = rows.front().at(*column);
     text += (column == own ? "" : ", ") + json_text(*column) + ": " +
-            (json::accept(cell) ? cell : json_text(cell));
+            (nlohmann::json::accept(cell) ? cell : json_text(cell));
   }
   text += "}}\n";
   columns.erase(own, columns.end());

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -20,10 +19,9 @@ namespace penumbra {
 using DigitsOfPath = std::function<int(const std::string& path)>;
 inline constexpr int kAllDigits = 0;
 
-// list: the key of the list in the document, whose elements are objects. No cell begins a formula of a
-// spreadsheet. Bytes that are not UTF-8 become U+FFFD.
-std::string json_table(const nlohmann::ordered_json& document, const std::string& list,
-                       const DigitsOfPath& digits);
+// `document` is JSON, and `list` the key of the list in it, whose elements are objects. No cell begins a
+// formula of a spreadsheet.
+std::string json_table(std::string_view document, const std::string& list, const DigitsOfPath& digits);
 
 bool is_json_table(std::string_view text);  // by its first character
 

@@ -1,4 +1,4 @@
-// The parser behind LocatedJson, also for other formats that become JSON values. Internal to this room.
+// The parser behind LocatedJson, also for other formats that become JSON values. Internal to this folder.
 #pragma once
 
 #include <algorithm>

@@ -299,7 +299,7 @@ std::string to_table(const Results& results) {
     // Pages show four digits at most; means of several figures, and differences, keep their last one.
     return path.find("intervals/") == std::string::npos ? 7 : 5;
   };
-  return json_table(json_of(results), "records", digits);
+  return json_table(json_of(results).dump(-1, ' ', false, Json::error_handler_t::replace), "records", digits);
 }
 
 }  // namespace penumbra::study

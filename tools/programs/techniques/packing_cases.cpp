@@ -88,7 +88,7 @@ Json cases(const ParameterStruct& parameters) {
 std::string packing_cases_json(const TechniqueList& list) {
   Json json = Json::object();
   for (const ParameterStruct& parameters : list.structs) json[parameters.name] = cases(parameters);
-  return json_lines(json);
+  return json_lines(json.dump());
 }
 
 }  // namespace penumbra::techniques

@@ -103,7 +103,7 @@ std::string techniques_json(const TechniqueList& list) {
                              {"doc", look.doc},
                              {"angularDiameterDegrees", look.angular_diameter_degrees},
                              {"maxPenumbraMetres", look.max_penumbra_metres}});
-  return json_lines(json);
+  return json_lines(json.dump());
 }
 
 }  // namespace penumbra::techniques
