@@ -1,5 +1,5 @@
 // The fields of results.json, each listed once: what is written and what is read follow these lists. Internal
-// to this room.
+// to this folder.
 //
 // fields(archive, value) gives the archive every key with the member that has its value, in the file's order.
 // The archive of results_write.cpp puts them into JSON. That of results_read.cpp takes them from there, and

@@ -135,10 +135,6 @@ class LineWriter {
   std::string text_;
 };
 
-}  // namespace
-
-namespace {
-
 Json json_of(const Results& results) {
   RecordWriter writer;
   writer.count("schema_version", kResultsSchemaVersion);
