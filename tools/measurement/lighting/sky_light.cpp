@@ -133,10 +133,12 @@ class Gatherer {
 
     glm::vec3 sum(0.0F);
     alignas(64) int asks[kPacket];  // lanes that need a shadow ray to the sun
-    alignas(64) RTCRay16 shadow;
+    // Where Embree traces 16 rays as two packets of 8, it also looks at the rays that are not asked for.
+    alignas(64) RTCRay16 shadow{};
     glm::vec3 of_sun[kPacket];
     for (int lane = 0; lane < kPacket; ++lane) {
       asks[lane] = 0;
+      shadow.tfar[lane] = -1.0F;  // before tnear, which is 0: no ray
       if (rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
         sum += surroundings_.sky.radiance(directions[lane]);
         continue;
