@@ -15,6 +15,7 @@
 #include "bake/made_shapes.h"
 #include "bake/ray_traced_share.h"
 #include "bake/visibility_kernel.h"
+#include "input/json_lines.h"
 #include "platform/atomic_file.h"
 #include "platform/source_commit.h"
 #include "scene/scene.h"
@@ -274,7 +275,8 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    penumbra::platform::write_file_atomically(arguments[1], penumbra::bake::run().dump(1) + "\n");
+    penumbra::platform::write_file_atomically(arguments[1],
+                                              penumbra::json_lines(penumbra::bake::run().dump()));
   } catch (const std::exception& error) {
     fmt::print(stderr, "penumbra_field_errors: {}\n", error.what());
     return 1;

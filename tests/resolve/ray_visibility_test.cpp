@@ -15,6 +15,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "input/json_lines.h"
 #include "platform/source_commit.h"
 #include "reference/disc_tracer.h"
 #include "resolve/drawn_scenes.h"
@@ -156,7 +157,7 @@ void write_results(const nlohmann::json& records, const scene::Frame& frame) {
                                {"places_of_the_exact_answer", kPlaces},
                                {"block_pixels", kBlock},
                                {"records", records}};
-  std::ofstream(file) << results.dump(1) << "\n";
+  std::ofstream(file) << json_lines(results.dump());
 }
 
 // With more samples the error falls, in every scene's mean, for pixels and for blocks, in thin and in thick

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "input/json_lines.h"
 #include "platform/atomic_file.h"
 #include "platform/source_commit.h"
 #include "study/texel/estimators.h"
@@ -185,7 +186,8 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    penumbra::platform::write_file_atomically(arguments[1], penumbra::texel::run().dump(1) + "\n");
+    penumbra::platform::write_file_atomically(arguments[1],
+                                              penumbra::json_lines(penumbra::texel::run().dump()));
   } catch (const std::exception& error) {
     fmt::print(stderr, "penumbra_texel_errors: {}\n", error.what());
     return 1;
