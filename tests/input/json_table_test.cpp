@@ -58,6 +58,7 @@ TEST(JsonTable, ReadsBackWhatWasWritten) {
           R"({"rows": [{"a": "1"}, {"a": "null"}, {"a": "=1+1"}, {"a": "#"}, {"a": "\"x\""}, {"a": " x "}]})",
           R"({"rows": [{"a": "line\nend\ttab\u2028\u202e"}, {"a": "é ✓"}], "after": "=x"})",
           R"({"rows": [{"a": -1.5, "b": 1}, {"a": 18446744073709551615, "b": 1}, {"b": 1}]})",
+          R"({"rows": [{"a/b": {"~1": 1}}]})",
           R"({"rows": [{"l": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}, {"l": [5]}]})",
       }) {
     const std::string table = json_table(text, "rows", all_digits);
@@ -80,6 +81,12 @@ TEST(JsonTable, NoCellBeginsAFormula) {
     EXPECT_THAT(table, HasSubstr("\na\n\"\\u00")) << text;
     EXPECT_EQ(read(table).value()["rows"][0]["a"], text);
   }
+}
+
+TEST(JsonTable, RefusesKeysThatCannotHeadAColumn) {
+  for (const char* text :
+       {R"({"rows": [{"a\tb": 1}]})", R"({"rows": [{"a": {"0": 1}}]})", R"({"rows": [{"": 1}]})"})
+    EXPECT_THROW(json_table(text, "rows", all_digits), InputError) << text;
 }
 
 TEST(JsonTable, KnowsThePlaceOfEveryValue) {

@@ -62,6 +62,26 @@ std::string cell_of(const ordered_json& value, int digits) {
   return reads_as_text(text) ? text : quoted(text);
 }
 
+// A part of a column's name, as in JSON pointers (RFC 6901).
+std::string token_of(const std::string& key) {
+  const bool is_index = std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (is_index || !is_one_line(key))
+    throw InputError("", "the name '" + key + "' cannot head a column of a table");
+  std::string token;
+  for (const char c : key) token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return token;
+}
+
+std::string key_of(std::string_view token) {
+  std::string key;
+  for (std::size_t i = 0; i < token.size(); ++i) {
+    const bool escaped =
+        token[i] == '~' && i + 1 < token.size() && (token[i + 1] == '0' || token[i + 1] == '1');
+    key += !escaped ? token[i] : token[++i] == '1' ? '/' : '~';
+  }
+  return key;
+}
+
 // The values of one element, by their paths.
 using Cells = std::map<std::string, std::string>;
 
@@ -70,7 +90,7 @@ void add_cells(const ordered_json& value, const std::string& path, const DigitsO
   if (value.is_structured() && !value.empty()) {
     std::size_t index = 0;
     for (const auto& [key, child] : value.items()) {
-      const std::string token = value.is_object() ? key : std::to_string(index++);
+      const std::string token = value.is_object() ? token_of(key) : std::to_string(index++);
       add_cells(child, path + "/" + token, digits, cells, columns, known);
     }
     return;
@@ -104,7 +124,8 @@ std::string json_table(std::string_view json, const std::string& list, const Dig
   std::set<std::string> known;
   for (const ordered_json& element : document.at(list)) {
     Cells& row = rows.emplace_back();
-    for (const auto& [key, value] : element.items()) add_cells(value, key, digits, row, columns, known);
+    for (const auto& [key, value] : element.items())
+      add_cells(value, token_of(key), digits, row, columns, known);
   }
   // The first column stays, so that no row is an empty line.
   const auto own = std::stable_partition(columns.begin() + (columns.empty() ? 0 : 1), columns.end(),
@@ -211,7 +232,7 @@ class TableParser : public LocatingParser {
     Node* node = &elements_;
     for (const std::string_view token : tokens) {
       if (token.empty()) fail(line, column, in_quotes(path) + " is no path of a value");
-      node = &node->children[std::string(token)];
+      node = &node->children[key_of(token)];
     }
     if (node->source) fail(line, column, "the column " + in_quotes(path) + " appears twice");
     node->source = std::move(source);

@@ -3,8 +3,9 @@
 // The first lines begin with '#' and hold the document as JSON, in which the list is replaced by an object
 // with the values that all its elements share. The next line names the columns, and each line after it is one
 // element. Columns are separated by tabs. A column's name is the path of its value in the element, with '/'
-// between keys and indices: `per_cascade/0/bias`. A cell is a JSON value, or a text without quotes where it
-// cannot be taken for one. An empty cell says that the element has no such value.
+// between keys and indices: `per_cascade/0/bias`; a '/' of a key is "~1", and a '~' "~0". A cell is a JSON
+// value, or a text without quotes where it cannot be taken for one. An empty cell says that the element has
+// no such value.
 #pragma once
 
 #include <functional>
