@@ -230,7 +230,7 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
 }
 
 // A page that scripts/publish writes figures into, and how it calls `penumbra measure --from
-// FOLDER/results.json`.
+// FOLDER/results.tsv`.
 struct PublishedPage {
   std::string name;
   std::string file;
@@ -307,7 +307,7 @@ TEST_P(Published, ShowsTheCommittedResults) {
   const PublishedPage& page = GetParam();
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
   const std::filesystem::path folder = root / "Documentation~/results" / page.folder;
-  const Results results = read_results(folder / "results.json");
+  const Results results = read_results(folder / "results.tsv");
   const std::string text = file_text(root / page.file);
   const std::vector<std::string> rows = page.with_urp ? page.rows : without_urp(results);
   const std::string block = result_block(results, {relative_chart(page), rows, page.form, committed_facts()});

@@ -12,10 +12,6 @@ namespace penumbra::validation {
 
 namespace {
 
-// the renderer feature's shader
-constexpr const char* screen_shader = "Shaders/PenumbraShadows.shader";
-constexpr const char* screen_pass = "Resolve";
-
 constexpr const char* fragment_entry = R"(
 ShadowTile _PenumbraTile;
 

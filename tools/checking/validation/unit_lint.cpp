@@ -56,7 +56,7 @@ bool holds_suppression(std::string_view source) {
 }
 
 std::string encode(const std::vector<lint::ConstantBuffer>& buffers) {
-  ByteWriter out;
+  platform::ByteWriter out;
   out.list(buffers, [&](const lint::ConstantBuffer& buffer) {
     out.text(buffer.name);
     out.number(buffer.size);
@@ -70,7 +70,7 @@ std::string encode(const std::vector<lint::ConstantBuffer>& buffers) {
 }
 
 std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view bytes) {
-  ByteReader in(bytes);
+  platform::ByteReader in(bytes);
   const auto number = [&] { return static_cast<std::uint32_t>(in.number()); };
   auto buffers = in.list<lint::ConstantBuffer>([&] {
     lint::ConstantBuffer buffer;
