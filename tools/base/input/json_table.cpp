@@ -197,6 +197,10 @@ struct Node {
   std::optional<Source> source;
   std::map<std::string, Node> children;
   bool is_array = false;
+  bool has_value = false;  // of its own, in the row that is being read
+  std::size_t parts = 0;   // children that the row fills
+
+  bool filled() const { return has_value || parts > 0; }
 };
 
 struct Row {
@@ -208,12 +212,7 @@ struct Row {
 class TableParser : public LocatingParser {
  public:
   TableParser(const std::string& name, ReadSoFar& place, std::string list, std::string_view rest, int line)
-      : LocatingParser(name, place),
-        name_(name),
-        at_(place),
-        list_(std::move(list)),
-        rest_(rest),
-        line_(line) {}
+      : LocatingParser(name, place), at_(place), list_(std::move(list)), rest_(rest), line_(line) {}
 
   // The head ends with its object: the rows follow.
   bool end_object() override {
@@ -293,16 +292,21 @@ class TableParser : public LocatingParser {
       for (const std::string_view cell : row_.cells)
         row_.starts.push_back(static_cast<int>(cell.data() - line.text.data()) + 1);
       at_ = {line.number, 1};
+      fill(elements_);
       emit(elements_, "");
     }
     end_array();
     at_ = end;
   }
 
-  bool holds(const Node& node) const {
-    if (node.source && (!node.source->column || !row_.cells[*node.source->column].empty())) return true;
-    return std::any_of(node.children.begin(), node.children.end(),
-                       [&](const auto& child) { return holds(child.second); });
+  bool has_value(const Source& source) const { return !source.column || !row_.cells[*source.column].empty(); }
+
+  // Notes which nodes the row fills, each once: a path may be long.
+  bool fill(Node& node) const {
+    node.has_value = node.source && has_value(*node.source);
+    node.parts = 0;
+    for (auto& [token, child] : node.children) node.parts += fill(child) ? 1 : 0;
+    return node.filled();
   }
 
   ReadSoFar place_of(const Source& source) const {
@@ -327,21 +331,20 @@ class TableParser : public LocatingParser {
   }
 
   void emit(const Node& node, const std::string& path) {
-    const auto filled = std::count_if(node.children.begin(), node.children.end(),
-                                      [&](const auto& child) { return holds(child.second); });
-    if (node.source && (!node.source->column || !row_.cells[*node.source->column].empty())) {
+    if (node.has_value) {
       at_ = place_of(*node.source);
-      if (filled > 0) fail(at_.line, at_.column, in_quotes(path) + " has a value and parts");
+      if (node.parts > 0) fail(at_.line, at_.column, in_quotes(path) + " has a value and parts");
       value(value_of(*node.source));
       return;
     }
     if (node.is_array) {
       start_array(json::size_type(-1));
-      for (std::size_t i = 0; i < static_cast<std::size_t>(filled); ++i) {
+      for (std::size_t i = 0; i < node.parts; ++i) {
         const std::string token = std::to_string(i);
         const Node& child = node.children.at(token);
-        if (!holds(child))
-          fail(row_.line, 1, in_quotes(path) + " lacks element " + token + " of " + std::to_string(filled));
+        if (!child.filled())
+          fail(row_.line, 1,
+               in_quotes(path) + " lacks element " + token + " of " + std::to_string(node.parts));
         emit(child, path + "/" + token);
       }
       end_array();
@@ -349,10 +352,9 @@ class TableParser : public LocatingParser {
     }
     start_object(json::size_type(-1));
     for (const auto& [token, child] : node.children) {
-      if (!holds(child)) continue;
+      if (!child.filled()) continue;
       std::string key = token;
-      if (child.source && (!child.source->column || !row_.cells[*child.source->column].empty()))
-        at_ = place_of(*child.source);
+      if (child.has_value) at_ = place_of(*child.source);
       at_.column += static_cast<int>(key.size()) + 1;  // key() takes the length of the key off
       LocatingParser::key(key);
       emit(child, path.empty() ? token : path + "/" + token);
@@ -360,7 +362,6 @@ class TableParser : public LocatingParser {
     LocatingParser::end_object();
   }
 
-  std::string name_;
   ReadSoFar& at_;
   std::string list_;
   std::string_view rest_;
