@@ -13,7 +13,7 @@ def nested(values):
     """The object whose parts have these paths: {"a/0": 1} is {"a": [1]}."""
     result = {}
     for path, value in values.items():
-        *parents, name = path.split("/")
+        *parents, name = (key.replace("~1", "/").replace("~0", "~") for key in path.split("/"))
         place = result
         for parent in parents:
             place = place.setdefault(parent, {})
