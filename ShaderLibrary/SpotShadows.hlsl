@@ -11,7 +11,7 @@
 //
 // Computes:   visibility of one spot light, a disc of the given radius, at a world position, with FilterPcssSpot. Where
 //             raw depths cannot be read (OpenGL, WebGL), tent 5 x 5.
-// Source:     Filters/PcssSpot.hlsl.
+// Source:     Filters/Pcss/PcssSpot.hlsl.
 // Inputs:     lightIndex: of URP's visible lights; positionWS, metres; normalWS: the geometric normal, unit; pixel:
 //             screen coordinate; sourceRadiusMetres: of the lamp's disc, which URP's lights do not have. The uniform
 //             _PenumbraPcssSpotParameters0, which the C# struct PcssSpotParameters sets.
@@ -29,14 +29,14 @@
 #if defined(ADDITIONAL_LIGHT_CALCULATE_SHADOWS)
 
 #include "Pipelines/UrpSpotLights.hlsl"
-#include "Filters/PcssSpot.hlsl"
+#include "Filters/Pcss/PcssSpot.hlsl"
 
 // This condition is that of Pipelines/TechniqueByKeyword.hlsl.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
     (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
      defined(SHADER_API_WEBGPU))
 #define PENUMBRA_SPOT_WITHOUT_GATHER
-#include "Filters/TentPcf.hlsl"
+#include "Filters/Fixed/TentPcf.hlsl"
 #endif
 
 float4 _PenumbraPcssSpotParameters0;

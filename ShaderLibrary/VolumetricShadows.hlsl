@@ -13,7 +13,7 @@
 //             PenumbraMainLightFogVisibility  the same as homogeneous fog weighs it: its share of the light that the
 //                                             fog scatters to the eye, of which 1 - exp(-extinction length) would
 //                                             arrive without shadows
-// Source:     Filters/RayVisibility.hlsl.
+// Source:     Filters/Fixed/RayVisibility.hlsl.
 // Inputs:     originWS, metres; directionWS, unit; lengthMetres: to the surface, or where the fog ends; extinction, per
 //             metre; samples, 1 to 64; jitter, 0 to 1: 0.5 in the middle of equal parts, GradientNoise of the pixel
 //             where a filter over the screen or over time follows. The uniforms of Pipelines/Urp.hlsl.
@@ -26,7 +26,7 @@
 #define PENUMBRA_VOLUMETRIC_SHADOWS_HLSL
 
 #include "Pipelines/Urp.hlsl"
-#include "Filters/RayVisibility.hlsl"
+#include "Filters/Fixed/RayVisibility.hlsl"
 
 static const float kLongestRayMetres = 1e6;
 

@@ -12,7 +12,7 @@
 #define PENUMBRA_BLOB_PASS_HLSL
 
 #include "ScreenPass.hlsl"
-#include "BlobParameters.hlsl"
+#include "Parameters/BlobParameters.hlsl"
 #include "../ShaderLibrary/Core/BlobShadow.hlsl"
 
 static const int kMostBalls = 16;

@@ -3,7 +3,7 @@
 // Computes:   the layer's transmittance straight up, at each texel's centre.
 // Source:     Core/CloudCover.hlsl.
 // Inputs:     those of ScreenPass.hlsl; _PenumbraTowardSun and _PenumbraCloudWind, of CloudUniforms.hlsl;
-//             _PenumbraCloudParameters0 and 1, of Far/CloudParameters.hlsl.
+//             _PenumbraCloudParameters0 and 1, of Far/Parameters/CloudParameters.hlsl.
 // Cost:       no fetches.
 // Guarantees: [0, 1].
 // Use it:     before FarPass.hlsl with _PENUMBRA_CLOUDS. Not: where the sky has clouds of its own, which can be drawn

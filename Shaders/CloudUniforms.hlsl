@@ -5,7 +5,7 @@
 // Inputs:     _PenumbraTowardSun            towards the sun, world space, unit; half its angular diameter, radians
 //             _PenumbraCloudCentre          the camera, world space; of two eyes the same for both
 //             _PenumbraCloudWind            metres that the clouds have moved along x and z
-//             _PenumbraCloudParameters0, 1  of Far/CloudParameters.hlsl
+//             _PenumbraCloudParameters0, 1  of Far/Parameters/CloudParameters.hlsl
 // Cost:       no fetches.
 // Guarantees: those of CloudLayerAround.
 // Use it:     in the pass that fills the map, and in those that read it.
@@ -14,7 +14,7 @@
 
 #include "../ShaderLibrary/Core/CloudCover.hlsl"
 #include "../ShaderLibrary/Core/CloudLayer.hlsl"
-#include "../ShaderLibrary/Far/CloudParameters.hlsl"
+#include "../ShaderLibrary/Far/Parameters/CloudParameters.hlsl"
 
 float4 _PenumbraTowardSun;
 float4 _PenumbraCloudCentre;

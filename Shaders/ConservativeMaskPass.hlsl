@@ -2,11 +2,11 @@
 //
 // Computes:   for each 4 x 4 pixels whether PCSS by angular diameter gives 1 at all of them, 0 at all of them, or may
 //             give anything, a quarter of the screen's size.
-// Source:     Filters/PcssAngularDecision.hlsl.
+// Source:     Filters/Decisions/GroupDecision.hlsl.
 // Inputs:     those of ScreenPass.hlsl and Pipelines/Urp.hlsl; _PenumbraDepthPlanesTexture: of DepthPlanePasses.hlsl,
 //             with mip levels; _PenumbraPcssAngularParameters0 and 1.
 // Cost:       per block, 16 surfaces from the camera's depth (5 fetches each, up to 9 at edges) and the planes that
-//             Filters/PcssAngularDecision.hlsl reads; fewer where the first pixels are of different cascades.
+//             Filters/Decisions/GroupDecision.hlsl reads; fewer where the first pixels are of different cascades.
 // Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart.
 //             Resolve gives the same picture with it as without, to the last bit where programs compute the same
 //             floats.
@@ -31,7 +31,7 @@ float4 ConservativeMask(ScreenVaryings input) : SV_Target
 
 #else
 
-#include "../ShaderLibrary/Filters/PcssAngularDecision.hlsl"
+#include "../ShaderLibrary/Filters/Decisions/GroupDecision.hlsl"
 
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 

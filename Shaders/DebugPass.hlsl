@@ -2,7 +2,7 @@
 //
 // Computes:   a colour for each pixel of the screen: the visibility that receivers read; which cascade covers it; how
 //             large a texel of the shadow map is there; how wide the penumbra is; where the mask lets the filter run.
-// Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, for every technique.
+// Source:     Screen/DebugColours.hlsl; the width: Filters/Pcss/PcssAngular.hlsl, for every technique.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl as the frame's own passes had them; URP's
 //             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams: x 1 where there is a mask, y 1
 //             where the camera draws over another's picture, z 1 where the picture's rows run the other way than those

@@ -3,7 +3,7 @@
 // Computes:   Screen/EdgeDenoise.hlsl at this pixel.
 // Source:     see there.
 // Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size;
-//             _PenumbraDenoiseParameters0, of Screen/DenoiseParameters.hlsl.
+//             _PenumbraDenoiseParameters0, of Screen/Parameters/DenoiseParameters.hlsl.
 // Cost:       2 radius + 1 fetches, twice that in penumbrae and up to 4 more.
 // Guarantees: [0, 1]; exactly 0 and 1 where the neighbourhood is.
 // Use it:     DenoiseHorizontal, then DenoiseVertical, last of all.

@@ -17,7 +17,7 @@
 #define PENUMBRA_DEPTH_RANGE_PASSES_HLSL
 
 #include "ScreenPass.hlsl"
-#include "../ShaderLibrary/Filters/DepthRangeParameters.hlsl"
+#include "../ShaderLibrary/Filters/SingleLoop/Parameters/DepthRangeParameters.hlsl"
 #include "../ShaderLibrary/Map/DepthMoments.hlsl"
 #include "../ShaderLibrary/Map/DepthRange.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"

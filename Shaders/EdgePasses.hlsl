@@ -9,7 +9,7 @@
 //             and _PenumbraSampleDepths, of SampleSurfacePass.hlsl or the pipeline; _PenumbraSourceTexture: of
 //             MarkSurfaces what MarkSamples found; _PenumbraEdgeTexture: what MarkSurfaces found; _PenumbraPixelTexture
 //             and _PenumbraSampleTexture: of the two shading passes; _PenumbraEdgeParameters0, of
-//             Screen/EdgeParameters.hlsl.
+//             Screen/Parameters/EdgeParameters.hlsl.
 // Cost:       of MarkSamples 2 to 8 fetches; of MarkSurfaces 1, at pixels that MarkSamples found up to 16 more; of the
 //             shading passes 1 and those of ResolvePass.hlsl without a mask, ShadeSamples for each sample of marked
 //             pixels.

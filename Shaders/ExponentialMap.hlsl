@@ -10,7 +10,7 @@
 #define PENUMBRA_EXPONENTIAL_MAP_HLSL
 
 #include "MapPasses.hlsl"
-#include "../ShaderLibrary/Filters/ExponentialParameters.hlsl"
+#include "../ShaderLibrary/Filters/Prefiltered/Parameters/ExponentialParameters.hlsl"
 #include "../ShaderLibrary/Map/DepthWarp.hlsl"
 
 float4 _PenumbraExponentialParameters0;

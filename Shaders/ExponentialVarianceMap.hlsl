@@ -10,7 +10,7 @@
 #define PENUMBRA_EXPONENTIAL_VARIANCE_MAP_HLSL
 
 #include "MapPasses.hlsl"
-#include "../ShaderLibrary/Filters/ExponentialVarianceParameters.hlsl"
+#include "../ShaderLibrary/Filters/Prefiltered/Parameters/ExponentialVarianceParameters.hlsl"
 #include "../ShaderLibrary/Map/DepthWarp.hlsl"
 
 float4 _PenumbraExponentialVarianceParameters0;

@@ -13,7 +13,7 @@
 //             _PenumbraGroundHeights          metres of 0 and of 1; samples along x and z
 //             _PenumbraGroundChannels         what the heights' red and green are multiplied with before they are added
 //             _PenumbraGroundHeightsTexture, or _PenumbraHorizonFirstTexture and _PenumbraHorizonSecondTexture
-//             _PenumbraFarShadowsParameters0, of Far/FarShadowsParameters.hlsl
+//             _PenumbraFarShadowsParameters0, of Far/Parameters/FarShadowsParameters.hlsl
 // Cost:       2 fetches where the cascades alone count, 1 more with clouds. Beyond their border 2 more with horizon
 //             angles, or as many as steps.
 // Guarantees: [0, 1], 1 on the sky. As what it reads, it includes the shadow strength, and no fade by distance.
@@ -26,7 +26,7 @@
 #include "../ShaderLibrary/Core/FarHandOver.hlsl"
 #include "../ShaderLibrary/Core/Noise.hlsl"
 #include "../ShaderLibrary/Far/CloudShadow.hlsl"
-#include "../ShaderLibrary/Far/FarShadowsParameters.hlsl"
+#include "../ShaderLibrary/Far/Parameters/FarShadowsParameters.hlsl"
 #include "../ShaderLibrary/Far/HeightFieldTrace.hlsl"
 #include "../ShaderLibrary/Far/HorizonAngles.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"

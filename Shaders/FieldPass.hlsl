@@ -5,7 +5,7 @@
 // Source:     Fields/DistanceFieldScene.hlsl.
 // Inputs:     those of ScreenPass.hlsl and of Fields/DistanceFieldScene.hlsl; _PenumbraFieldTexture, of `penumbra bake
 //             distance-field --objects N`; _PenumbraTowardSun: towards the sun, world space, unit; half its angular
-//             diameter, radians; _PenumbraFieldShadowsParameters0, of Fields/FieldShadowsParameters.hlsl
+//             diameter, radians; _PenumbraFieldShadowsParameters0, of Fields/Parameters/FieldShadowsParameters.hlsl
 // Cost:       5 fetches of camera depth, up to 9 at edges; those of Fields/DistanceFieldScene.hlsl.
 // Guarantees: [0, 1], 1 on the sky and on surfaces that are turned from the sun, which their own normal darkens. It
 //             includes the shadow strength.
@@ -16,7 +16,7 @@
 
 #include "ScreenPass.hlsl"
 #include "../ShaderLibrary/Fields/DistanceFieldScene.hlsl"
-#include "../ShaderLibrary/Fields/FieldShadowsParameters.hlsl"
+#include "../ShaderLibrary/Fields/Parameters/FieldShadowsParameters.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"
 
 float4 _PenumbraTowardSun;

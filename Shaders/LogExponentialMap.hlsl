@@ -10,7 +10,7 @@
 #define PENUMBRA_LOG_EXPONENTIAL_MAP_HLSL
 
 #include "MapPasses.hlsl"
-#include "../ShaderLibrary/Filters/LogExponentialParameters.hlsl"
+#include "../ShaderLibrary/Filters/Prefiltered/Parameters/LogExponentialParameters.hlsl"
 #include "../ShaderLibrary/Map/LogarithmicSum.hlsl"
 
 float4 _PenumbraLogExponentialParameters0;

@@ -13,7 +13,7 @@
 #define PENUMBRA_MAP_PASSES_HLSL
 
 #include "ScreenPass.hlsl"
-#include "../ShaderLibrary/Filters/MapBlurParameters.hlsl"
+#include "../ShaderLibrary/Filters/Prefiltered/Parameters/MapBlurParameters.hlsl"
 #include "../ShaderLibrary/Map/DepthMoments.hlsl"
 #include "../ShaderLibrary/Map/MapBlur.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"

@@ -3,7 +3,7 @@
 // Computes:   1 where a penumbra may be, else 0, a quarter of the screen's size.
 // Source:     Screen/PenumbraMask.hlsl, Screen/MaskBlur.hlsl.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskParameters0, of
-//             Screen/MaskParameters.hlsl. Target and source: the screen's size over 4, rounded up.
+//             Screen/Parameters/MaskParameters.hlsl. Target and source: the screen's size over 4, rounded up.
 // Cost:       8 fetches per texel of the mask; the dilations 4 depths each and their own.
 // Guarantees: exactly 0 or 1, so 8 bits hold it. 0 on the sky.
 // Use it:     PenumbraMask, MaskBlurHorizontal, MaskBlurVertical; then Resolve.

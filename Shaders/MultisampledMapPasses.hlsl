@@ -6,7 +6,7 @@
 // Source:     a filtered map is a mean of depths' functions, which samples of a texel join as neighbouring texels do:
 //             Lauritzen and McCool, "Layered Variance Shadow Maps", 2008, section 3.
 // Inputs:     those of MapPasses.hlsl; _PenumbraSampleDepths: of CasterDepth; of ValueRows _PenumbraSourceTexture: of
-//             MeanOfDepths; _PenumbraMapSampleParameters0, of Filters/MapSampleParameters.hlsl; of CasterDepth URP's
+//             MeanOfDepths; _PenumbraMapSampleParameters0, of Filters/Prefiltered/Parameters/MapSampleParameters.hlsl; of CasterDepth URP's
 //             _ShadowBias and _LightDirection, _BaseMap, _BaseColor and _Cutoff.
 // Cost:       a draw of the casters for each cascade; as many fetches as samples; of the rows 1 + 2 ceil(2.5
 //             deviation).
@@ -19,7 +19,7 @@
 #include "CasterMaterial.hlsl"
 #include "VarianceMap.hlsl"
 #include "../ShaderLibrary/Core/ShadowBias.hlsl"
-#include "../ShaderLibrary/Filters/MapSampleParameters.hlsl"
+#include "../ShaderLibrary/Filters/Prefiltered/Parameters/MapSampleParameters.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"
 
 Texture2DMS<float> _PenumbraSampleDepths;

@@ -19,7 +19,7 @@
 
 #include "ScreenPass.hlsl"
 #include "CasterMaterial.hlsl"
-#include "PlanarParameters.hlsl"
+#include "Parameters/PlanarParameters.hlsl"
 #include "../ShaderLibrary/Core/HeightFade.hlsl"
 #include "../ShaderLibrary/Core/PlanarShadow.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"

@@ -1,7 +1,7 @@
 // Penumbra: one comparison of the main light's shadow map, for pixels outside penumbrae.
 //
 // Computes:   the share of the four nearest texels, by bilinear weight, that do not block the receiver.
-// Source:     Filters/FixedPcf.hlsl; Filters/TexelQuad.hlsl beside a filter that reads raw depths, because a comparison
+// Source:     Filters/Fixed/FixedPcf.hlsl; Filters/Taps/TexelQuad.hlsl beside a filter that reads raw depths, because a comparison
 //             texture must not be read raw in the same program.
 // Inputs:     PenumbraMainLight.
 // Cost:       1 fetch.
@@ -13,9 +13,9 @@
 #include "../ShaderLibrary/Shadows.hlsl"
 
 #if defined(PENUMBRA_READS_RAW_DEPTH)
-#include "../ShaderLibrary/Filters/TexelQuad.hlsl"
+#include "../ShaderLibrary/Filters/Taps/TexelQuad.hlsl"
 #else
-#include "../ShaderLibrary/Filters/FixedPcf.hlsl"
+#include "../ShaderLibrary/Filters/Fixed/FixedPcf.hlsl"
 #endif
 
 float SingleTap(PenumbraMainLight shadow)

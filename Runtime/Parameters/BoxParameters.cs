@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/FixedPcf.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Fixed/FixedPcf.technique.json; do not edit.
     /// <summary>Kernel of N x N bilinear comparisons with equal weights.</summary>
     [Serializable]
     public struct BoxParameters

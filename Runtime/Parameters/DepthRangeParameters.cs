@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop/SingleLoop.technique.json; do not edit.
     /// <summary>Radii of the map of nearest and farthest depths around each texel.</summary>
     [Serializable]
     public struct DepthRangeParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/Exponential.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Exponential.technique.json; do not edit.
     /// <summary>Exponential shadow maps.</summary>
     [Serializable]
     public struct ExponentialParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/ExponentialVariance.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/ExponentialVariance.technique.json; do not edit.
     /// <summary>Exponential variance shadow maps.</summary>
     [Serializable]
     public struct ExponentialVarianceParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/FilamentPcss.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/FilamentPcss.technique.json; do not edit.
     /// <summary>PCSS and DPCF (Filament): with the rules and parameters of Filament.</summary>
     [Serializable]
     public struct FilamentParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/GodotPcss.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/GodotPcss.technique.json; do not edit.
     /// <summary>PCSS (Godot): with the rules and parameters of Godot 4.</summary>
     [Serializable]
     public struct GodotPcssParameters

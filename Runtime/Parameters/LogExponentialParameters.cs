@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/LogExponential.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/LogExponential.technique.json; do not edit.
     /// <summary>Exponential shadow maps in logarithmic space.</summary>
     [Serializable]
     public struct LogExponentialParameters

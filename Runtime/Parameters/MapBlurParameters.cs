@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/Variance.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Variance.technique.json; do not edit.
     /// <summary>Blur of a filtered shadow map.</summary>
     [Serializable]
     public struct MapBlurParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/VarianceMultisampled.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/VarianceMultisampled.technique.json; do not edit.
     /// <summary>Samples of a multisampled shadow map.</summary>
     [Serializable]
     public struct MapSampleParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/MomentShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/MomentShadows.technique.json; do not edit.
     /// <summary>Moment shadow maps.</summary>
     [Serializable]
     public struct MomentShadowsParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/Mssm.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Mssm.technique.json; do not edit.
     /// <summary>Moment soft shadow mapping.</summary>
     [Serializable]
     public struct MssmParameters

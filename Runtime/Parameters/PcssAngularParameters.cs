@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/PcssAngular.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Pcss/PcssAngular.technique.json; do not edit.
     /// <summary>PCSS: penumbra widths follow from the light's angular diameter.</summary>
     [Serializable]
     public struct PcssAngularParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/PcssClassic.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Pcss/PcssClassic.technique.json; do not edit.
     /// <summary>PCSS (Poisson): as many blocker samples as filter samples, on Poisson disks.</summary>
     [Serializable]
     public struct PcssClassicParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/PcssHdrp.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/PcssHdrp.technique.json; do not edit.
     /// <summary>PCSS (HDRP): with the rules and parameters of Unity's HDRP.</summary>
     [Serializable]
     public struct PcssHdrpParameters

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/PcssSpot.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Pcss/PcssSpot.technique.json; do not edit.
     /// <summary>PCSS of a spot light: penumbra widths follow from the radius of its source.</summary>
     [Serializable]
     public struct PcssSpotParameters

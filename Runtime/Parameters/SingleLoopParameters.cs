@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop/SingleLoop.technique.json; do not edit.
     /// <summary>Soft shadows of one loop over the rings of a disc.</summary>
     [Serializable]
     public struct SingleLoopParameters

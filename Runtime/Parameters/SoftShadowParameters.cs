@@ -2,7 +2,7 @@ namespace Penumbra
 {
     /// <summary>
     /// The filters' parameters in user units. Defaults are those of the manifest
-    /// (ShaderLibrary/Filters/PcssAngular.technique.json): PCSS with 24 and 16 samples.
+    /// (ShaderLibrary/Filters/Pcss/PcssAngular.technique.json): PCSS with 24 and 16 samples.
     /// <para>Values out of range are allowed here: their readers clamp them, as the shaders do.</para>
     /// </summary>
     public struct SoftShadowParameters

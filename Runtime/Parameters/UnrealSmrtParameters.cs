@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/UnrealSmrt.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/UnrealSmrt.technique.json; do not edit.
     /// <summary>SMRT (Unreal): shadow map ray tracing with the parameters of Unreal Engine.</summary>
     [Serializable]
     public struct UnrealSmrtParameters

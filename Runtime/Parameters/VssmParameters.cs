@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/Vssm.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Vssm.technique.json; do not edit.
     /// <summary>Variance soft shadow mapping.</summary>
     [Serializable]
     public struct VssmParameters

@@ -2,7 +2,7 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    // Written by `penumbra emit` from ShaderLibrary/Filters/MomentShadows.technique.json; do not edit.
+    // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/MomentShadows.technique.json; do not edit.
     /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
     internal static class MomentShadowsGraphs
     {

@@ -30,7 +30,7 @@ float3 BiasCaster(float3 positionWS, float3 normalWS, float3 towardLightWS, floa
 }
 
 // Stored depth by which to move a receiver toward the light: constant part plus slope. cosine: of the angle between
-// normal and light.
+// normal and light. No technique calls it; it is for the option of a bias by the normal's slope.
 float SlopeScaledBias(float constantBias, float slopeBias, float cosine, float largestBias)
 {
     const float c = min(max(cosine, 1e-3), 1.0);

@@ -105,13 +105,6 @@ float StoredDepth(float axialMetres, SpotMap map)
     return MoveTowardLight(kFarthestDepth, min(aboveFar, 1.0));
 }
 
-// The distance d_r - d_b that belongs to a gap in stored depth.
-float GapInMetres(float gap, float receiverMetres, SpotMap map)
-{
-    const float share = max(gap, 0.0) * InverseMetresPerDepth(map) * receiverMetres; // (d_r - d_b) / d_b
-    return receiverMetres * (share / (1.0 + share));
-}
-
 // The radius w of the drawing above, across the light at the receiver.
 float PenumbraRadiusMetres(float gap, float receiverMetres, SpotMap map)
 {
@@ -122,12 +115,6 @@ float PenumbraRadiusMetres(float gap, float receiverMetres, SpotMap map)
 float SearchRadiusMetres(float receiverMetres, SpotMap map)
 {
     return map.sourceRadiusMetres * (max(receiverMetres - map.nearMetres, 0.0) / map.nearMetres);
-}
-
-// The radius, in metres on the near plane, of what a radius at an axial depth covers there.
-float RadiusOnNearPlane(float radiusMetres, float axialMetres, SpotMap map)
-{
-    return radiusMetres * (map.nearMetres / axialMetres);
 }
 
 // The radius, in tile UV, of what a radius at an axial depth covers of the map.

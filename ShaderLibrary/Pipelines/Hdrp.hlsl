@@ -12,7 +12,7 @@
 // Source:     the layout of HDRP 14 to 17. The light's view as three rows, its device projection (depth 0..1) as m00,
 //             m11, m22, m23, so that |m00| / 2 is tile UV per metre and |m22| depth per metre. HDRP's scale of depth
 //             to radius is |m00 / m22|, twice the geometric one: tiles here carry the geometric scale, and
-//             Filters/PcssHdrp.hlsl doubles it.
+//             Filters/Peers/PcssHdrp.hlsl doubles it.
 // Inputs:     positionRWS: in HDRP's own space, relative to the camera unless the project disabled that, metres, as
 //             GetPositionInput returns it; normalWS: geometric, unit; pixel: screen coordinate. HDRP's globals; and
 //             _PenumbraMainLightParams           y tan(angularDiameter / 2), z frame index of the noise

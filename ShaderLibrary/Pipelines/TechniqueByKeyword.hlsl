@@ -2,34 +2,34 @@
 // Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
 //
 // Computes:   visibility with the filter of the enabled keyword:
-//               _PENUMBRA_HARD                 FilterHard                 Filters/HardTest.hlsl
-//               _PENUMBRA_BILINEAR             FilterBilinear             Filters/FixedPcf.hlsl
-//               _PENUMBRA_FOUR_TAP             FilterFourTapPlane         Filters/FixedPcf.hlsl
-//               _PENUMBRA_TENT_3X3             FilterTent3x3Plane         Filters/TentPcf.hlsl
-//               _PENUMBRA_TENT_7X7             FilterTent7x7Plane         Filters/TentPcf.hlsl
-//               _PENUMBRA_PCSS_POISSON         FilterPcssClassic          Filters/PcssClassic.hlsl
-//               _PENUMBRA_PCSS                 FilterPcssAngular          Filters/PcssAngular.hlsl
-//               _PENUMBRA_PCSS_HDRP            FilterPcssHdrp             Filters/PcssHdrp.hlsl
-//               _PENUMBRA_VSM                  FilterVariance             Filters/Variance.hlsl
-//               _PENUMBRA_ESM                  FilterExponential          Filters/Exponential.hlsl
-//               _PENUMBRA_ESM_LOG              FilterLogExponential       Filters/LogExponential.hlsl
-//               _PENUMBRA_EVSM                 FilterExponentialVariance  Filters/ExponentialVariance.hlsl
-//               _PENUMBRA_MSM                  FilterMoments              Filters/MomentShadows.hlsl
-//               _PENUMBRA_SMRT                 FilterUnrealSmrt           Filters/UnrealSmrt.hlsl
-//               _PENUMBRA_PCSS_GODOT           FilterGodotPcss            Filters/GodotPcss.hlsl
-//               _PENUMBRA_DPCF_FILAMENT        FilterFilamentDpcf         Filters/FilamentDpcf.hlsl
-//               _PENUMBRA_PCSS_FILAMENT        FilterFilamentPcss         Filters/FilamentPcss.hlsl
-//               _PENUMBRA_SINGLE_LOOP          FilterSingleLoop           Filters/SingleLoop.hlsl
-//               _PENUMBRA_SINGLE_LOOP_MIN_MAX  FilterSingleLoopMinMax     Filters/SingleLoopExits.hlsl
-//               _PENUMBRA_SINGLE_LOOP_MIPS     FilterSingleLoopMips       Filters/SingleLoopExits.hlsl
-//               _PENUMBRA_SINGLE_LOOP_PLANES   FilterSingleLoopPlanes     Filters/SingleLoopPlanes.hlsl
-//               _PENUMBRA_VSSM                 FilterVssmSums             Filters/VssmSums.hlsl
-//               _PENUMBRA_VSSM_MIPS            FilterVssmLevels           Filters/VssmLevels.hlsl
-//               _PENUMBRA_MSSM                 FilterMssmSums             Filters/MssmSums.hlsl
-//               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/MssmLevels.hlsl
-//               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/ExponentialLevels.hlsl
-//               _PENUMBRA_FLAGSHIP_PIXEL       FilterDepthRings           Filters/DepthRingFilter.hlsl
-//               none of them                   FilterTent5x5Plane         Filters/TentPcf.hlsl
+//               _PENUMBRA_HARD                 FilterHard                 Filters/Fixed/HardTest.hlsl
+//               _PENUMBRA_BILINEAR             FilterBilinear             Filters/Fixed/FixedPcf.hlsl
+//               _PENUMBRA_FOUR_TAP             FilterFourTapPlane         Filters/Fixed/FixedPcf.hlsl
+//               _PENUMBRA_TENT_3X3             FilterTent3x3Plane         Filters/Fixed/TentPcf.hlsl
+//               _PENUMBRA_TENT_7X7             FilterTent7x7Plane         Filters/Fixed/TentPcf.hlsl
+//               _PENUMBRA_PCSS_POISSON         FilterPcssClassic          Filters/Pcss/PcssClassic.hlsl
+//               _PENUMBRA_PCSS                 FilterPcssAngular          Filters/Pcss/PcssAngular.hlsl
+//               _PENUMBRA_PCSS_HDRP            FilterPcssHdrp             Filters/Peers/PcssHdrp.hlsl
+//               _PENUMBRA_VSM                  FilterVariance             Filters/Prefiltered/Variance.hlsl
+//               _PENUMBRA_ESM                  FilterExponential          Filters/Prefiltered/Exponential.hlsl
+//               _PENUMBRA_ESM_LOG              FilterLogExponential       Filters/Prefiltered/LogExponential.hlsl
+//               _PENUMBRA_EVSM                 FilterExponentialVariance  Filters/Prefiltered/ExponentialVariance.hlsl
+//               _PENUMBRA_MSM                  FilterMoments              Filters/Prefiltered/MomentShadows.hlsl
+//               _PENUMBRA_SMRT                 FilterUnrealSmrt           Filters/Peers/UnrealSmrt.hlsl
+//               _PENUMBRA_PCSS_GODOT           FilterGodotPcss            Filters/Peers/GodotPcss.hlsl
+//               _PENUMBRA_DPCF_FILAMENT        FilterFilamentDpcf         Filters/Peers/FilamentDpcf.hlsl
+//               _PENUMBRA_PCSS_FILAMENT        FilterFilamentPcss         Filters/Peers/FilamentPcss.hlsl
+//               _PENUMBRA_SINGLE_LOOP          FilterSingleLoop           Filters/SingleLoop/SingleLoop.hlsl
+//               _PENUMBRA_SINGLE_LOOP_MIN_MAX  FilterSingleLoopMinMax     Filters/SingleLoop/SingleLoopRanges.hlsl
+//               _PENUMBRA_SINGLE_LOOP_MIPS     FilterSingleLoopMips       Filters/SingleLoop/SingleLoopRanges.hlsl
+//               _PENUMBRA_SINGLE_LOOP_PLANES   FilterSingleLoopPlanes     Filters/SingleLoop/SingleLoopPlanes.hlsl
+//               _PENUMBRA_VSSM                 FilterVssmSums             Filters/Prefiltered/VssmSums.hlsl
+//               _PENUMBRA_VSSM_MIPS            FilterVssmLevels           Filters/Prefiltered/VssmLevels.hlsl
+//               _PENUMBRA_MSSM                 FilterMssmSums             Filters/Prefiltered/MssmSums.hlsl
+//               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/Prefiltered/MssmLevels.hlsl
+//               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/Prefiltered/ExponentialLevels.hlsl
+//               _PENUMBRA_FLAGSHIP_PIXEL       FilterDepthRings           Filters/Cells/CellFilter.hlsl
+//               none of them                   FilterTent5x5Plane         Filters/Fixed/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
 //             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
@@ -153,61 +153,61 @@
 #endif
 
 #if defined(PENUMBRA_USES_HARD)
-#include "../Filters/HardTest.hlsl"
+#include "../Filters/Fixed/HardTest.hlsl"
 #elif defined(PENUMBRA_USES_BILINEAR)
-#include "../Filters/FixedPcf.hlsl"
+#include "../Filters/Fixed/FixedPcf.hlsl"
 #elif defined(PENUMBRA_USES_FOUR_TAP)
-#include "../Filters/FixedPcf.hlsl"
+#include "../Filters/Fixed/FixedPcf.hlsl"
 #elif defined(PENUMBRA_USES_TENT_3X3)
-#include "../Filters/TentPcf.hlsl"
+#include "../Filters/Fixed/TentPcf.hlsl"
 #elif defined(PENUMBRA_USES_TENT_7X7)
-#include "../Filters/TentPcf.hlsl"
+#include "../Filters/Fixed/TentPcf.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_POISSON)
-#include "../Filters/PcssClassic.hlsl"
+#include "../Filters/Pcss/PcssClassic.hlsl"
 #elif defined(PENUMBRA_USES_PCSS)
-#include "../Filters/PcssAngular.hlsl"
+#include "../Filters/Pcss/PcssAngular.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_HDRP)
-#include "../Filters/PcssHdrp.hlsl"
+#include "../Filters/Peers/PcssHdrp.hlsl"
 #elif defined(PENUMBRA_USES_VSM)
-#include "../Filters/Variance.hlsl"
+#include "../Filters/Prefiltered/Variance.hlsl"
 #elif defined(PENUMBRA_USES_ESM)
-#include "../Filters/Exponential.hlsl"
+#include "../Filters/Prefiltered/Exponential.hlsl"
 #elif defined(PENUMBRA_USES_ESM_LOG)
-#include "../Filters/LogExponential.hlsl"
+#include "../Filters/Prefiltered/LogExponential.hlsl"
 #elif defined(PENUMBRA_USES_EVSM)
-#include "../Filters/ExponentialVariance.hlsl"
+#include "../Filters/Prefiltered/ExponentialVariance.hlsl"
 #elif defined(PENUMBRA_USES_MSM)
-#include "../Filters/MomentShadows.hlsl"
+#include "../Filters/Prefiltered/MomentShadows.hlsl"
 #elif defined(PENUMBRA_USES_SMRT)
-#include "../Filters/UnrealSmrt.hlsl"
+#include "../Filters/Peers/UnrealSmrt.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_GODOT)
-#include "../Filters/GodotPcss.hlsl"
+#include "../Filters/Peers/GodotPcss.hlsl"
 #elif defined(PENUMBRA_USES_DPCF_FILAMENT)
-#include "../Filters/FilamentDpcf.hlsl"
+#include "../Filters/Peers/FilamentDpcf.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_FILAMENT)
-#include "../Filters/FilamentPcss.hlsl"
+#include "../Filters/Peers/FilamentPcss.hlsl"
 #elif defined(PENUMBRA_USES_SINGLE_LOOP)
-#include "../Filters/SingleLoop.hlsl"
+#include "../Filters/SingleLoop/SingleLoop.hlsl"
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_MIN_MAX)
-#include "../Filters/SingleLoopExits.hlsl"
+#include "../Filters/SingleLoop/SingleLoopRanges.hlsl"
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_MIPS)
-#include "../Filters/SingleLoopExits.hlsl"
+#include "../Filters/SingleLoop/SingleLoopRanges.hlsl"
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
-#include "../Filters/SingleLoopPlanes.hlsl"
+#include "../Filters/SingleLoop/SingleLoopPlanes.hlsl"
 #elif defined(PENUMBRA_USES_VSSM)
-#include "../Filters/VssmSums.hlsl"
+#include "../Filters/Prefiltered/VssmSums.hlsl"
 #elif defined(PENUMBRA_USES_VSSM_MIPS)
-#include "../Filters/VssmLevels.hlsl"
+#include "../Filters/Prefiltered/VssmLevels.hlsl"
 #elif defined(PENUMBRA_USES_MSSM)
-#include "../Filters/MssmSums.hlsl"
+#include "../Filters/Prefiltered/MssmSums.hlsl"
 #elif defined(PENUMBRA_USES_MSSM_MIPS)
-#include "../Filters/MssmLevels.hlsl"
+#include "../Filters/Prefiltered/MssmLevels.hlsl"
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
-#include "../Filters/ExponentialLevels.hlsl"
+#include "../Filters/Prefiltered/ExponentialLevels.hlsl"
 #elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
-#include "../Filters/DepthRingFilter.hlsl"
+#include "../Filters/Cells/CellFilter.hlsl"
 #else
-#include "../Filters/TentPcf.hlsl"
+#include "../Filters/Fixed/TentPcf.hlsl"
 #endif
 
 #if defined(PENUMBRA_USES_VSM)
@@ -250,7 +250,7 @@ TEXTURE2D(_PenumbraCoarsePlanesTexture);
 TYPED_TEXTURE2D(uint4, _PenumbraCoarseSpreadsTexture);
 #endif
 
-#include "../Filters/PcssClassicParameters.hlsl"
+#include "../Filters/Pcss/Parameters/PcssClassicParameters.hlsl"
 float4 _PenumbraPcssClassicParameters0;
 
 PcssClassicParameters PenumbraPcssClassic()
@@ -258,7 +258,7 @@ PcssClassicParameters PenumbraPcssClassic()
     return UnpackPcssClassicParameters(_PenumbraPcssClassicParameters0);
 }
 
-#include "../Filters/PcssAngularParameters.hlsl"
+#include "../Filters/Pcss/Parameters/PcssAngularParameters.hlsl"
 float4 _PenumbraPcssAngularParameters0;
 float4 _PenumbraPcssAngularParameters1;
 
@@ -267,7 +267,7 @@ PcssAngularParameters PenumbraPcssAngular()
     return UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0, _PenumbraPcssAngularParameters1);
 }
 
-#include "../Filters/PcssHdrpParameters.hlsl"
+#include "../Filters/Peers/Parameters/PcssHdrpParameters.hlsl"
 float4 _PenumbraPcssHdrpParameters0;
 float4 _PenumbraPcssHdrpParameters1;
 
@@ -276,7 +276,7 @@ PcssHdrpParameters PenumbraPcssHdrp()
     return UnpackPcssHdrpParameters(_PenumbraPcssHdrpParameters0, _PenumbraPcssHdrpParameters1);
 }
 
-#include "../Filters/VarianceParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/VarianceParameters.hlsl"
 float4 _PenumbraVarianceParameters0;
 
 VarianceParameters PenumbraVariance()
@@ -284,7 +284,7 @@ VarianceParameters PenumbraVariance()
     return UnpackVarianceParameters(_PenumbraVarianceParameters0);
 }
 
-#include "../Filters/ExponentialParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/ExponentialParameters.hlsl"
 float4 _PenumbraExponentialParameters0;
 
 ExponentialParameters PenumbraExponential()
@@ -292,7 +292,7 @@ ExponentialParameters PenumbraExponential()
     return UnpackExponentialParameters(_PenumbraExponentialParameters0);
 }
 
-#include "../Filters/LogExponentialParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/LogExponentialParameters.hlsl"
 float4 _PenumbraLogExponentialParameters0;
 
 LogExponentialParameters PenumbraLogExponential()
@@ -300,7 +300,7 @@ LogExponentialParameters PenumbraLogExponential()
     return UnpackLogExponentialParameters(_PenumbraLogExponentialParameters0);
 }
 
-#include "../Filters/ExponentialVarianceParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/ExponentialVarianceParameters.hlsl"
 float4 _PenumbraExponentialVarianceParameters0;
 
 ExponentialVarianceParameters PenumbraExponentialVariance()
@@ -308,7 +308,7 @@ ExponentialVarianceParameters PenumbraExponentialVariance()
     return UnpackExponentialVarianceParameters(_PenumbraExponentialVarianceParameters0);
 }
 
-#include "../Filters/MomentShadowsParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/MomentShadowsParameters.hlsl"
 float4 _PenumbraMomentShadowsParameters0;
 
 MomentShadowsParameters PenumbraMomentShadows()
@@ -316,7 +316,7 @@ MomentShadowsParameters PenumbraMomentShadows()
     return UnpackMomentShadowsParameters(_PenumbraMomentShadowsParameters0);
 }
 
-#include "../Filters/UnrealSmrtParameters.hlsl"
+#include "../Filters/Peers/Parameters/UnrealSmrtParameters.hlsl"
 float4 _PenumbraUnrealSmrtParameters0;
 float4 _PenumbraUnrealSmrtParameters1;
 
@@ -325,7 +325,7 @@ UnrealSmrtParameters PenumbraUnrealSmrt()
     return UnpackUnrealSmrtParameters(_PenumbraUnrealSmrtParameters0, _PenumbraUnrealSmrtParameters1);
 }
 
-#include "../Filters/GodotPcssParameters.hlsl"
+#include "../Filters/Peers/Parameters/GodotPcssParameters.hlsl"
 float4 _PenumbraGodotPcssParameters0;
 
 GodotPcssParameters PenumbraGodotPcss()
@@ -333,7 +333,7 @@ GodotPcssParameters PenumbraGodotPcss()
     return UnpackGodotPcssParameters(_PenumbraGodotPcssParameters0);
 }
 
-#include "../Filters/FilamentParameters.hlsl"
+#include "../Filters/Peers/Parameters/FilamentParameters.hlsl"
 float4 _PenumbraFilamentParameters0;
 float4 _PenumbraFilamentParameters1;
 
@@ -342,7 +342,7 @@ FilamentParameters PenumbraFilament()
     return UnpackFilamentParameters(_PenumbraFilamentParameters0, _PenumbraFilamentParameters1);
 }
 
-#include "../Filters/SingleLoopParameters.hlsl"
+#include "../Filters/SingleLoop/Parameters/SingleLoopParameters.hlsl"
 float4 _PenumbraSingleLoopParameters0;
 float4 _PenumbraSingleLoopParameters1;
 
@@ -351,7 +351,7 @@ SingleLoopParameters PenumbraSingleLoop()
     return UnpackSingleLoopParameters(_PenumbraSingleLoopParameters0, _PenumbraSingleLoopParameters1);
 }
 
-#include "../Filters/VssmParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/VssmParameters.hlsl"
 float4 _PenumbraVssmParameters0;
 float4 _PenumbraVssmParameters1;
 
@@ -360,7 +360,7 @@ VssmParameters PenumbraVssm()
     return UnpackVssmParameters(_PenumbraVssmParameters0, _PenumbraVssmParameters1);
 }
 
-#include "../Filters/MssmParameters.hlsl"
+#include "../Filters/Prefiltered/Parameters/MssmParameters.hlsl"
 float4 _PenumbraMssmParameters0;
 float4 _PenumbraMssmParameters1;
 

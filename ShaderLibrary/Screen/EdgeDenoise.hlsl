@@ -21,7 +21,7 @@
 #define PENUMBRA_EDGE_DENOISE_HLSL
 
 #include "CameraSurface.hlsl"
-#include "DenoiseParameters.hlsl"
+#include "Parameters/DenoiseParameters.hlsl"
 
 static const int kLargestDenoiseRadius = 8;
 

@@ -16,7 +16,7 @@
 
 #include "../Platform/Platform.hlsl"
 #include "../Core/Penumbra.hlsl"
-#include "MaskParameters.hlsl"
+#include "Parameters/MaskParameters.hlsl"
 #include "PenumbraMask.hlsl"
 
 // Metres across the light from an edge to the end of its penumbra.

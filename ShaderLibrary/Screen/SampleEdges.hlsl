@@ -21,7 +21,7 @@
 #define PENUMBRA_SAMPLE_EDGES_HLSL
 
 #include "CameraSurface.hlsl"
-#include "EdgeParameters.hlsl"
+#include "Parameters/EdgeParameters.hlsl"
 
 static const int kMostSamples = 8;
 

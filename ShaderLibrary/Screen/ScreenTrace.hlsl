@@ -35,7 +35,7 @@
 
 #include "../Core/ScreenRay.hlsl"
 #include "CameraSurface.hlsl"
-#include "ScreenTraceParameters.hlsl"
+#include "Parameters/ScreenTraceParameters.hlsl"
 
 static const int kMostTraceSteps = 64;
 

@@ -1,5 +1,5 @@
-// Filters/DepthRings.hlsl and Filters/DepthRingSums.hlsl: shares of rings, blockers of texels and of cells,
-// the ground and the sums, against long double; cells of a known distribution; every cell of a tile is
+// Filters/Cells/CellRings.hlsl and Filters/Cells/CellSums.hlsl: shares of rings, blockers of texels and of
+// cells, the ground and the sums, against long double; cells of a known distribution; every cell of a tile is
 // visited once.
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ std::string ring_scales(const std::string& depth_per_texel, const std::string& t
 }
 
 CoreFunction depth_rings(const std::string& statement, int inputs, int outputs) {
-  return {"DepthRings", statement, inputs, outputs, {}, "Filters"};
+  return {"CellRings", statement, inputs, outputs, {}, "Filters/Cells"};
 }
 CoreFunction depth_ring_sums(const std::string& statement, int inputs, int outputs) {
-  return {"DepthRingSums", statement, inputs, outputs, {}, "Filters"};
+  return {"CellSums", statement, inputs, outputs, {}, "Filters/Cells"};
 }
 
 Exact toward_light(DepthDirection direction, Exact depth, Exact reference) {

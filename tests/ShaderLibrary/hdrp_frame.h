@@ -59,7 +59,8 @@ struct HdrpFrame {
   glm::vec3 forward{0.0f, -1.0f, 0.0f};
   float dimmer = 1.0f;
   glm::vec4 main_light_params{};
-  std::array<glm::vec4, 2> pcss{};  // vectors of ShaderLibrary/Filters/PcssHdrpParameters.hlsl
+  std::array<glm::vec4, 2>
+      pcss{};  // vectors of ShaderLibrary/Filters/Peers/Parameters/PcssHdrpParameters.hlsl
 };
 
 struct HdrpFunction {

@@ -1,5 +1,5 @@
-// The conclusions of Filters/SingleLoopExits.hlsl from a range hold for every texel in it, however the
-// receiver's plane lies; and so does the exit for surfaces that face away.
+// The conclusions of Filters/SingleLoop/SingleLoopRanges.hlsl from a range hold for every texel in it,
+// however the receiver's plane lies; and so does the exit for surfaces that face away.
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,7 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
                                    std::clamp(texel, std::min(a, b), std::max(a, b)), along * std::cos(turn),
                                    along * std::sin(turn)});
     }
-    CoreFunction function{"SingleLoopExits", kDecision, 9, 2, {}, "Filters"};
+    CoreFunction function{"SingleLoopRanges", kDecision, 9, 2, {}, "Filters/SingleLoop"};
     const std::vector<float> out = run(function, direction, inputs);
     int lit = 0, dark = 0, undecided = 0;
     for (std::size_t i = 0; i < out.size() / 2; ++i) {
@@ -75,8 +75,9 @@ const std::string kPlanes =
     "r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = float2(In(17), In(18));"
     "const float2 away = float2(In(19), In(20)); float4 depths[4]; int i;"
     "for (i = 0; i < 4; ++i) depths[i] = float4(In(4 * i), In(4 * i + 1), In(4 * i + 2), In(4 * i + 3));"
-    "const BlockDecision block = DecideBlock(PlanesOfBlock(depths), away, 4.0, r);"
-    "Out(0, block.noneBlocks ? 1.0 : block.allBlock ? 0.0 : -1.0);"
+    "r.inPerspective = false; r.awayFromAxis = 0.0;"
+    "const GroupBounds block = BoundBlock(PlanesOfBlock(depths), away, 4.0, 0.0, GroupOf(r));"
+    "Out(0, block.noneAbove ? 1.0 : block.allAbove && block.smallestGap > 0.0 ? 0.0 : -1.0);"
     "int blocking = 0; for (i = 0; i < 16; ++i) {"
     "const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], kGatherY[i % 4]);"
     "const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at));"
@@ -107,7 +108,7 @@ TEST(SingleLoopExits, WhatPlanesDecideHoldsForEveryTexelOfTheirBlock) {
                                    tilt * x, tilt * y, away_x, away_y});
     }
     const std::vector<float> out =
-        run({"DepthPlaneDecision", kPlanes, 21, 2, {}, "Filters"}, direction, inputs);
+        run({"ReceiverGroup", kPlanes, 21, 2, {}, "Filters/Decisions"}, direction, inputs);
     int lit = 0, dark = 0, undecided = 0;
     for (std::size_t i = 0; i < out.size() / 2; ++i) {
       const float decided = out[2 * i], blocking = out[2 * i + 1];
@@ -124,9 +125,13 @@ TEST(SingleLoopExits, WhatPlanesDecideHoldsForEveryTexelOfTheirBlock) {
 
 TEST(SingleLoopExits, FacingAwayIsDarkOnlyWhereTheFourTapsAre) {
   const std::vector<float> inputs{-0.5f, 0.0f, 0.0f, 0.0f, 0.1f, 0.0f, -0.5f, 0.25f, -1.0f, 1.0f, 1.0f, 1.0f};
-  const std::vector<float> out =
-      run({"SingleLoopExits", "OutInt(0, IsDarkFacingAway(In(0), In(1)) ? 1 : 0);", 2, 1, {}, "Filters"},
-          DepthDirection::conventional, inputs);
+  const std::vector<float> out = run({"SingleLoopRanges",
+                                      "OutInt(0, IsDarkFacingAway(In(0), In(1)) ? 1 : 0);",
+                                      2,
+                                      1,
+                                      {},
+                                      "Filters/SingleLoop"},
+                                     DepthDirection::conventional, inputs);
   const std::vector<float> expected{1.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
   EXPECT_EQ(out, expected);
 }

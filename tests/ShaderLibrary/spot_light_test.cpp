@@ -88,29 +88,20 @@ TEST(SpotPenumbra, FollowsSimilarTriangles) {
     const Real receiver = in[4];
     const Real blocker = 1.0L / (1.0L / receiver + in[5] * depth_range(in));
     const Real radius = penumbra_by_lines(in[3], receiver, blocker);
-    // The nearest blocker's penumbra is the source seen over an edge on the near plane. Lines from the
-    // receiver to the source cut out the search's radius there.
+    // The nearest blocker's penumbra is the source seen over an edge on the near plane.
     const Real search = penumbra_by_lines(in[3], receiver, std::min<Real>(in[0], receiver));
-    const Real on_near_plane = in[3] * std::max(receiver - in[0], 0.0L) / receiver;
     const Real map_width = 2.0L * in[2] * receiver;  // width at the receiver, metres
-    return std::vector<Exact>{{receiver - blocker, std::max(receiver - blocker, 1e-30L)},
-                              {radius},
-                              {search},
-                              {on_near_plane},
-                              {radius / map_width},
-                              {radius / map_width}};
+    return std::vector<Exact>{{radius}, {search}, {radius / map_width}, {radius / map_width}};
   };
   // There are at most nine roundings and two divisions in a row.
   expect_exact(
       {"SpotLight",
        std::string(kMap) +
-           "Out(0, GapInMetres(In(5), In(4), map)); Out(1, PenumbraRadiusMetres(In(5), In(4), map));"
-           "Out(2, SearchRadiusMetres(In(4), map));"
-           "Out(3, RadiusOnNearPlane(SearchRadiusMetres(In(4), map), In(4), map));"
-           "Out(4, RadiusInTileUV(PenumbraRadiusMetres(In(5), In(4), map), In(4), map));"
+           "Out(0, PenumbraRadiusMetres(In(5), In(4), map)); Out(1, SearchRadiusMetres(In(4), map));"
+           "Out(2, RadiusInTileUV(PenumbraRadiusMetres(In(5), In(4), map), In(4), map));"
            "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, 1);"
-           "Out(5, In(5) * TileAtReceiver(tile, map, In(4)).depthToRadial);",
-       kMapWords + 2, 6},
+           "Out(3, In(5) * TileAtReceiver(tile, map, In(4)).depthToRadial);",
+       kMapWords + 2, 4},
       DepthDirection::conventional, inputs, exact, 12.0L);
 }
 

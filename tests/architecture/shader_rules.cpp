@@ -16,9 +16,9 @@ struct Layer {
 
 // The layer of a path; nothing for a path that is none of the package's.
 std::optional<Layer> layer_of(std::string_view path) {
-  static const std::map<std::string, int, std::less<>> heights{{"Platform", 0}, {"Core", 1},     {"Map", 2},
-                                                               {"Filters", 3},  {"Screen", 3},   {"Far", 3},
-                                                               {"Fields", 3},   {"Pipelines", 4}};
+  static const std::map<std::string, int, std::less<>> heights{
+      {"Platform", 0}, {"Core", 1},   {"Map", 2},         {"Filters", 3},  {"Screen", 3},
+      {"Far", 3},      {"Fields", 3}, {"ScreenTiles", 4}, {"Pipelines", 4}};
   if (path.starts_with("Shaders/")) return Layer{6, "Shaders"};
   if (!path.starts_with("ShaderLibrary/")) return std::nullopt;
   const std::string folder = folder_below(path, "ShaderLibrary/");

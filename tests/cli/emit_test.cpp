@@ -51,7 +51,7 @@ TEST_F(Emit, WhatIsCheckedInIsUpToDate) {
 TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
   const std::string manifest = write_means();
   const auto file = [&](const std::string& name) { return path(name).lexically_normal().string(); };
-  const std::string hlsl = file("MeansParameters.hlsl");
+  const std::string hlsl = file("Parameters/MeansParameters.hlsl");
   const std::string csharp = file("Runtime/Parameters/MeansParameters.cs");
   const std::vector<std::string> emit{"emit", "--technique-list", manifest};
   const std::vector<std::string> check{"emit", "--technique-list", manifest, "--check"};
@@ -62,10 +62,10 @@ TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
   EXPECT_EQ(written.output, file("Runtime/Techniques/MeansGraphs.cs") + "\n" + hlsl + "\n" + csharp + "\n");
   EXPECT_EQ(run(check).exit_code, 0);
 
-  const std::string right = read("MeansParameters.hlsl");
+  const std::string right = read("Parameters/MeansParameters.hlsl");
   std::string wrong = right;
   wrong.replace(wrong.find("struct MeansParameters"), 22, "struct\tMeansParameters");
-  write("MeansParameters.hlsl", wrong);
+  write("Parameters/MeansParameters.hlsl", wrong);
   fs::remove(csharp);
   const auto found = run(check);
   EXPECT_EQ(found.exit_code, 1);
@@ -74,16 +74,16 @@ TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
   EXPECT_EQ(found.output, hlsl + ":" + std::to_string(line) +
                               ": 'struct\tMeansParameters' would be 'struct MeansParameters'\n" + csharp +
                               ":1: there is no such file\n");
-  EXPECT_EQ(read("MeansParameters.hlsl"), wrong) << "a check writes nothing";
+  EXPECT_EQ(read("Parameters/MeansParameters.hlsl"), wrong) << "a check writes nothing";
   EXPECT_EQ(run(emit).output, hlsl + "\n" + csharp + "\n");
-  EXPECT_EQ(read("MeansParameters.hlsl"), right);
+  EXPECT_EQ(read("Parameters/MeansParameters.hlsl"), right);
   const auto nothing = run(emit);
   EXPECT_EQ(nothing.output, "");
   EXPECT_THAT(nothing.errors, HasSubstr("up to date"));
 
-  write("MeansParameters.hlsl", right + "\n// more");
+  write("Parameters/MeansParameters.hlsl", right + "\n// more");
   EXPECT_THAT(run(check).output, HasSubstr(": '' would be the end of the file\n"));
-  write("MeansParameters.hlsl", right.substr(0, right.size() - 1));
+  write("Parameters/MeansParameters.hlsl", right.substr(0, right.size() - 1));
   EXPECT_THAT(run(check).output,
               HasSubstr(": the end of the file without a line break would be the end of the file\n"));
 }

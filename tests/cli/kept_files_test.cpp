@@ -69,13 +69,14 @@ TEST_F(KeptFiles, GeneratedSourcesReplaceGeneratedOnesAlone) {
   const std::string manifest = write_ring();
   const std::vector<std::string> emit{"emit", "--technique-list", manifest};
   EXPECT_EQ(run(emit).exit_code, 0);
-  EXPECT_THAT(read("RingParameters.hlsl"), HasSubstr("int taps;"));
-  write("RingParameters.hlsl", "// Written by `penumbra`, in an earlier version.\n");
+  EXPECT_THAT(read("Parameters/RingParameters.hlsl"), HasSubstr("int taps;"));
+  write("Parameters/RingParameters.hlsl", "// Written by `penumbra`, in an earlier version.\n");
   EXPECT_EQ(run(emit).exit_code, 0);
-  EXPECT_THAT(read("RingParameters.hlsl"), HasSubstr("int taps;")) << "its own file is written again";
-  write("RingParameters.hlsl", "// mine\n");
+  EXPECT_THAT(read("Parameters/RingParameters.hlsl"), HasSubstr("int taps;"))
+      << "its own file is written again";
+  write("Parameters/RingParameters.hlsl", "// mine\n");
   std::filesystem::remove_all(path("Runtime"));
-  expect_kept("RingParameters.hlsl", emit, "exists and was not written by penumbra");
+  expect_kept("Parameters/RingParameters.hlsl", emit, "exists and was not written by penumbra");
   EXPECT_FALSE(std::filesystem::exists(path("Runtime/Parameters/RingParameters.cs"))) << "all or none";
 }
 
@@ -83,8 +84,9 @@ TEST_F(KeptFiles, GeneratedSourcesReplaceGeneratedOnesAlone) {
 TEST_F(KeptFiles, GeneratedSourcesFollowNoLink) {
   namespace fs = std::filesystem;
   const auto emit = [&] { return run({"emit", "--technique-list", write_ring("package/")}); };
-  for (const char* linked : {"package/Runtime", "package/Runtime/Parameters", "package/RingParameters.hlsl",
-                             "package/Runtime/Parameters/RingParameters.cs"}) {
+  for (const char* linked :
+       {"package/Runtime", "package/Runtime/Parameters", "package/Parameters/RingParameters.hlsl",
+        "package/Runtime/Parameters/RingParameters.cs"}) {
     fs::remove_all(path("package"));
     fs::create_directories(path(linked).parent_path());
     fs::create_directories(path("elsewhere"));
@@ -97,7 +99,7 @@ TEST_F(KeptFiles, GeneratedSourcesFollowNoLink) {
   fs::remove_all(path("package"));
   fs::create_directory_symlink(path("elsewhere"), path("package"));
   EXPECT_EQ(emit().exit_code, 0);
-  EXPECT_THAT(read("elsewhere/RingParameters.hlsl"), HasSubstr("int taps;"));
+  EXPECT_THAT(read("elsewhere/Parameters/RingParameters.hlsl"), HasSubstr("int taps;"));
 }
 
 TEST_F(KeptFiles, AReportThatWouldLackAShaderIsNotWritten) {

@@ -229,8 +229,8 @@ class CasterPassProblem : public testing::Test {
   }
   static std::string problem(const std::vector<Edit>& edits) {
     shaders::ShaderFiles files;
-    for (const char* name : {"Layers.hlsl", "Layers.shader", "LayersParameters.hlsl", "LayersPasses.hlsl",
-                             "Layers.technique.json"}) {
+    for (const char* name : {"Layers.hlsl", "Layers.shader", "Parameters/LayersParameters.hlsl",
+                             "LayersPasses.hlsl", "Layers.technique.json"}) {
       std::ifstream stream(added(name), std::ios::binary);
       std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
       for (const Edit& edit : edits) {

@@ -166,7 +166,7 @@ TEST_P(ConservativeMask, DecidesRightForAMillionReceivers) {
   constexpr int kSide = 250;
   ShadowGraph graph = probe_graph("single-loop-32-planes", kGroupOfFour, GetParam());
   graph.filter->body.insert(graph.filter->body.find("#include \"Core/ShadowStructs.hlsl\""),
-                            "#include \"Filters/PcssAngularDecision.hlsl\"\n");
+                            "#include \"Filters/Decisions/GroupDecision.hlsl\"\n");
   GraphRunner runner(test_device(), compile(graph));
   std::minstd_rand engine(77);
   const auto random = [&](double low, double high) {

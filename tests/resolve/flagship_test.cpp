@@ -331,9 +331,10 @@ TEST_P(Flagship, DrawsBothEyesAtOnceAsEachAlone) {
   EXPECT_EQ(both, expected);
 }
 
-// The value of a macro of Shaders/TileWindows.hlsl.
+// The value of a macro of ShaderLibrary/ScreenTiles/TileWindows.hlsl.
 int window_constant(const std::string& name) {
-  std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Shaders/TileWindows.hlsl");
+  std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
+                     "ShaderLibrary/ScreenTiles/TileWindows.hlsl");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::smatch found;
   if (!std::regex_search(text, found, std::regex("#define " + name + " (\\d+)")))

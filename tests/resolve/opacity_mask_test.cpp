@@ -1,5 +1,5 @@
 // Tests the map of blended casters (Shaders/PenumbraOpacity.shader) and the filters that read it
-// (ShaderLibrary/Filters/OpacityMask.technique.json): the product of what stacked sheets transmit, in
+// (ShaderLibrary/Filters/Opacity/OpacityMask.technique.json): the product of what stacked sheets transmit, in
 // whatever order they are drawn, and what is dimmed by it.
 #include <gmock/gmock.h>
 

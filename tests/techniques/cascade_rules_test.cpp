@@ -49,7 +49,7 @@ TEST(CascadeRules, AreBranchesOfTheirKeywordAlone) {
                               "float4 _PenumbraPcssAngularParameters0From1;\n"
                               "float4 _PenumbraPcssAngularParameters1From1;\n#endif\n"));
   EXPECT_THAT(text,
-              HasSubstr("#include \"../Filters/PcssAngular.hlsl\"\n#include \"../Filters/TentPcf.hlsl\"\n"));
+              HasSubstr("#include \"../Filters/Pcss/PcssAngular.hlsl\"\n#include \"../Filters/Fixed/TentPcf.hlsl\"\n"));
   EXPECT_THAT(text,
               HasSubstr("#elif defined(PENUMBRA_USES_PCSS)\n"
                         "    if (cascade >= 3) return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, "

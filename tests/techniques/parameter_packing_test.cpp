@@ -47,7 +47,7 @@ TEST(ParameterPacking, NumbersAreWhereTheShaderReadsThem) {
 
 TEST(ParameterPacking, TheHlslUnpacksIt) {
   const EmittedFile hlsl = emit_hlsl(mixed());
-  EXPECT_EQ(hlsl.file, "ShaderLibrary/Filters/MixedParameters.hlsl");
+  EXPECT_EQ(hlsl.file, "ShaderLibrary/Filters/Parameters/MixedParameters.hlsl");
   EXPECT_THAT(hlsl.text, HasSubstr("#ifndef PENUMBRA_MIXED_PARAMETERS_HLSL\n"));
   EXPECT_THAT(hlsl.text, HasSubstr("    int count; // fetches: number of taps\n    float2 offset;"));
   EXPECT_THAT(hlsl.text, HasSubstr("MixedParameters UnpackMixedParameters(float4 packed0, float4 packed1, "

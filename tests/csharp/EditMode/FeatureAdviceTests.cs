@@ -52,7 +52,7 @@ namespace Penumbra.Tests
         {
             FeatureState state = Sound();
             state.shaderFound = false;
-            state.shaderErrors = "Shaders/TileRings.hlsl, line 12: undeclared identifier (D3D)";
+            state.shaderErrors = "ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier (D3D)";
             Assert.That(FeatureAdvice.For(state).First().type, Is.EqualTo(MessageType.Error));
             Assert.That(FeatureAdvice.For(state).First().text, Does.EndWith("\n" + state.shaderErrors));
         }

@@ -50,9 +50,9 @@ namespace Penumbra.Tests
             ShaderUtil.Messages[FakeShader.Flagship] = new[]
             {
                 Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
-                Message("undeclared identifier 'a'", "Shaders/TileRings.hlsl", 12),
+                Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileReceiver.hlsl", 12),
             };
-            Assert.That(Errors, Is.EqualTo("Shaders/TileRings.hlsl, line 12: undeclared identifier 'a' (D3D)"));
+            Assert.That(Errors, Is.EqualTo("ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier 'a' (D3D)"));
         }
 
         [Test]

@@ -11,9 +11,9 @@ double bilinear(Point place, const Texels& texels);
 // Weighs each texel of the 4 x 4 by the area of its square in a disc of that radius, at most 1.5.
 double disc_kernel(Point place, const Texels& texels, double radius);
 
-// The kernel of narrow penumbrae in ShaderLibrary/Filters/PcssAngular.hlsl weighs each texel of the 4 x 4 by
-// a weight that falls evenly with the distance of its centre. radius is limited as minFilterTexels, to at
-// most 1.25.
+// The kernel of narrow penumbrae in ShaderLibrary/Filters/Pcss/PcssAngular.hlsl weighs each texel of the 4 x
+// 4 by a weight that falls evenly with the distance of its centre. radius is limited as minFilterTexels, to
+// at most 1.25.
 double shipped_kernel(Point place, const Texels& texels, double radius);
 
 // A straight edge through the 4 x 4 texels. Its direction is that of the plane which fits the bits best

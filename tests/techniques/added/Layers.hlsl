@@ -1,7 +1,7 @@
 // The filter of Layers.technique.json: every surface before the receiver takes a share of the light that is left.
 #include "Core/DepthConvention.hlsl"
 #include "Core/ShadowStructs.hlsl"
-#include "LayersParameters.hlsl"
+#include "Parameters/LayersParameters.hlsl"
 float FilterLayers(TEXTURE2D(nearest), TEXTURE2D(layers), ShadowReceiver receiver, ShadowTile tile,
                    LayersParameters parameters)
 {

@@ -202,7 +202,7 @@ EmittedFile emit_hlsl(const ParameterStruct& parameters) {
   const std::filesystem::path folder = std::filesystem::path(parameters.manifest).parent_path();
   const auto uniform = [&](std::size_t i) { return uniform_name(parameters, i); };
   const auto argument = [](std::size_t i) { return "float4 packed" + std::to_string(i); };
-  return {(folder / (parameters.name + ".hlsl")).generic_string(),
+  return {(folder / "Parameters" / (parameters.name + ".hlsl")).generic_string(),
           fmt::format(kHlsl, fmt::arg("doc", parameters.doc), fmt::arg("manifest", parameters.manifest),
                       fmt::arg("guard", guard(parameters.name)), fmt::arg("name", parameters.name),
                       fmt::arg("fields", hlsl_fields(parameters)),

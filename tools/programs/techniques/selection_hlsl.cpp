@@ -223,7 +223,7 @@ class KeywordWriter {
       std::string folder = parameters->manifest.substr(0, parameters->manifest.rfind('/') + 1);
       constexpr std::string_view library = "ShaderLibrary/";
       if (folder.starts_with(library)) folder.erase(0, library.size());
-      text_ += fmt::format("\n#include \"../{}{}.hlsl\"\n", folder, parameters->name);
+      text_ += fmt::format("\n#include \"../{}Parameters/{}.hlsl\"\n", folder, parameters->name);
       std::string vectors;
       for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
         text_ += "float4 " + uniform_name(*parameters, i) + ";\n";

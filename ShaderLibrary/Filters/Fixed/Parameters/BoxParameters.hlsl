@@ -1,0 +1,21 @@
+// Kernel of N x N bilinear comparisons with equal weights.
+// Written by `penumbra emit` from ShaderLibrary/Filters/Fixed/FixedPcf.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_BOX_PARAMETERS_HLSL
+#define PENUMBRA_BOX_PARAMETERS_HLSL
+
+struct BoxParameters
+{
+    int tapsPerSide; // taps: N, odd, 1 to 9
+};
+
+// Unpacks the uniforms _PenumbraBoxParameters0, which the package's C# struct of the same name sets.
+BoxParameters UnpackBoxParameters(float4 packed0)
+{
+    BoxParameters parameters;
+    parameters.tapsPerSide = int(packed0.x);
+    return parameters;
+}
+
+#endif

@@ -1,0 +1,29 @@
+// Variance soft shadow mapping.
+// Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Vssm.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_VSSM_PARAMETERS_HLSL
+#define PENUMBRA_VSSM_PARAMETERS_HLSL
+
+struct VssmParameters
+{
+    float minFilterTexels; // texels: smallest filter and search radius
+    float maxPenumbraMetres; // m: largest penumbra width, from visibility 0 to 1; caps both radii
+    float bleeding; // 1: visibility up to which all is dark, which reduces light bleeding
+    float smallestVariance; // 1: variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2]
+    int searches; // 1: searches for blockers, each within the penumbra that the one before found; the paper has one
+};
+
+// Unpacks the uniforms _PenumbraVssmParameters0, _PenumbraVssmParameters1, which the package's C# struct of the same name sets.
+VssmParameters UnpackVssmParameters(float4 packed0, float4 packed1)
+{
+    VssmParameters parameters;
+    parameters.minFilterTexels = packed0.x;
+    parameters.maxPenumbraMetres = packed0.y;
+    parameters.bleeding = packed0.z;
+    parameters.smallestVariance = packed0.w;
+    parameters.searches = int(packed1.x);
+    return parameters;
+}
+
+#endif
