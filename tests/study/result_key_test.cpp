@@ -43,11 +43,6 @@ Keys keys_of(const fs::path& manifest) {
   return keys;
 }
 
-void collect_texts(const json& value, std::set<std::string>& texts) {
-  if (value.is_string()) texts.insert(value.get<std::string>());
-  for (const json& element : value.is_structured() ? value : json::array()) collect_texts(element, texts);
-}
-
 // Gives other values that may be valid in the place of this one.
 std::vector<json> others(const json& value, const std::set<std::string>& texts) {
   if (value.is_boolean()) return {!value.get<bool>()};
@@ -67,6 +62,16 @@ std::string field_of(const json::json_pointer& at) {
   return place.empty() ? std::string() : place.back();
 }
 
+bool is_binding(const std::string& field) {
+  return field.starts_with("_") || field == "writes" || field == "visibility";
+}
+
+// Fields of one kind hold each other's values, as all that name textures do.
+std::string kind_of(const json::json_pointer& at) {
+  const std::string field = field_of(at);
+  return is_binding(field) || field == "texture" || field == "previous_of" ? "of a texture" : field;
+}
+
 class Manifest {
  public:
   Manifest() {
@@ -74,13 +79,17 @@ class Manifest {
       std::ofstream(folder_.path() / file) << "// here\n";
     whole_ =
         json::parse(std::ifstream(fs::path(PENUMBRA_SOURCE_DIR) / "tests/study/every_field.technique.json"));
-    collect_texts(whole_, texts_);
-    texts_.insert({"Other.hlsl", "r8", "screen", "frame", "bake", "opaque", "medium", "spot", "float"});
+    const json flat = whole_.flatten();
+    for (const auto& [name, value] : flat.items())
+      if (value.is_string()) texts_[kind_of(json::json_pointer(name))].insert(value.get<std::string>());
+    for (auto& [kind, texts] : texts_)
+      texts.insert({"Other.hlsl", "r8", "screen", "frame", "bake", "opaque", "medium", "spot", "float"});
     write(whole_);
     first_ = keys_of(file_);
   }
 
-  // Changes every value in turn, and leaves out each. Returns the fields of which no change was valid.
+  // Changes every value in turn to another that is valid there, if one is, and leaves out each. Returns the
+  // fields of which no change was valid.
   std::set<std::string> change_all() {
     std::set<std::string> unchanged;
     const json flat = whole_.flatten();
@@ -88,10 +97,12 @@ class Manifest {
     for (const auto& [name, value] : flat.items()) {
       const json::json_pointer at(name);
       if (is_of_source(at)) continue;
-      for (const json& other : others(value, texts_)) {
+      for (const json& other : others(value, texts_[kind_of(at)])) {
         json changed = whole_;
         changed.at(at) = other;
-        if (is_valid(changed, name + " = " + other.dump(), field_of(at))) unchanged.erase(field_of(at));
+        if (!is_valid(changed, name + " = " + other.dump(), field_of(at))) continue;
+        unchanged.erase(field_of(at));
+        break;
       }
       if (is_valid(without(at), name + " left out", field_of(at))) unchanged.erase(field_of(at));
       swap_bindings(at, flat, unchanged);
@@ -109,9 +120,6 @@ class Manifest {
 
   // A texture in the place of another is often valid only if both change places.
   void swap_bindings(const json::json_pointer& at, const json& flat, std::set<std::string>& unchanged) const {
-    const auto is_binding = [](const std::string& field) {
-      return field.starts_with("_") || field == "writes" || field == "visibility";
-    };
     if (!is_binding(field_of(at))) return;
     for (const auto& [name, value] : flat.items()) {
       const json::json_pointer other(name);
@@ -150,7 +158,7 @@ class Manifest {
   reference::ScratchFolder folder_;
   fs::path file_ = folder_.path() / "every_field.technique.json";
   json whole_;
-  std::set<std::string> texts_;
+  std::map<std::string, std::set<std::string>> texts_;  // those of each kind
   Keys first_;
 };
 
