@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
 using Penumbra.ApiCheck.Compare;
 using Penumbra.ApiCheck.Package;
@@ -37,7 +38,6 @@ public sealed record SourceReport
 
     private static readonly JsonSerializerOptions Form = new()
     {
-        WriteIndented = true,
         PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
         DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
         Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
@@ -73,7 +73,18 @@ public sealed record SourceReport
         }
     }
 
-    public string Json() => JsonSerializer.Serialize(this, Form).ReplaceLineEndings("\n") + "\n";
+    /// <summary>JSON with a record to a line, so that a difference between two files shows which changed.</summary>
+    public string Json()
+    {
+        var fields = JsonSerializer.SerializeToNode(this, Form)!.AsObject().Select(
+            field => $"\"{field.Key}\":{Lines(field.Value!)}");
+        return "{" + string.Join(",\n", fields) + "}\n";
+    }
+
+    private static string Lines(JsonNode value) =>
+        value is JsonArray { Count: > 0 } records
+            ? "[\n" + string.Join(",\n", records.Select(record => record!.ToJsonString(Form))) + "]"
+            : value.ToJsonString(Form);
 
     /// <summary>Sixteen hexadecimal digits of SHA-256.</summary>
     public static string Fingerprint(IEnumerable<string> members)
