@@ -6,8 +6,8 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Reads Techniques.txt: a row per line, its columns separated by tabs. A row `graph` or `technique` begins what the
-    /// rows after it say more about. Columns that a row may have or not are `name=value`, or a name alone.
+    /// Reads Techniques.txt: a row per line, its columns separated by tabs. A row `graph` or `technique` begins what
+    /// the rows after it say more about. Columns that a row may have or not are `name=value`, or a name alone.
     /// </summary>
     internal sealed class TechniqueReader
     {
@@ -122,13 +122,15 @@ namespace Penumbra
             {
                 case "option":
                     string option = Text();
+                    var number = Value<NumberOption>(option);
                     Append(ref technique.options,
-                           new MeasuredOption { name = option, number = Value<NumberOption>(option), value = Number() });
+                           new MeasuredOption { name = option, number = number, value = Number() });
                     break;
                 case "cascade":
                     string uniform = Text(), copied = Text();
-                    Append(ref technique.cascades, new CascadeVector(uniform, copied.Length == 0 ? null : copied, Count(),
-                                                                     Number(), Number(), Number(), Number()));
+                    Append(ref technique.cascades,
+                           new CascadeVector(uniform, copied.Length == 0 ? null : copied, Count(), Number(), Number(),
+                                             Number(), Number()));
                     break;
                 case "half": technique.halfGraph = Graph(Text()); break;
                 case "format":
@@ -158,9 +160,9 @@ namespace Penumbra
         }
 
         private GraphTexture ReadTexture() =>
-            new GraphTexture(Text(), Value<GraphExtent>(), Value<GraphicsFormat>(), Count("divisor", 1), Count("width", 0),
-                             Count("height", 0), Count("depth", 1), Count("mips", 1), Count("layers", 1),
-                             Count("samples", 1));
+            new GraphTexture(Text(), Value<GraphExtent>(), Value<GraphicsFormat>(), Count("divisor", 1),
+                             Count("width", 0), Count("height", 0), Count("depth", 1), Count("mips", 1),
+                             Count("layers", 1), Count("samples", 1));
 
         private GraphBuffer ReadBuffer()
         {
@@ -189,7 +191,8 @@ namespace Penumbra
         }
 
         private TechniqueGraph Graph(string name) =>
-            graphs.TryGetValue(name, out TechniqueGraph found) ? found : throw Wrong("there is no graph '" + name + "'");
+            graphs.TryGetValue(name, out TechniqueGraph found)
+                ? found : throw Wrong("there is no graph '" + name + "'");
 
         private int Texture() => Texture(Text());
 
@@ -250,7 +253,8 @@ namespace Penumbra
             float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float number)
                 ? number : throw Wrong("'" + text + "' is not a number");
 
-        private FormatException Wrong(string what) => new FormatException(TechniqueTable.File + ":" + line + ": " + what);
+        private FormatException Wrong(string what) =>
+            new FormatException(TechniqueTable.File + ":" + line + ": " + what);
 
         private static void Append<T>(ref T[] items, T item)
         {

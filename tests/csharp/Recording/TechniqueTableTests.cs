@@ -44,41 +44,38 @@ namespace Penumbra.Tests
         private static JsonElement[] Items(JsonElement element, string name) =>
             element.GetProperty(name).EnumerateArray().ToArray();
 
-        private static string TextureOf(TechniqueGraph graph, in GraphBinding binding) =>
-            (binding.property ?? "") + "=" +
-            (binding.isBuffer ? graph.buffers[binding.index].name : graph.textures[binding.index].name);
+        private static string NameOf(TechniqueGraph graph, in GraphBinding binding) =>
+            binding.isBuffer ? graph.buffers[binding.index].name : graph.textures[binding.index].name;
+
+        private static string Sorted(IEnumerable<string> names) =>
+            string.Join(" ", names.OrderBy(name => name, StringComparer.Ordinal));
 
         private static string PassOf(TechniqueGraph graph, GraphPass pass) =>
-            pass.kind.ToString().ToLowerInvariant() + " " + pass.runs.ToString().ToLowerInvariant() + " " + pass.asset + " " +
-            pass.program + " " +
-            string.Join(" ", pass.reads.Select(read => TextureOf(graph, read)).OrderBy(read => read, StringComparer.Ordinal)) +
-            " > " +
-            string.Join(" ", pass.writes.Concat(pass.updates).Select(write => TextureOf(graph, write).Split('=')[1])
-                                 .OrderBy(name => name, StringComparer.Ordinal));
+            $"{pass.kind} {pass.runs} {pass.asset} {pass.program} ".ToLowerInvariant() +
+            Sorted(pass.reads.Select(read => read.property + "=" + NameOf(graph, read))) + " > " +
+            Sorted(pass.writes.Concat(pass.updates).Select(write => NameOf(graph, write)));
 
         private static string PassOf(JsonElement pass) =>
-            Text(pass, "kind") + " " + Text(pass, "runs") + " " + Text(pass, "file") + " " + Text(pass, "program") + " " +
-            string.Join(" ", pass.GetProperty("reads").EnumerateObject().Select(read => read.Name + "=" + read.Value.GetString())
-                                 .OrderBy(read => read, StringComparer.Ordinal)) +
-            " > " +
-            string.Join(" ", WritesOf(pass.GetProperty("writes")).OrderBy(name => name, StringComparer.Ordinal));
+            $"{Text(pass, "kind")} {Text(pass, "runs")} {Text(pass, "file")} {Text(pass, "program")} ".ToLowerInvariant() +
+            Sorted(pass.GetProperty("reads").EnumerateObject().Select(read => read.Name + "=" + read.Value)) + " > " +
+            Sorted(WritesOf(pass.GetProperty("writes")));
 
         // A kernel has a name for each, a pass that draws an array of targets.
         private static IEnumerable<string> WritesOf(JsonElement writes) =>
             writes.ValueKind == JsonValueKind.Array ? writes.EnumerateArray().Select(name => name.GetString())
                                                     : writes.EnumerateObject().Select(write => write.Value.GetString());
 
-        private static string TextureOf(GraphTexture texture) =>
-            texture.name + " " + texture.extent.ToString().ToLowerInvariant() + " " + texture.divisor + " " + texture.width +
-            " " + texture.height + " " + texture.depth + " " + texture.mips + " " + texture.layers + " " +
-            texture.samples;
+        private static string TextureOf(GraphTexture one) =>
+            $"{one.name} {one.extent} {one.divisor} {one.width} {one.height} {one.depth} {one.mips} {one.layers} " +
+            one.samples;
 
-        private static string TextureOf(JsonElement texture)
+        private static string TextureOf(JsonElement one)
         {
-            int[] size = Items(texture, "size").Select(number => number.GetInt32()).ToArray();
-            return Text(texture, "name") + " " + Text(texture, "extent") + " " + texture.GetProperty("divisor") + " " +
-                   size[0] + " " + size[1] + " " + Math.Max(size[2], 1) + " " + texture.GetProperty("mips") + " " +
-                   texture.GetProperty("layers") + " " + texture.GetProperty("samples");
+            int[] size = Items(one, "size").Select(number => number.GetInt32()).ToArray();
+            string extent = Text(one, "extent");
+            return $"{Text(one, "name")} {char.ToUpperInvariant(extent[0])}{extent.Substring(1)} " +
+                   $"{one.GetProperty("divisor")} {size[0]} {size[1]} {Math.Max(size[2], 1)} " +
+                   $"{one.GetProperty("mips")} {one.GetProperty("layers")} {one.GetProperty("samples")}";
         }
 
         private static IEnumerable<string> Described(TechniqueGraph graph) =>
@@ -107,7 +104,10 @@ namespace Penumbra.Tests
             Type type = typeof(ShadowOptions).Assembly.GetType("Penumbra." + name, true);
             object parameters = Activator.CreateInstance(type);
             foreach (FieldInfo field in type.GetFields().Where(field => !field.IsStatic))
-                field.SetValue(parameters, Convert.ChangeType(values.GetProperty(field.Name).GetSingle(), field.FieldType));
+            {
+                float value = values.GetProperty(field.Name).GetSingle();
+                field.SetValue(parameters, Convert.ChangeType(value, field.FieldType));
+            }
             return (Vector4)type.GetProperty("Vector" + uniform.Last()).GetValue(parameters);
         }
 
@@ -150,16 +150,15 @@ namespace Penumbra.Tests
                 Assert.That(set.Value, Is.EqualTo(Packed(set.Key, values)), set.Key);
         }
 
-        [Test]
-        public void AnOptionIsClampedToTheRangeOfItsParameter()
+        [TestCase(float.NaN, 0.0f)]
+        [TestCase(7.0f, 0.95f)]
+        [TestCase(-1.0f, 0.0f)]
+        [TestCase(0.5f, 0.5f)]
+        public void AnOptionIsClampedToTheRangeOfItsParameter(float value, float expected)
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.Custom);
-            options.technique = ShadowTechnique.Vsm;
-            foreach ((float value, float expected) in new[] { (float.NaN, 0.0f), (7.0f, 0.95f), (-1.0f, 0.0f), (0.5f, 0.5f) })
-            {
-                options.lightBleeding = value;
-                Assert.That(new ParameterComponent(NumberOption.lightBleeding, 0.0f, 0.95f).In(options), Is.EqualTo(expected));
-            }
+            var options = new ShadowOptions { lightBleeding = value };
+            var component = new ParameterComponent(NumberOption.lightBleeding, 0.0f, 0.95f);
+            Assert.That(component.In(options), Is.EqualTo(expected));
         }
 
         [Test]
@@ -222,7 +221,8 @@ namespace Penumbra.Tests
             int imports = ChainDraw.Imports;
             AssetDatabase.Assets[InPackage] =
                 new TextAsset(LoadedTechniques.Text().Replace("keyword=_PENUMBRA_PCSS\t", "keyword=_OTHER\t"));
-            Editor.ShaderImports.OnPostprocessAllAssets(new[] { InPackage }, new string[0], new string[0], new string[0]);
+            var none = new string[0];
+            Editor.ShaderImports.OnPostprocessAllAssets(new[] { InPackage }, none, none, none);
             Assert.That(ShadowTechnique.Pcss.Entry().keyword, Is.EqualTo("_OTHER"));
             Assert.That(ChainDraw.Imports, Is.EqualTo(imports + 1));
         }
@@ -231,7 +231,8 @@ namespace Penumbra.Tests
         public void LinesMayEndAsOnWindows()
         {
             TechniqueTable.Forget();
-            Assert.That(TechniqueTable.Load(new TextAsset(LoadedTechniques.Text().Replace("\n", "\r\n"))), TechniqueTable.Problem);
+            var file = new TextAsset(LoadedTechniques.Text().Replace("\n", "\r\n"));
+            Assert.That(TechniqueTable.Load(file), TechniqueTable.Problem);
             Assert.That(TechniqueTable.Graph("flagship").buffers[0].indirect);
         }
 
@@ -249,7 +250,7 @@ namespace Penumbra.Tests
             return problem;
         }
 
-        [TestCase("texture\trows\tMap\tR32G32_SFloat", "texture\trows\tMap\tR33_SFloat", "LINE: unknown GraphicsFormat 'R33_SFloat'")]
+        [TestCase("rows\tMap\tR32G32_SFloat", "rows\tMap\tR33_SFloat", "LINE: unknown GraphicsFormat 'R33_SFloat'")]
         [TestCase("texture\trows\tMap", "texture\trows\tMaps", "LINE: unknown GraphExtent 'Maps'")]
         [TestCase("write\t\trows", "write\t\trow", "LINE: graph 'variance-32' has no texture 'row'")]
         [TestCase("write\t\trows", "write\t", "LINE: the row has too few columns")]
