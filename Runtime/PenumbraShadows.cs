@@ -98,6 +98,7 @@ namespace Penumbra
             debugPass = debugPass ?? new ClassicDebugPass(shadowPass);
 #endif
             FindShaders();
+            TechniqueTable.Load(passAssets.Techniques);
             draw?.Dispose();
             LeftOpen.Watch(this);
         }
@@ -169,16 +170,25 @@ namespace Penumbra
             SkipReason reason = FrameGate.Reason(source, settings);
             if (reason != SkipReason.None) return reason;
             if (UrpFrame.InCompatibilityMode()) return SkipReason.CompatibilityMode;
+            if (!LoadTechniques()) return SkipReason.MissingPass;
             return LoadMaterial() ? SkipReason.None : SkipReason.MissingShader;
         }
 
+        private bool LoadTechniques()
+        {
+            if (TechniqueTable.Problem != null) FindShaders();
+            MissingPass = TechniqueTable.Problem;
+            return MissingPass == null;
+        }
+
         /// <summary>
-        /// Stores references to the shaders in the renderer asset, because a player contains only referenced assets.
+        /// Stores references to the shaders and the file of techniques in the renderer asset, because a player contains only referenced assets.
         /// </summary>
         internal void FindShaders()
         {
 #if UNITY_EDITOR
-            bool changed = passAssets.Find(ChainGraphs.All);
+            bool changed = passAssets.Find(TechniqueTable.File);
+            if (TechniqueTable.Load(passAssets.Techniques)) changed |= passAssets.Find(ChainGraphs.All);
             changed |= Find(ref shader, ShaderName);
             changed |= Find(ref debugShader, DebugViewDraw.ShaderName);
             if (changed) UnityEditor.EditorUtility.SetDirty(this);

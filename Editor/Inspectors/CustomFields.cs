@@ -36,8 +36,8 @@ namespace Penumbra.Editor
             ShadowOptions options = inForce.custom;
             options.technique = technique;
             if (ChainSubstitute.TryGetSampled(options, out ShadowOptions instead))
-                instead.technique.SetMeasured(ref options);
-            technique.SetMeasured(ref options);
+                instead.technique.Entry().SetMeasured(ref options);
+            technique.Entry().SetMeasured(ref options);
             options.softnessCapMetres = inForce.custom.softnessCapMetres;
             Write(custom, options);
         }

@@ -120,7 +120,7 @@ namespace Penumbra.Editor
                 Say(MessageType.Warning, "URP's Screen Space Shadows feature is active in this renderer and writes the " +
                                          "same texture. Remove it, or switch it off: which of the two results receivers read is " +
                                          "undefined.", state.fixes.urpScreenSpaceShadows);
-            bool hasOwnBias = state.settings.Options().technique.HasOwnBias();
+            bool hasOwnBias = state.settings.Options().technique.Entry().hasOwnBias;
             if (!hasOwnBias && state.normalBias > 0.0f)
                 Say(MessageType.Warning, string.Format(CultureInfo.InvariantCulture,
                                                        "The main light's Normal Bias is {0:0.##}, which makes casters smaller: " +
@@ -159,7 +159,7 @@ namespace Penumbra.Editor
             if (state.openGl && !options.HasPasses && ChainSubstitute.Has(options.technique))
                 Say(MessageType.Info, "This editor draws with OpenGL, which does not define how " + technique + " reads the " +
                                       "shadow map: here it is replaced by " +
-                                      TechniqueName.Of(TechniqueTable.Fallbacks[(int)options.technique]) +
+                                      TechniqueName.Of(options.technique.Entry().fallback) +
                                       ". Vulkan, Direct3D and Metal support it.");
             if (hasOwnBias)
                 Say(MessageType.Info, technique + " biases receivers itself, as its engine does. Set Bias of the light to " +
@@ -192,7 +192,7 @@ namespace Penumbra.Editor
         // On OpenGL, shaders compute another filter in the place of one that reads the shadow map: see
         // DeviceLimits.IsOpenGl.
         private static ShadowTechnique Computed(in FeatureState state) =>
-            state.openGl ? TechniqueTable.Fallbacks[(int)state.drawn.technique] : state.drawn.technique;
+            state.openGl ? state.drawn.technique.Entry().fallback : state.drawn.technique;
 
         // Returns null if nothing was skipped, if skipping is intended, or if another message already explains it.
         private static string Skipped(in FeatureState state)

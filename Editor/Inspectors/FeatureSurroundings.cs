@@ -45,7 +45,7 @@ namespace Penumbra.Editor
             bool own = light.TryGetComponent(out UniversalAdditionalLightData data) && !data.usePipelineSettings;
             state.depthBias = own ? light.shadowBias : asset.shadowDepthBias;
             state.normalBias = own ? light.shadowNormalBias : asset.shadowNormalBias;
-            float depth = state.settings.Options().technique.HasOwnBias() ? 0.0f : state.depthBias;
+            float depth = state.settings.Options().technique.Entry().hasOwnBias ? 0.0f : state.depthBias;
             if (state.normalBias > 0.0f || state.depthBias > depth)
                 state.fixes.lightBias = () => FeatureFix.SetBias(light, depth);
             if (state.lastSkip == SkipReason.LightWithoutShadows)

@@ -15,13 +15,13 @@ namespace Penumbra.Editor
         internal static readonly OptionField AngularDiameter = new OptionField(
             nameof(ShadowOptions.angularDiameterDegrees), OptionTable.AngularDiameterDegrees.Label,
             OptionTable.AngularDiameterDegrees.Tooltip,
-            options => options.technique.WidensWithDisc(), volume => volume.angularDiameterDegrees);
+            options => options.technique.Entry().widensWithDisc, volume => volume.angularDiameterDegrees);
 
         // With half resolution, pixels whose neighbours differ widely are filtered. Where passes draw the visibility
         // themselves, they are filtered with what replaces those passes.
         private static bool Filters(in ShadowOptions options, string option) =>
-            options.technique.Takes(option) || options.DrawsVisibility && options.HalvesResolution &&
-            TechniqueTable.Fallbacks[(int)options.technique].Takes(option);
+            options.technique.Entry().Takes(option) || options.DrawsVisibility && options.HalvesResolution &&
+            options.technique.Entry().fallback.Entry().Takes(option);
 
         internal static readonly OptionField BlockerSamples = new OptionField(
             nameof(ShadowOptions.blockerSamples), OptionTable.BlockerSamples.Label, OptionTable.BlockerSamples.Tooltip,
@@ -35,9 +35,9 @@ namespace Penumbra.Editor
         internal static readonly OptionField SoftnessCap = new OptionField(
             nameof(ShadowOptions.softnessCapMetres), OptionTable.SoftnessCapMetres.Label,
             OptionTable.SoftnessCapMetres.Tooltip,
-            options => options.technique.WidensWithDisc() && options.angularDiameterDegrees > 0.0f &&
-                       (options.technique.Takes(nameof(ShadowOptions.softnessCapMetres)) ||
-                        (options.SamplesPenumbrae && options.mask && !options.technique.LimitsWidth())),
+            options => options.technique.Entry().widensWithDisc && options.angularDiameterDegrees > 0.0f &&
+                       (options.technique.Entry().Takes(nameof(ShadowOptions.softnessCapMetres)) ||
+                        (options.SamplesPenumbrae && options.mask && !options.technique.Entry().limitsWidth)),
             volume => volume.softnessCapMetres);
 
         internal static readonly OptionField MinFilter = new OptionField(
@@ -48,11 +48,11 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField LightBleeding = new OptionField(
             nameof(ShadowOptions.lightBleeding), OptionTable.LightBleeding.Label, OptionTable.LightBleeding.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.lightBleeding)), volume => volume.lightBleeding);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.lightBleeding)), volume => volume.lightBleeding);
 
         internal static readonly OptionField MapBlur = new OptionField(
             nameof(ShadowOptions.mapBlurTexels), OptionTable.MapBlurTexels.Label, OptionTable.MapBlurTexels.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.mapBlurTexels)), volume => volume.mapBlurTexels);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.mapBlurTexels)), volume => volume.mapBlurTexels);
 
         internal static readonly OptionField MapFormat = new OptionField(
             nameof(ShadowOptions.mapFormat), OptionTable.MapFormat.Label, OptionTable.MapFormat.Tooltip,
@@ -60,19 +60,19 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField Rays = new OptionField(
             nameof(ShadowOptions.rays), OptionTable.Rays.Label, OptionTable.Rays.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.rays)), volume => volume.rays);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.rays)), volume => volume.rays);
 
         internal static readonly OptionField SamplesPerRay = new OptionField(
             nameof(ShadowOptions.samplesPerRay), OptionTable.SamplesPerRay.Label, OptionTable.SamplesPerRay.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.samplesPerRay)), volume => volume.samplesPerRay);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.samplesPerRay)), volume => volume.samplesPerRay);
 
         internal static readonly OptionField DiscRadius = new OptionField(
             nameof(ShadowOptions.discRadiusMetres), OptionTable.DiscRadiusMetres.Label, OptionTable.DiscRadiusMetres.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.discRadiusMetres)), volume => volume.discRadiusMetres);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.discRadiusMetres)), volume => volume.discRadiusMetres);
 
         internal static readonly OptionField FilterCells = new OptionField(
             nameof(ShadowOptions.filterCells), OptionTable.FilterCells.Label, OptionTable.FilterCells.Tooltip,
-            options => options.technique.Takes(nameof(ShadowOptions.filterCells)), volume => volume.filterCells);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.filterCells)), volume => volume.filterCells);
 
         internal static readonly OptionField Mask = new OptionField(
             nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,

@@ -20,9 +20,9 @@ namespace Penumbra.Editor
         private static string DescribeOne(in ShadowOptions options)
         {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
-            if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
+            if (options.mask && options.technique.Entry().takesSamples) text += ", where the mask finds a penumbra";
             if (options.HalvesResolution) text += ", at half resolution";
-            if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
+            if (options.denoise && options.technique.Entry().takesSamples) text += ", denoised";
             return text;
         }
 
@@ -53,7 +53,7 @@ namespace Penumbra.Editor
         /// hard.
         /// </summary>
         internal static string Technique(ShadowOptions options) =>
-            TechniqueName.Of(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");
+            TechniqueName.Of(options.technique) + (options.technique.Entry().takesSamples && !options.SamplesPenumbrae ? " at 0 degrees" : "");
 
         private static string Cost(in ShadowOptions options)
         {

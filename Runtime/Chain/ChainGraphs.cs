@@ -19,28 +19,31 @@ namespace Penumbra
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
-        private static readonly TechniqueGraph[] ofScreen =
+        private static readonly string[] ofScreen =
         {
-            PenumbraShadowsGraphs.Pcss, PenumbraShadowsGraphs.PcssMasked, PenumbraShadowsGraphs.PcssHalf,
-            PenumbraShadowsGraphs.PcssMaskedHalf, PenumbraShadowsGraphs.PcssDenoised,
-            PenumbraShadowsGraphs.PcssMaskedDenoised, PenumbraShadowsGraphs.PcssHalfDenoised,
-            PenumbraShadowsGraphs.PcssMaskedHalfDenoised,
+            "pcss", "pcss-masked", "pcss-half", "pcss-masked-half", "pcss-denoised", "pcss-masked-denoised",
+            "pcss-half-denoised", "pcss-masked-half-denoised",
         };
 
         // The screen-space passes with a conservative mask. All of them have it, so they are indexed without its bits.
-        private static readonly TechniqueGraph[] ofScreenConservative =
+        private static readonly string[] ofScreenConservative =
         {
-            PenumbraShadowsGraphs.PcssConservative, PenumbraShadowsGraphs.PcssConservativeHalf,
-            PenumbraShadowsGraphs.PcssConservativeDenoised, PenumbraShadowsGraphs.PcssConservativeHalfDenoised,
+            "pcss-conservative", "pcss-conservative-half", "pcss-conservative-denoised",
+            "pcss-conservative-half-denoised",
         };
 
         // The graphs beyond the cascades by mode, without and with clouds; null stands for none.
-        private static readonly TechniqueGraph[][] beyondCascades =
+        private static readonly string[][] beyondCascades =
         {
-            new[] { null, PenumbraFarGraphs.Clouds },
-            new[] { PenumbraFarGraphs.FarHeights, PenumbraFarGraphs.FarHeightsClouds },
-            new[] { PenumbraFarGraphs.FarHorizon, PenumbraFarGraphs.FarHorizonClouds },
+            new[] { null, "clouds" }, new[] { "far-heights", "far-heights-clouds" },
+            new[] { "far-horizon", "far-horizon-clouds" },
         };
+
+        private const string ScreenTrace = "screen-trace";
+
+        /// <summary>The graphs that are not of one technique.</summary>
+        internal static IEnumerable<string> Names => ofScreen.Concat(ofScreenConservative).Append(ScreenTrace)
+            .Concat(beyondCascades.SelectMany(names => names).Where(name => name != null));
 
         // This graph stands for the cascades' visibility where nothing casts into them.
         private static readonly TechniqueGraph lit = new TechniqueGraph
@@ -54,22 +57,21 @@ namespace Penumbra
         // Each of these graphs reads the visibility of the graphs before it.
         private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
         {
-            if (options.HasContactShadows) yield return PenumbraScreenTraceGraphs.ScreenTrace;
+            if (options.HasContactShadows) yield return TechniqueTable.Graph(ScreenTrace);
             if (options.DrawsBeyondCascades) yield return BeyondCascades(options);
         }
 
         private static TechniqueGraph BeyondCascades(in ShadowOptions options) =>
-            beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0];
+            TechniqueTable.Graph(beyondCascades[(int)options.farShadows][options.clouds ? 1 : 0]);
 
         /// <summary>The graphs beyond the cascades alone. A device may be unable to draw any.</summary>
         internal static IReadOnlyList<TechniqueGraph> OverLit(in ShadowOptions options) =>
             options.DrawsBeyondCascades ? new[] { lit, BeyondCascades(options) } : new[] { lit };
 
         /// <summary>All graphs that any options need.</summary>
-        internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs))
-            .Concat(TechniqueTable.HalfGraphs.Where(graph => graph != null)).Append(PenumbraScreenTraceGraphs.ScreenTrace)
-            .Concat(beyondCascades.SelectMany(graphs => graphs).Where(graph => graph != null));
+        internal static IEnumerable<TechniqueGraph> All => Names.Select(TechniqueTable.Graph)
+            .Concat(TechniqueTable.Entries.SelectMany(technique => technique.formats.Select(format => format.graph)
+                                                          .Append(technique.halfGraph)).Where(graph => graph != null));
 
         /// <summary>The graphs that the options need, in the order in which they run.</summary>
         internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options) =>
@@ -78,8 +80,8 @@ namespace Penumbra
         private static IEnumerable<TechniqueGraph> OfVisibility(in ShadowOptions options)
         {
             int bits = ScreenBits(options);
-            TechniqueGraph screen = (bits & Conservative) == 0
-                                        ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
+            TechniqueGraph screen = TechniqueTable.Graph((bits & Conservative) == 0
+                                        ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half]);
             if (!options.HasPasses) return new[] { screen };
             TechniqueGraph own = options.OwnGraph;
             return options.DrawsVisibility ? new[] { own } : new[] { own, screen };
@@ -87,7 +89,7 @@ namespace Penumbra
 
         /// <summary>A number that is equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) =>
-            (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) |
+            (int)options.technique << Bits | (options.FormatIndex > 0 ? SecondFormat : 0) |
             (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
             FarShadows * (int)options.farShadows | ScreenBits(options);
 

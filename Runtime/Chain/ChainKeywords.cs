@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Penumbra
 {
@@ -17,12 +18,14 @@ namespace Penumbra
             get
             {
                 List<string> all = Of(null, ChainGraphs.All);
-                foreach (string name in TechniqueTable.Keywords)
-                    if (name != null && !all.Contains(name)) all.Add(name);
+                all.AddRange(OfTechniques.Except(all));
                 all.Add(BothEyes);
                 return all;
             }
         }
+
+        internal static IEnumerable<string> OfTechniques =>
+            TechniqueTable.Entries.Select(technique => technique.keyword).Where(keyword => keyword != null).Distinct();
 
         /// <summary>The chain's keywords, each once; nulls are skipped.</summary>
         internal static List<string> Of(string technique, IEnumerable<TechniqueGraph> graphs)

@@ -11,12 +11,12 @@ namespace Penumbra
         internal static bool TryGetSampled(in ShadowOptions options, out ShadowOptions instead)
         {
             instead = options;
-            instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
-            return options.HasPasses && Has(options.technique) && instead.technique.TakesSamples();
+            instead.technique = options.technique.Entry().fallback;
+            return options.HasPasses && Has(options.technique) && instead.technique.Entry().takesSamples;
         }
 
         /// <summary>Whether a filter of the shadow map alone stands in for the technique's passes.</summary>
-        internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
+        internal static bool Has(ShadowTechnique technique) => technique.Entry().fallback != technique;
 
         /// <summary>
         /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the fallback of
@@ -29,10 +29,10 @@ namespace Penumbra
             if (options.MasksConservatively) instead.conservativeMask = false;
             else if (options.HasMapFormats && options.mapFormat == MapFormat.Bits32) instead.mapFormat = MapFormat.Bits16;
             else if (options.HasPasses && Has(options.technique))
-                instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
+                instead.technique = options.technique.Entry().fallback;
             else if (options.clouds) instead.clouds = false;
-            else if (options.technique.NeedsTarget45() && Has(options.technique))
-                instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
+            else if (options.technique.Entry().needsTarget45 && Has(options.technique))
+                instead.technique = options.technique.Entry().fallback;
             else return false;
             return true;
         }

@@ -34,7 +34,7 @@ namespace Penumbra
             bool hasMaps = options.HasPasses && ChainSubstitute.Has(options.technique);
             if (IsOpenGl && (options.MasksConservatively || hasMaps))
                 return "OpenGL does not define how its passes read the shadow map";
-            return options.technique.NeedsTarget45() && SystemInfo.graphicsShaderLevel < Level45
+            return options.technique.Entry().needsTarget45 && SystemInfo.graphicsShaderLevel < Level45
                        ? "it needs shader model 4.5" : null;
         }
 

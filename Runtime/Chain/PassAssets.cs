@@ -6,8 +6,8 @@ using Object = UnityEngine.Object;
 namespace Penumbra
 {
     /// <summary>
-    /// The shaders and compute shaders of passes other than the feature's own, stored in the feature's asset: a
-    /// player contains what an asset references, and graphs are not assets.
+    /// The file of techniques, and the shaders and compute shaders of passes other than the feature's own. They are
+    /// stored in the feature's asset: a player contains what an asset references, and graphs are not assets.
     /// </summary>
     [Serializable]
     internal sealed class PassAssets
@@ -24,17 +24,19 @@ namespace Penumbra
         [Tooltip("In the order of the paths.")]
         [SerializeField] private List<Object> assets = new List<Object>();
 
-        /// <summary>Finds, in the editor, the assets that are not stored yet. True if any was added.</summary>
+        internal TextAsset Techniques => Of(TechniqueTable.File) as TextAsset;
+
+#if UNITY_EDITOR
+        /// <summary>Finds the assets that are not stored yet. True if any was added.</summary>
         internal bool Find(IEnumerable<TechniqueGraph> graphs)
         {
             bool changed = false;
-#if UNITY_EDITOR
             foreach (TechniqueGraph graph in graphs)
                 foreach (GraphPass pass in graph.passes)
                     changed |= pass.asset != PenumbraShadows.ShaderFile && Find(pass.asset);
-#endif
             return changed;
         }
+#endif
 
         /// <summary>The asset at the path; null if it is missing.</summary>
         internal Object Of(string path)
@@ -51,7 +53,7 @@ namespace Penumbra
             return folder.Substring(0, Math.Max(0, folder.Length - Folder.Length)) + path;
         }
 
-        private bool Find(string path)
+        internal bool Find(string path)
         {
             if (Of(path) != null) return false;
             var asset = UnityEditor.AssetDatabase.LoadAssetAtPath<Object>(PathInProject(path));

@@ -57,7 +57,7 @@ namespace Penumbra
 
         /// <summary>The chain that these options need.</summary>
         internal static ShadowChain Of(in ShadowOptions options) =>
-            new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
+            new ShadowChain(ChainGraphs.Of(options), options.technique.Entry().keyword);
 
         /// <summary>The chain of what these options draw beyond the cascades, where nothing casts into them.</summary>
         internal static ShadowChain OverLit(in ShadowOptions options) => new ShadowChain(ChainGraphs.OverLit(options), null);

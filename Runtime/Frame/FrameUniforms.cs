@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -29,7 +30,7 @@ namespace Penumbra
             frame.uniforms.PcssClassic.SetGlobal(commands);
             frame.uniforms.PcssHdrp.SetGlobal(commands);
             SetParameters(commands, frame.options);
-            SetCascades(commands, TechniqueTable.Cascades[(int)frame.options.technique], frame.uniforms);
+            SetCascades(commands, frame.options.technique.Entry().cascades, frame.uniforms);
             SetMask(commands, frame);
             DenoiseParameters.Default.SetGlobal(commands);
             frame.options.ContactShadows().SetGlobal(commands);
@@ -43,11 +44,15 @@ namespace Penumbra
         // Forward shaders may use any filter that needs no passes; where two share a struct, the technique's is last.
         private static void SetParameters(CommandBuffer commands, in ShadowOptions options)
         {
-            for (int i = 0; i < TechniqueTable.Parameters.Length; ++i)
-                if (TechniqueTable.Graphs[i].Length == 0 && TechniqueTable.Parameters[i].Length > 0)
-                    TechniqueTable.Parameters[i][0](commands, options);
-            SetParameters[] own = TechniqueTable.Parameters[(int)options.technique];
-            if (own.Length > 0) own[options.GraphIndex](commands, options);
+            IReadOnlyList<TechniqueEntry> entries = TechniqueTable.Entries;
+            for (int i = 0; i < entries.Count; ++i)
+                if (entries[i].formats[0].graph == null) Set(commands, entries[i].formats[0].parameters, options);
+            Set(commands, options.Format.parameters, options);
+        }
+
+        private static void Set(CommandBuffer commands, ParameterVector[] parameters, in ShadowOptions options)
+        {
+            for (int i = 0; i < parameters.Length; ++i) parameters[i].SetGlobal(commands, options);
         }
 
         private static void SetCascades(CommandBuffer commands, CascadeVector[] vectors, in ShadowUniforms uniforms)

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,45 +5,22 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Fixed/FixedPcf.technique.json; do not edit.
     /// <summary>Kernel of N x N bilinear comparisons with equal weights.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct BoxParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraBoxParameters0");
 
         /// <summary>N, odd, 1 to 9. Unit: taps.</summary>
-        [Tooltip("N, odd, 1 to 9. Unit: taps.")]
-        [Range(1, 9)]
-        public int tapsPerSide;
+        [Tooltip("N, odd, 1 to 9. Unit: taps."), Range(1, 9)] public int tapsPerSide;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static BoxParameters Default => new BoxParameters
-        {
-            tapsPerSide = 1,
-        };
+            { tapsPerSide = 1 };
 
-        /// <summary>The value of _PenumbraBoxParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.Count(tapsPerSide, 1, 9),
-                            0.0f,
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraBoxParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.Count(tapsPerSide, 1, 9), 0.0f, 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {
-            commands.SetGlobalVector(Uniform0, Vector0);
-        }
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,83 +5,37 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/FilamentPcss.technique.json; do not edit.
     /// <summary>PCSS and DPCF (Filament): with the rules and parameters of Filament.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct FilamentParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraFilamentParameters0");
         public static readonly int Uniform1 = Shader.PropertyToID("_PenumbraFilamentParameters1");
 
         /// <summary>Samples of the blocker search, 1 to 16. Unit: fetches.</summary>
-        [Tooltip("Samples of the blocker search, 1 to 16. Unit: fetches.")]
-        [Range(1, 16)]
-        public int blockerSamples;
-
+        [Tooltip("Samples of the blocker search, 1 to 16. Unit: fetches."), Range(1, 16)] public int blockerSamples;
         /// <summary>Samples of the filter of PCSS, 1 to 16. Unit: fetches.</summary>
-        [Tooltip("Samples of the filter of PCSS, 1 to 16. Unit: fetches.")]
-        [Range(1, 16)]
-        public int filterSamples;
-
+        [Tooltip("Samples of the filter of PCSS, 1 to 16. Unit: fetches."), Range(1, 16)] public int filterSamples;
         /// <summary>Radius of the bulb at the near plane, to which discShare adds. Unit: m.</summary>
-        [Tooltip("Radius of the bulb at the near plane, to which discShare adds. Unit: m.")]
-        [Range(0.0f, 1e+06f)]
-        public float bulbRadiusMetres;
-
+        [Tooltip("Radius of the bulb at the near plane, to which discShare adds. Unit: m."), Range(0.0f, 1e+06f)] public float bulbRadiusMetres;
         /// <summary>Radius of the bulb, as a share of that of the light's disc at the distance of the whole depth range.</summary>
-        [Tooltip("Radius of the bulb, as a share of that of the light's disc at the distance of the whole depth range.")]
-        [Range(0.0f, 64.0f)]
-        public float discShare;
-
+        [Tooltip("Radius of the bulb, as a share of that of the light's disc at the distance of the whole depth range."), Range(0.0f, 64.0f)] public float discShare;
         /// <summary>By which the receiver moves along its normal, times the sine of its angle to the light. Unit: half texels.</summary>
-        [Tooltip("By which the receiver moves along its normal, times the sine of its angle to the light. Unit: half texels.")]
-        [Range(0.0f, 64.0f)]
-        public float normalBias;
-
+        [Tooltip("By which the receiver moves along its normal, times the sine of its angle to the light. Unit: half texels."), Range(0.0f, 64.0f)] public float normalBias;
         /// <summary>By whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias. Unit: texels.</summary>
-        [Tooltip("By whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias. Unit: texels.")]
-        [Range(0.0f, 64.0f)]
-        public float slopeBias;
+        [Tooltip("By whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias. Unit: texels."), Range(0.0f, 64.0f)] public float slopeBias;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static FilamentParameters Default => new FilamentParameters
-        {
-            blockerSamples = 16,
-            filterSamples = 16,
-            bulbRadiusMetres = 0.0f,
-            discShare = 0.5f,
-            normalBias = 1.0f,
-            slopeBias = 0.0f,
-        };
+            { blockerSamples = 16, filterSamples = 16, bulbRadiusMetres = 0.0f, discShare = 0.5f,
+              normalBias = 1.0f, slopeBias = 0.0f };
 
-        /// <summary>The value of _PenumbraFilamentParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.Count(blockerSamples, 1, 16),
-                            Bounded.Count(filterSamples, 1, 16),
-                            Bounded.OrLow(bulbRadiusMetres, 0.0f, 1e+06f),
-                            Bounded.OrLow(discShare, 0.0f, 64.0f));
-
-        /// <summary>The value of _PenumbraFilamentParameters1. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector1 =>
-                new Vector4(Bounded.OrLow(normalBias, 0.0f, 64.0f),
-                            Bounded.OrLow(slopeBias, 0.0f, 64.0f),
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            if (uniform == Uniform1)
-            {
-                vector = Vector1;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraFilamentParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.Count(blockerSamples, 1, 16),
+            Bounded.Count(filterSamples, 1, 16), Bounded.OrLow(bulbRadiusMetres, 0.0f, 1e+06f),
+            Bounded.OrLow(discShare, 0.0f, 64.0f));
+        /// <summary>_PenumbraFilamentParameters1, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector1 => new Vector4(Bounded.OrLow(normalBias, 0.0f, 64.0f),
+            Bounded.OrLow(slopeBias, 0.0f, 64.0f), 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,51 +5,25 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/LogExponential.technique.json; do not edit.
     /// <summary>Exponential shadow maps in logarithmic space.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct LogExponentialParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraLogExponentialParameters0");
 
         /// <summary>C of exp(c z), for depths z over the range of the map.</summary>
-        [Tooltip("C of exp(c z), for depths z over the range of the map.")]
-        [Range(1.0f, 1000.0f)]
-        public float exponent;
-
+        [Tooltip("C of exp(c z), for depths z over the range of the map."), Range(1.0f, 1000.0f)] public float exponent;
         /// <summary>Visibility up to which all is dark, which reduces light bleeding.</summary>
-        [Tooltip("Visibility up to which all is dark, which reduces light bleeding.")]
-        [Range(0.0f, 0.95f)]
-        public float bleeding;
+        [Tooltip("Visibility up to which all is dark, which reduces light bleeding."), Range(0.0f, 0.95f)] public float bleeding;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static LogExponentialParameters Default => new LogExponentialParameters
-        {
-            exponent = 172.0f,
-            bleeding = 0.2f,
-        };
+            { exponent = 172.0f, bleeding = 0.2f };
 
-        /// <summary>The value of _PenumbraLogExponentialParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.OrLow(exponent, 1.0f, 1000.0f),
-                            Bounded.OrLow(bleeding, 0.0f, 0.95f),
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraLogExponentialParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.OrLow(exponent, 1.0f, 1000.0f),
+            Bounded.OrLow(bleeding, 0.0f, 0.95f), 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {
-            commands.SetGlobalVector(Uniform0, Vector0);
-        }
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 }

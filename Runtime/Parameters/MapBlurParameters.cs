@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,45 +5,22 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Variance.technique.json; do not edit.
     /// <summary>Blur of a filtered shadow map.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct MapBlurParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraMapBlurParameters0");
 
         /// <summary>Standard deviation of the Gaussian. Unit: texels.</summary>
-        [Tooltip("Standard deviation of the Gaussian. Unit: texels.")]
-        [Range(0.0f, 4.0f)]
-        public float deviation;
+        [Tooltip("Standard deviation of the Gaussian. Unit: texels."), Range(0.0f, 4.0f)] public float deviation;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static MapBlurParameters Default => new MapBlurParameters
-        {
-            deviation = 1.5f,
-        };
+            { deviation = 1.5f };
 
-        /// <summary>The value of _PenumbraMapBlurParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.OrLow(deviation, 0.0f, 4.0f),
-                            0.0f,
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraMapBlurParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.OrLow(deviation, 0.0f, 4.0f), 0.0f, 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {
-            commands.SetGlobalVector(Uniform0, Vector0);
-        }
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,51 +5,25 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/MomentShadows.technique.json; do not edit.
     /// <summary>Moment shadow maps.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct MomentShadowsParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraMomentShadowsParameters0");
 
         /// <summary>Share of a smooth distribution in the moments, against their rounding: 3e-7 with 32 bits, 6e-5 with 16.</summary>
-        [Tooltip("Share of a smooth distribution in the moments, against their rounding: 3e-7 with 32 bits, 6e-5 with 16.")]
-        [Range(1e-07f, 0.1f)]
-        public float mix;
-
+        [Tooltip("Share of a smooth distribution in the moments, against their rounding: 3e-7 with 32 bits, 6e-5 with 16."), Range(1e-07f, 0.1f)] public float mix;
         /// <summary>Visibility up to which all is dark, which reduces light bleeding.</summary>
-        [Tooltip("Visibility up to which all is dark, which reduces light bleeding.")]
-        [Range(0.0f, 0.95f)]
-        public float bleeding;
+        [Tooltip("Visibility up to which all is dark, which reduces light bleeding."), Range(0.0f, 0.95f)] public float bleeding;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static MomentShadowsParameters Default => new MomentShadowsParameters
-        {
-            mix = 3e-07f,
-            bleeding = 0.2f,
-        };
+            { mix = 3e-07f, bleeding = 0.2f };
 
-        /// <summary>The value of _PenumbraMomentShadowsParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.OrLow(mix, 1e-07f, 0.1f),
-                            Bounded.OrLow(bleeding, 0.0f, 0.95f),
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraMomentShadowsParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.OrLow(mix, 1e-07f, 0.1f),
+            Bounded.OrLow(bleeding, 0.0f, 0.95f), 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {
-            commands.SetGlobalVector(Uniform0, Vector0);
-        }
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 }

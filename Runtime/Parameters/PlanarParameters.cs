@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,51 +5,25 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from Shaders/PenumbraPlanar.technique.json; do not edit.
     /// <summary>Shadows flattened onto a plane.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct PlanarParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraPlanarParameters0");
 
         /// <summary>Height over the plane of what casts no shadow any more; 0: no shadow fades. Unit: m.</summary>
-        [Tooltip("Height over the plane of what casts no shadow any more; 0: no shadow fades. Unit: m.")]
-        [Range(0.0f, 1000.0f)]
-        public float planarFadeMetres;
-
+        [Tooltip("Height over the plane of what casts no shadow any more; 0: no shadow fades. Unit: m."), Range(0.0f, 1000.0f)] public float planarFadeMetres;
         /// <summary>How far from the plane a surface may lie that receives its shadows. Unit: m.</summary>
-        [Tooltip("How far from the plane a surface may lie that receives its shadows. Unit: m.")]
-        [Range(0.0f, 10.0f)]
-        public float planarToleranceMetres;
+        [Tooltip("How far from the plane a surface may lie that receives its shadows. Unit: m."), Range(0.0f, 10.0f)] public float planarToleranceMetres;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static PlanarParameters Default => new PlanarParameters
-        {
-            planarFadeMetres = 0.0f,
-            planarToleranceMetres = 0.002f,
-        };
+            { planarFadeMetres = 0.0f, planarToleranceMetres = 0.002f };
 
-        /// <summary>The value of _PenumbraPlanarParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.OrLow(planarFadeMetres, 0.0f, 1000.0f),
-                            Bounded.OrLow(planarToleranceMetres, 0.0f, 10.0f),
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraPlanarParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.OrLow(planarFadeMetres, 0.0f, 1000.0f),
+            Bounded.OrLow(planarToleranceMetres, 0.0f, 10.0f), 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {
-            commands.SetGlobalVector(Uniform0, Vector0);
-        }
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 }

@@ -66,8 +66,16 @@ namespace Penumbra
         }
 
         /// <summary>The value of a uniform of one of the techniques' parameters; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector) =>
-            PcssAngular.TryGet(uniform, out vector) || PcssClassic.TryGet(uniform, out vector) ||
-            PcssHdrp.TryGet(uniform, out vector);
+        internal bool TryGet(int uniform, out Vector4 vector)
+        {
+            vector = default;
+            if (uniform == PcssAngularParameters.Uniform0) vector = PcssAngular.Vector0;
+            else if (uniform == PcssAngularParameters.Uniform1) vector = PcssAngular.Vector1;
+            else if (uniform == PcssClassicParameters.Uniform0) vector = PcssClassic.Vector0;
+            else if (uniform == PcssHdrpParameters.Uniform0) vector = PcssHdrp.Vector0;
+            else if (uniform == PcssHdrpParameters.Uniform1) vector = PcssHdrp.Vector1;
+            else return false;
+            return true;
+        }
     }
 }

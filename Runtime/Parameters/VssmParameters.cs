@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -6,77 +5,34 @@ namespace Penumbra
 {
     // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Vssm.technique.json; do not edit.
     /// <summary>Variance soft shadow mapping.</summary>
-    [Serializable]
+    [System.Serializable]
     public struct VssmParameters
     {
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraVssmParameters0");
         public static readonly int Uniform1 = Shader.PropertyToID("_PenumbraVssmParameters1");
 
         /// <summary>Smallest filter and search radius. Unit: texels.</summary>
-        [Tooltip("Smallest filter and search radius. Unit: texels.")]
-        [Range(0.5f, 64.0f)]
-        public float minFilterTexels;
-
+        [Tooltip("Smallest filter and search radius. Unit: texels."), Range(0.5f, 64.0f)] public float minFilterTexels;
         /// <summary>Largest penumbra width, from visibility 0 to 1; caps both radii. Unit: m.</summary>
-        [Tooltip("Largest penumbra width, from visibility 0 to 1; caps both radii. Unit: m.")]
-        [Range(0.0f, 1e+06f)]
-        public float maxPenumbraMetres;
-
+        [Tooltip("Largest penumbra width, from visibility 0 to 1; caps both radii. Unit: m."), Range(0.0f, 1e+06f)] public float maxPenumbraMetres;
         /// <summary>Visibility up to which all is dark, which reduces light bleeding.</summary>
-        [Tooltip("Visibility up to which all is dark, which reduces light bleeding.")]
-        [Range(0.0f, 0.95f)]
-        public float bleeding;
-
+        [Tooltip("Visibility up to which all is dark, which reduces light bleeding."), Range(0.0f, 0.95f)] public float bleeding;
         /// <summary>Variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2].</summary>
-        [Tooltip("Variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2].")]
-        [Range(1e-07f, 0.01f)]
-        public float smallestVariance;
-
+        [Tooltip("Variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2]."), Range(1e-07f, 0.01f)] public float smallestVariance;
         /// <summary>Searches for blockers, each within the penumbra that the one before found; the paper has one.</summary>
-        [Tooltip("Searches for blockers, each within the penumbra that the one before found; the paper has one.")]
-        [Range(1, 4)]
-        public int searches;
+        [Tooltip("Searches for blockers, each within the penumbra that the one before found; the paper has one."), Range(1, 4)] public int searches;
 
         /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static VssmParameters Default => new VssmParameters
-        {
-            minFilterTexels = 1.0f,
-            maxPenumbraMetres = 100.0f,
-            bleeding = 0.2f,
-            smallestVariance = 1.2e-07f,
-            searches = 3,
-        };
+            { minFilterTexels = 1.0f, maxPenumbraMetres = 100.0f, bleeding = 0.2f, smallestVariance = 1.2e-07f,
+              searches = 3 };
 
-        /// <summary>The value of _PenumbraVssmParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector0 =>
-                new Vector4(Bounded.OrLow(minFilterTexels, 0.5f, 64.0f),
-                            Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f),
-                            Bounded.OrLow(bleeding, 0.0f, 0.95f),
-                            Bounded.OrLow(smallestVariance, 1e-07f, 0.01f));
-
-        /// <summary>The value of _PenumbraVssmParameters1. Components are clamped to their ranges; NaN gives the low end.</summary>
-        public Vector4 Vector1 =>
-                new Vector4(Bounded.Count(searches, 1, 4),
-                            0.0f,
-                            0.0f,
-                            0.0f);
-
-        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {
-            if (uniform == Uniform0)
-            {
-                vector = Vector0;
-                return true;
-            }
-            if (uniform == Uniform1)
-            {
-                vector = Vector1;
-                return true;
-            }
-            vector = default;
-            return false;
-        }
+        /// <summary>_PenumbraVssmParameters0, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector0 => new Vector4(Bounded.OrLow(minFilterTexels, 0.5f, 64.0f),
+            Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f), Bounded.OrLow(bleeding, 0.0f, 0.95f),
+            Bounded.OrLow(smallestVariance, 1e-07f, 0.01f));
+        /// <summary>_PenumbraVssmParameters1, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector1 => new Vector4(Bounded.Count(searches, 1, 4), 0.0f, 0.0f, 0.0f);
 
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)

@@ -10,20 +10,16 @@ namespace Penumbra
     public enum ShadowLook
     {
         /// <summary>The sun in clear air, 0.53 degrees wide as seen from Earth.</summary>
-        [InspectorName("Crisp noon")]
-        CrispNoon,
+        [InspectorName("Crisp noon")] CrispNoon,
 
         /// <summary>The sun in haze: a disc of 2 degrees approximates the glow around it.</summary>
-        [InspectorName("Hazy")]
-        Hazy,
+        [InspectorName("Hazy")] Hazy,
 
         /// <summary>The sun behind thin cloud: a disc of 5 degrees approximates the bright part of the sky.</summary>
-        [InspectorName("Overcast")]
-        Overcast,
+        [InspectorName("Overcast")] Overcast,
 
         /// <summary>A low sun: a disc of 1 degree approximates the glow from its long path through the air.</summary>
-        [InspectorName("Sunset")]
-        Sunset,
+        [InspectorName("Sunset")] Sunset,
 
         /// <summary>Other values, set by hand.</summary>
         Custom,

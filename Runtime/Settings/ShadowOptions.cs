@@ -210,7 +210,7 @@ namespace Penumbra
         /// <summary>
         /// Whether the technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
         /// </summary>
-        internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
+        internal bool SamplesPenumbrae => Entry.takesSamples && angularDiameterDegrees > 0.0f;
 
         /// <summary>
         /// Whether there is a mask; for a filter without samples it would cost as much as the filter.
@@ -241,31 +241,34 @@ namespace Penumbra
         /// Whether the technique has passes of its own: they make maps from the shadow map before its filter, or draw
         /// the visibility.
         /// </summary>
-        internal bool HasPasses => TechniqueTable.Graphs[(int)technique].Length > 0;
+        internal bool HasPasses => Entry.formats[0].graph != null;
 
         /// <summary>
         /// Whether the technique's passes draw the visibility, in place of the feature's own over the screen.
         /// </summary>
         internal bool DrawsVisibility =>
-            HasPasses && TechniqueTable.Graphs[(int)technique][0].visibility != TechniqueGraph.None;
+            HasPasses && Entry.formats[0].graph.visibility != TechniqueGraph.None;
 
         /// <summary>
         /// Whether the technique's passes, or the feature's with its filter, can draw at half resolution.
         /// </summary>
-        internal bool CanHalveResolution => !DrawsVisibility || TechniqueTable.HalfGraphs[(int)technique] != null;
+        internal bool CanHalveResolution => !DrawsVisibility || Entry.halfGraph != null;
 
         internal bool HalvesResolution => halfResolution && CanHalveResolution;
 
         /// <summary>The graph of a technique with passes of its own.</summary>
-        internal TechniqueGraph OwnGraph => DrawsVisibility && HalvesResolution
-                                                ? TechniqueTable.HalfGraphs[(int)technique]
-                                                : TechniqueTable.Graphs[(int)technique][GraphIndex];
+        internal TechniqueGraph OwnGraph => DrawsVisibility && HalvesResolution ? Entry.halfGraph : Format.graph;
 
         /// <summary>Whether the technique has maps of either format.</summary>
-        internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;
+        internal bool HasMapFormats => Entry.formats.Length > 1;
 
-        /// <summary>The index among the technique's graphs and parameters, by the format of its maps.</summary>
-        internal int GraphIndex => HasMapFormats && mapFormat == MapFormat.Bits16 ? 1 : 0;
+        /// <summary>What Techniques.txt says about the technique.</summary>
+        private TechniqueEntry Entry => technique.Entry();
+
+        /// <summary>The technique's graph and parameters, by the format of its maps.</summary>
+        internal TechniqueFormat Format => Entry.formats[FormatIndex];
+
+        internal int FormatIndex => HasMapFormats && mapFormat == MapFormat.Bits16 ? 1 : 0;
 
         /// <summary>
         /// The filters' parameters. Those that no option sets have the values that the study measures

@@ -19,7 +19,7 @@ namespace Penumbra
     }
 
     /// <summary>A texture of a graph, as its manifest declares it: see docs/add-technique.md.</summary>
-    internal readonly struct GraphTexture
+    internal struct GraphTexture
     {
         internal readonly string name;
         internal readonly GraphExtent extent;
@@ -43,7 +43,7 @@ namespace Penumbra
         /// The texture whose content of the previous frame this one has, 0 in the first frame; None where passes write
         /// it.
         /// </summary>
-        internal readonly int previousOf;
+        internal int previousOf;
 
         internal GraphTexture(string name, GraphExtent extent, GraphicsFormat format, int divisor = 1, int width = 0,
                               int height = 0, int depth = 1, int mips = 1, int layers = 1, int samples = 1,

@@ -4,7 +4,7 @@ namespace Penumbra
 {
     /// <summary>
     /// The passes of a technique and the textures between them, as its manifest declares them. `penumbra emit`
-    /// checks graphs and generates the C#; ShadowChain combines one or more graphs into what a frame runs.
+    /// checks graphs and writes them into Techniques.txt; ShadowChain combines one or more into what a frame runs.
     /// </summary>
     internal sealed class TechniqueGraph
     {
@@ -15,7 +15,7 @@ namespace Penumbra
         internal GraphBuffer[] buffers = Array.Empty<GraphBuffer>();
 
         /// <summary>The passes in the order in which they run.</summary>
-        internal GraphPass[] passes;
+        internal GraphPass[] passes = Array.Empty<GraphPass>();
 
         /// <summary>The keywords that are enabled in every program that declares them.</summary>
         internal string[] keywords = Array.Empty<string>();

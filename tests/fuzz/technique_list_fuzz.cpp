@@ -1,6 +1,7 @@
 // Reads the list of techniques.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
+#include "techniques/graph_emit.h"
 #include "techniques/parameter_emit.h"
 #include "techniques/technique_list.h"
 
@@ -16,6 +17,7 @@ void targets::technique_list(std::string_view bytes) {
       techniques::emit_hlsl(parameters);
       techniques::emit_csharp(parameters);
     }
+    techniques::graph_rows(list);
     for (const techniques::Technique& technique : list.techniques)
       require(list.find(technique.name).name == technique.name, "a technique is found by its name");
   });

@@ -67,15 +67,24 @@ TEST(TechniqueEnum, ItsKeywordsAreTheLibrarysAndTheFirstIsTheOneWithout) {
   }
 }
 
-// The rows of a table of ShadowTechnique.cs: the lines of its entries that are not nested.
-std::vector<std::string> rows_of(const std::string& table) {
-  const std::string text = text_of("Runtime/Settings/ShadowTechnique.cs");
-  const std::size_t begin = text.find(" " + table + " =\n        {\n");
-  EXPECT_NE(begin, std::string::npos) << table;
-  if (begin == std::string::npos) return {};
-  std::vector<std::string> found;
-  for (const std::string& line : split(text.substr(begin, text.find("\n        };", begin) - begin), '\n'))
-    if (std::regex_search(line, std::regex("^ {12}[^ {}]"))) found.push_back(line);
+// A technique of Techniques.txt, as far as its rows say: its keyword, and whether it has passes or sets
+// uniforms.
+struct Offered {
+  std::string keyword;
+  bool has_passes = false;
+  bool sets_uniforms = false;
+};
+
+std::vector<Offered> offered() {
+  std::vector<Offered> found;
+  for (const std::string& row : split(text_of("Runtime/Techniques/Techniques.txt"), '\n')) {
+    if (row.starts_with("technique\t"))
+      found.push_back({row.find("keyword=") == std::string::npos ? "" : first_match(row, "keyword=(\\w+)")});
+    else if (!found.empty() && row.starts_with("format\t"))
+      found.back().has_passes = true;
+    else if (!found.empty() && row.starts_with("vector\t"))
+      found.back().sets_uniforms = true;
+  }
   return found;
 }
 
@@ -83,18 +92,12 @@ std::vector<std::string> rows_of(const std::string& table) {
 // which a project without the renderer feature calls, does not compute; and those that read maps, which the
 // feature's passes make.
 TEST(TechniqueEnum, HasAnEntryForEveryTechniqueOfTheRendererFeatureThatShadowUniformsServes) {
-  const std::vector<std::string> names = rows_of("Keywords");
-  const std::vector<std::string> parameters = rows_of("Parameters");
-  const std::vector<std::string> graphs = rows_of("Graphs");
-  ASSERT_EQ(names.size(), parameters.size());
-  ASSERT_EQ(names.size(), graphs.size());
   const std::vector<std::string> keywords = keywords_of_enum();
   EXPECT_LE(keywords.size(), 9u);
   std::vector<std::string> served;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (parameters[i] == "            new SetParameters[0]," &&
-        graphs[i] == "            new TechniqueGraph[0],")
-      served.push_back(names[i] == "            null," ? keywords[0] : first_match(names[i], "\"(\\w+)\""));
+  for (const Offered& technique : offered())
+    if (!technique.has_passes && !technique.sets_uniforms)
+      served.push_back(technique.keyword.empty() ? keywords[0] : technique.keyword);
   EXPECT_THAT(keywords, testing::UnorderedElementsAreArray(served));
 }
 

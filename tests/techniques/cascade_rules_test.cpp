@@ -129,17 +129,13 @@ TEST(CascadeRules, HoldWhereAPassOfAShaderCallsTheFilter) {
             std::vector<double>{8.0});
 }
 
-TEST(CascadeRules, AreARowOfTheSelectionsTable) {
+TEST(CascadeRules, AreRowsOfTheirTechnique) {
   EXPECT_THAT(
-      emit_selections_csharp(with_rules()),
-      HasSubstr(
-          "            new CascadeVector[0],\n            new[]\n            {\n"
-          "                new CascadeVector(\"_PenumbraPcssAngularParameters0From1\",\n"
-          "                                  \"_PenumbraPcssAngularParameters0\", 2, 24.0f, 5.0f, 0.0f, "
-          "1.25f),\n"
-          "                new CascadeVector(\"_PenumbraPcssAngularParameters1From1\",\n"
-          "                                  \"_PenumbraPcssAngularParameters1\", 1, 2.5f, 1000.0f, 0.0f, "
-          "0.0f),\n            },\n            new CascadeVector[0],\n"));
+      selection_rows(with_rules()),
+      HasSubstr("cascade\t_PenumbraPcssAngularParameters0From1\t_PenumbraPcssAngularParameters0\t2\t24\t5\t0"
+                "\t1.25\n"
+                "cascade\t_PenumbraPcssAngularParameters1From1\t_PenumbraPcssAngularParameters1\t1\t2.5"
+                "\t1000\t0\t0\nformat\n"));
 }
 
 // The rule's fields go over a frame's, packed as a program of this kind is measured with.

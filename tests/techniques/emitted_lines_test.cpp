@@ -7,12 +7,14 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "input/input_error.h"
 #include "input/text_line.h"
 #include "shaders/shader_files.h"
 #include "techniques/csharp_literal.h"
 #include "techniques/manifest_reader.h"
+#include "techniques/table_row.h"
 
 namespace penumbra::techniques {
 namespace {
@@ -153,6 +155,13 @@ TEST(CsharpText, EscapesWhatLeavesALine) {
   }
   EXPECT_EQ(csharp_text("\xFF"), "\"\\uFFFD\"");
   EXPECT_EQ(csharp_text("Wood \u00E9t\u00E9 \U0001F333"), "\"Wood \u00E9t\u00E9 \U0001F333\"");
+}
+
+TEST(TableRow, AColumnStaysInItsPlace) {
+  for (const std::string& character : leaving_characters())
+    EXPECT_THROW(TableRow("graph").add("a" + character + "b"), std::invalid_argument);
+  EXPECT_EQ(TableRow("graph").add("a \u00E9\"\\").option("b", std::string()).option("c", 2, 1).line(),
+            "graph\ta \u00E9\"\\\tc=2\n");
 }
 
 }  // namespace

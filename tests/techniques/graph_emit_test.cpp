@@ -1,4 +1,4 @@
-// Tests graphs as C#: names that C# cannot have are refused.
+// Tests graphs as rows of the table that the renderer feature reads.
 #include "techniques/graph_emit.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ class GraphEmitTest : public testing::Test {
     const std::filesystem::path manifest =
         files_.write("lit-up.technique.json", "{\"graphs\": [" + graphs + R"(], "techniques": [
       {"name": "t", "title": "T", "family": "t", "source": "s", "graph": "first"}]})");
-    return emit_graphs_csharp(read_technique_list(manifest)).at(0).text;
+    return graph_rows(read_technique_list(manifest));
   }
 
   std::string problem(const std::string& graphs) const {
@@ -45,17 +45,30 @@ class GraphEmitTest : public testing::Test {
   shaders::ShaderFiles files_;
 };
 
-TEST_F(GraphEmitTest, NamesAreCSharps) {
-  EXPECT_THAT(emitted(graph("first") + "," + graph("2x-second graph")),
-              AllOf(HasSubstr("static class LitUpGraphs"), HasSubstr("TechniqueGraph First ="),
-                    HasSubstr("TechniqueGraph Of2xSecondGraph =")));
+TEST_F(GraphEmitTest, EachGraphHasItsRows) {
+  const auto rows = [](const std::string& name) {
+    return "graph\t" + name +
+           "\ntexture\tvisibility\tScreen\tR8_UNorm\npass\tRaster\tFrame\tT.shader\tDraw\n"
+           "write\t\tvisibility\nvisibility\tvisibility\n";
+  };
+  EXPECT_EQ(emitted(graph("first") + "," + graph("2x-second graph")),
+            rows("first") + rows("2x-second graph"));
 }
 
-TEST_F(GraphEmitTest, NamesThatCSharpCannotHaveAreRefused) {
-  EXPECT_THAT(
-      problem(graph("first") + "," + graph("First")),
-      AllOf(HasSubstr("lit-up.technique.json:3:"), HasSubstr("'first' and 'First' are both First in C#")));
-  EXPECT_THAT(problem(graph("first") + "," + graph("---")), HasSubstr("'---' is no name that C# can have"));
+TEST_F(GraphEmitTest, GraphsOfOneNameAreRefused) {
+  files_.write("ShaderLibrary/T.shader", "// here\n");
+  for (const std::string name : {"a", "b"})
+    files_.write("ShaderLibrary/" + name + ".technique.json",
+                 "{\"graphs\": [" + graph("first") + R"(], "techniques": [{"name": ")" + name +
+                     R"(", "title": "T", "family": "t", "source": "s", "graph": "first"}]})");
+  try {
+    (void)graph_rows(read_technique_list(files_.path("")));
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("b.technique.json:1:"), HasSubstr("'first' is the name of another"),
+                      HasSubstr("a.technique.json:1:")));
+  }
 }
 
 TEST_F(GraphEmitTest, AHistoryNamesWhatItIsOf) {
@@ -64,8 +77,7 @@ TEST_F(GraphEmitTest, AHistoryNamesWhatItIsOf) {
       "passes": [{"name": "Draw", "kind": "raster", "shader": "T.shader", "reads": {"_Before": "before"},
                   "writes": ["visibility"]}], "visibility": "visibility"})";
   EXPECT_THAT(emitted(graph),
-              HasSubstr("new GraphTexture(\"before\", GraphExtent.Screen, GraphicsFormat.R8_UNorm, "
-                        "previousOf: 1)"));
+              HasSubstr("texture\tvisibility\tScreen\tR8_UNorm\nprevious\tbefore\tvisibility\n"));
 }
 
 TEST_F(GraphEmitTest, APartIsNotWhole) {
@@ -73,8 +85,8 @@ TEST_F(GraphEmitTest, APartIsNotWhole) {
       "passes": [{"name": "Mask", "kind": "raster", "shader": "T.shader", "writes": ["mask"]}], "mask": "mask"})";
   std::string whole = graph("first");
   whole.insert(1, R"("parts": ["part"], )");
-  EXPECT_THAT(emitted(part + "," + whole), AllOf(HasSubstr("mask = 0"), HasSubstr("visibility = 1"),
-                                                 Not(HasSubstr("TechniqueGraph Part"))));
+  EXPECT_THAT(emitted(part + "," + whole),
+              AllOf(HasSubstr("visibility\tvisibility\nmask\tmask\n"), Not(HasSubstr("graph\tpart"))));
 }
 
 TEST_F(GraphEmitTest, AGraphThatNoTechniqueHasIsCheckedToo) {

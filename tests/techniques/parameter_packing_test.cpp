@@ -63,15 +63,13 @@ TEST(ParameterPacking, TheHlslUnpacksIt) {
 TEST(ParameterPacking, TheCSharpPacksItWithinTheRanges) {
   const EmittedFile csharp = emit_csharp(mixed());
   EXPECT_EQ(csharp.file, "Runtime/Parameters/MixedParameters.cs");
-  EXPECT_THAT(csharp.text, HasSubstr("[Tooltip(\"Number of taps. Unit: fetches.\")]\n        [Range(1, 64)]\n"
-                                     "        public int count;\n"));
+  EXPECT_THAT(csharp.text, HasSubstr("[Tooltip(\"Number of taps. Unit: fetches.\"), Range(1, 64)] "
+                                     "public int count;\n"));
   EXPECT_THAT(csharp.text, HasSubstr("public Vector2 offset;"));
-  EXPECT_THAT(
-      csharp.text,
-      HasSubstr("public Vector4 Vector0 =>\n                new Vector4(Bounded.Count(count, 1, 64),\n"));
-  EXPECT_THAT(csharp.text, HasSubstr("Bounded.OrLow(centre.y, 0.0f, 1.0f)"));
   EXPECT_THAT(csharp.text,
-              HasSubstr("            count = 8,\n            offset = new Vector2(0.0f, 0.0f),\n"));
+              HasSubstr("public Vector4 Vector0 => new Vector4(Bounded.Count(count, 1, 64),\n            "));
+  EXPECT_THAT(csharp.text, HasSubstr("Bounded.OrLow(centre.y, 0.0f, 1.0f)"));
+  EXPECT_THAT(csharp.text, HasSubstr("            { count = 8, offset = new Vector2(0.0f, 0.0f),"));
 }
 
 }  // namespace

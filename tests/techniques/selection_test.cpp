@@ -58,7 +58,7 @@ class SelectionTest : public testing::Test {
     try {
       const TechniqueList list = read(with(from, to));
       emit_keywords_hlsl(list);
-      emit_selections_csharp(list);
+      selection_rows(list);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -123,39 +123,34 @@ TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
 }
 
 TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
-  const std::string text =
-      emit_selections_csharp(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));
-  EXPECT_THAT(text, HasSubstr("[InspectorName(\"Ring\")]\n        Ring = 0,\n"));
-  EXPECT_THAT(text, HasSubstr("Plain = 1,\n    }\n"));
-  EXPECT_THAT(text, HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Sampled =\n        {\n            true, false,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Widens =\n        {\n            true, false,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Target45 =\n        {\n            true, false,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Fallbacks =\n        {\n            ShadowTechnique.Plain,\n"
-                              "            ShadowTechnique.Plain,\n        };\n"));
+  const TechniqueList list = read(with(R"("fallback": "Wide")", R"("fallback": "Plain")"));
+  const std::string text = emit_selections_csharp(list);
   EXPECT_THAT(text,
-              HasSubstr("nameof(ShadowOptions.ringTaps),\n            },\n            new string[0],\n"));
-  EXPECT_THAT(text, Not(testing::ContainsRegex("Wide[^n]")));  // Widens, a table, is there
-  EXPECT_THAT(text, Not(HasSubstr("WIDE")));
+              HasSubstr("/// <summary>A ring.</summary>\n        [InspectorName(\"Ring\")] Ring = 0,\n"));
+  EXPECT_THAT(text, HasSubstr("Plain = 1,\n    }\n"));
+  EXPECT_THAT(text, Not(HasSubstr("Wide")));
 }
 
-TEST_F(SelectionTest, OptionsSetParametersAndBeginAsTheyAreMeasured) {
-  const std::string text =
-      emit_selections_csharp(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));
-  EXPECT_THAT(text, HasSubstr("                    new RingParameters\n                    {\n"
-                              "                        taps = options.ringTaps,\n"
-                              "                    }.SetGlobal(commands);\n"));
-  EXPECT_THAT(text, HasSubstr("            (ref ShadowOptions options) =>\n            {\n"
-                              "                options.ringTaps = 8;\n            },\n"
-                              "            (ref ShadowOptions options) => { },\n"));
+// The option begins as it is measured, and sets its field within the field's range.
+TEST_F(SelectionTest, IsRowsOfTheTableOfTechniques) {
+  const std::string manifest = with(R"("fallback": "Wide")", R"("fallback": "Plain")");
+  const auto rows = [](const std::string& vector) {
+    return "technique\tRing\tPlain\tkeyword=_PENUMBRA_RING\ttakesSamples\twidensWithDisc\tneedsTarget45\n"
+           "option\tringTaps\t8\nformat\n" +
+           vector + "technique\tPlain\tPlain\nformat\n";
+  };
+  EXPECT_EQ(selection_rows(read(manifest)),
+            rows("vector\t_PenumbraRingParameters0\tringTaps:-3.4028235e+38:3.4028235e+38\t0\t0\t0\n"));
+  std::string ranged = manifest;
+  ranged.replace(ranged.find(R"("default": 8)"), 12, R"("default": 8, "range": [1, 16])");
+  EXPECT_EQ(selection_rows(read(ranged)), rows("vector\t_PenumbraRingParameters0\tringTaps:1:16\t0\t0\t0\n"));
 }
 
 TEST_F(SelectionTest, ParametersThatTheFeatureComputesAreNotSetBesides) {
-  std::string text =
-      with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["RingParameters"])");
-  text = emit_selections_csharp(read(text));
-  EXPECT_THAT(text, Not(HasSubstr("new RingParameters")));
-  EXPECT_THAT(text, HasSubstr("options.ringTaps = 8;")) << "but they begin as they are measured";
+  const std::string rows = selection_rows(read(
+      with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["RingParameters"])")));
+  EXPECT_THAT(rows, Not(HasSubstr("vector")));
+  EXPECT_THAT(rows, HasSubstr("option\tringTaps\t8\n")) << "but they begin as they are measured";
   EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["Rings"])"),
               HasSubstr("unknown struct 'Rings'"));
 }
@@ -168,14 +163,17 @@ TEST_F(SelectionTest, AFallbackMayBeTheFilterWithoutAKeyword) {
 
 TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
   const std::string text = emit_options_csharp(read(ring_manifest));
-  EXPECT_THAT(text, HasSubstr("internal static class RingTaps\n        {\n"
-                              "            internal const string Label = \"Taps\";\n"
-                              "            internal const string Tooltip =\n"
+  EXPECT_THAT(text, HasSubstr("        internal static class RingTaps\n        {\n"
+                              "            internal const string Label = \"Taps\", Tooltip =\n"
                               "                \"On the ring, 4 to 32.\";\n"
-                              "            internal const int Min = 4;\n"
-                              "            internal const int Max = 32;\n"));
-  EXPECT_THAT(text,
-              HasSubstr("\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f;\n"));
+                              "            internal const int Min = 4, Max = 32;\n        }\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f, Max = 2.0f;\n"));
+  EXPECT_THAT(text, HasSubstr("enum NumberOption\n    {\n        ringTaps, ringWidth\n    }\n"));
+  EXPECT_THAT(text, HasSubstr("case NumberOption.ringWidth: return options.ringWidth;\n"));
+  EXPECT_THAT(text, HasSubstr("case NumberOption.ringTaps: options.ringTaps = (int)value; break;\n"));
 }
 
 // The passes end in a texture, over the screen.
@@ -221,7 +219,7 @@ class VisibilitySelectionTest : public SelectionTest {
   std::string disc_problem(const std::string& from, const std::string& to) const {
     try {
       const TechniqueList list = read_with(disc_with(from, to));
-      emit_selections_csharp(list);
+      selection_rows(list);
       emit_presets_csharp(list);
     } catch (const InputError& error) {
       return error.what();
@@ -240,14 +238,10 @@ TEST_F(VisibilitySelectionTest, HasItsFallbacksKeywordAndIsNotInShaders) {
 }
 
 TEST_F(VisibilitySelectionTest, IsEmittedWithItsGraphAndItsFallback) {
-  const std::string text = emit_selections_csharp(read_with(disc_manifest));
   EXPECT_THAT(
-      text,
-      HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n            \"_PENUMBRA_RING\",\n"));
-  EXPECT_THAT(text, HasSubstr("            new TechniqueGraph[0],\n            new TechniqueGraph[0],\n"
-                              "            new[] { DiscGraphs.Disc },\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("ShadowTechnique.Plain,\n            ShadowTechnique.Plain,\n"
-                              "            ShadowTechnique.Ring,\n"));
+      selection_rows(read_with(disc_manifest)),
+      HasSubstr("technique\tDisc\tRing\tkeyword=_PENUMBRA_RING\noption\tringTaps\t8\nformat\tgraph=disc\n"
+                "vector\t_PenumbraRingParameters0\tringTaps:"));
 }
 
 TEST_F(VisibilitySelectionTest, ItsGraphAtHalfResolutionIsBesideIt) {
@@ -264,17 +258,14 @@ TEST_F(VisibilitySelectionTest, ItsGraphAtHalfResolutionIsBesideIt) {
                  "parameters": ["RingParameters"]}], "visibility": "visibility"},
     )");
   put(R"({"name": "preset-low")", R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, )");
-  EXPECT_THAT(emit_selections_csharp(read_with(manifest)),
-              HasSubstr("HalfGraphs =\n        {\n            null,\n            null,\n"
-                        "            DiscGraphs.DiscHalf,\n        };\n"));
+  EXPECT_THAT(selection_rows(read_with(manifest)), HasSubstr("half\tdisc-half\nformat\tgraph=disc\n"));
 }
 
 TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
   const std::string text = emit_presets_csharp(read_with(disc_manifest));
-  EXPECT_THAT(text, HasSubstr("new ShadowOptions  // Preset Low: Disc of 12; else Ring of 12\n"));
-  EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc,\n"));
-  EXPECT_THAT(text, HasSubstr("ringTaps = 12,\n"))
-      << "as what it draws is measured, not as the first with it";
+  EXPECT_THAT(text, HasSubstr("// Preset Low: Disc of 12; else Ring of 12\n            new ShadowOptions\n"));
+  EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc, "));
+  EXPECT_THAT(text, HasSubstr("ringTaps = 12, ")) << "as what it draws is measured, not as the first with it";
 }
 
 // Upsampling calls the fallback's filter in the same way.

@@ -359,7 +359,7 @@ class LookListTest : public TechniqueListTest {
 TEST_F(LookListTest, AreReadAndWrittenAsCSharp) {
   const std::string text = emit_looks_csharp(read(text_with(look("low-sun", "1.5", "3"))));
   EXPECT_THAT(text, HasSubstr("        /// <summary>A light.</summary>\n"
-                              "        [InspectorName(\"Look \\\"A\\\"\")]\n        LowSun,\n"));
+                              "        [InspectorName(\"Look \\\"A\\\"\")] LowSun,\n"));
   EXPECT_THAT(text, HasSubstr("new LookValues(\"Look \\\"A\\\"\", 1.5f, 3.0f,\n"));
 }
 

@@ -46,7 +46,8 @@ namespace Penumbra.Tests
         // The passes of the frame itself, and those that make the maps of techniques.
         private static readonly (string asset, string pass)[] AllPasses =
             Passes.Select(pass => (Asset(pass), pass))
-                .Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
+                .Union(TechniqueTable.Entries.SelectMany(entry => entry.formats).Where(format => format.graph != null)
+                           .SelectMany(format => format.graph.passes)
                            .Select(pass => (pass.asset, pass.program))).ToArray();
 
         // A program is for example "Resolve _PENUMBRA_PCSS": only the pass that filters, and the mask that foretells a
@@ -60,7 +61,7 @@ namespace Penumbra.Tests
                     yield return (asset, pass, new string[0]);
                     continue;
                 }
-                foreach (string technique in TechniqueTable.Keywords.Distinct()
+                foreach (string technique in TechniqueTable.Entries.Select(entry => entry.keyword).Distinct()
                              .Where(name => name == null || Declared(pass).Contains(name)))
                     yield return (asset, pass, technique == null ? new string[0] : new[] { technique });
             }
@@ -76,7 +77,7 @@ namespace Penumbra.Tests
         private static IReadOnlyCollection<string> Declared(string pass)
         {
             if (pass == "ConservativeMask") return new[] { "_PENUMBRA_PCSS" };
-            return pass == "Resolve" ? TechniqueTable.Keywords.Where(name => name != null).Distinct().ToArray() : new string[0];
+            return pass == "Resolve" ? ChainKeywords.OfTechniques.ToArray() : new string[0];
         }
 
         private static string[] Kept(ChainPrograms programs) =>

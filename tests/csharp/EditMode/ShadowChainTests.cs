@@ -114,7 +114,7 @@ namespace Penumbra.Tests
                 },
                 visibility = 2,
             };
-            var chain = new ShadowChain(new[] { PenumbraShadowsGraphs.Pcss, Darker("First"), Darker("Second") }, null);
+            var chain = new ShadowChain(new[] { TechniqueTable.Graph("pcss"), Darker("First"), Darker("Second") }, null);
             Assert.That(chain.Steps.Select(step => step.pass.program),
                         Is.EqualTo(new[] { "Resolve", "FirstOwn", "First", "SecondOwn", "Second" }));
             Assert.That(chain.Steps[2].reads.Select(read => read.index),
@@ -193,7 +193,7 @@ namespace Penumbra.Tests
                     Assert.That(holds.Keys, Has.Member(Of(step.writes[i])), "it changes what is there");
                 foreach (ChainBinding write in step.writes) holds[Of(write)] = step.pass.program;
             }
-            bool masked = options.mask && options.technique.TakesSamples();
+            bool masked = options.mask && options.technique.Entry().takesSamples;
             Assert.That(chain.Mask != ShadowChain.None, Is.EqualTo(masked));
             if (masked) Assert.That(holds[(false, chain.Mask)], Is.EqualTo(MaskOf(options)), "a debug view shows it");
         }
@@ -262,7 +262,7 @@ namespace Penumbra.Tests
         };
 
         private static ShadowChain WithMapGraph() =>
-            new ShadowChain(new[] { MapGraph(), PenumbraShadowsGraphs.PcssMasked }, "_TECHNIQUE");
+            new ShadowChain(new[] { MapGraph(), TechniqueTable.Graph("pcss-masked") }, "_TECHNIQUE");
 
         [Test]
         public void AFiltersGraphRunsBeforeTheScreens()
@@ -309,7 +309,7 @@ namespace Penumbra.Tests
                 },
                 visibility = 2,
             };
-            var chain = new ShadowChain(new[] { PenumbraShadowsGraphs.PcssMasked, later }, null);
+            var chain = new ShadowChain(new[] { TechniqueTable.Graph("pcss-masked"), later }, null);
             ChainStep[] behind = chain.Steps.SkipWhile(step => step.pass.program != "Resolve").ToArray();
             Assert.That(behind.Length, Is.EqualTo(4));
             Assert.That(behind.Select(step => step.Target), Has.None.EqualTo(chain.Mask));
@@ -317,7 +317,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void TheKeywordsAreTheTechniquesAndTheGraphs() =>
-            Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null).Distinct()
+            Assert.That(ChainKeywords.All, Is.EquivalentTo(ChainKeywords.OfTechniques
                                                                .Append("_PENUMBRA_CLOUDS")
                                                                .Append("_PENUMBRA_BOTH_EYES")
                                                                .Append("_PENUMBRA_FAR_HEIGHTS")

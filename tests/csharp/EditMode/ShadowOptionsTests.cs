@@ -183,9 +183,9 @@ namespace Penumbra.Tests
         public void NumbersOfOtherTechniquesBeginAsTheseAreMeasured()
         {
             ShadowOptions measured = default;
-            ShadowTechnique.Vsm.SetMeasured(ref measured);
-            ShadowTechnique.Smrt.SetMeasured(ref measured);
-            ShadowTechnique.SingleLoop.SetMeasured(ref measured);
+            ShadowTechnique.Vsm.Entry().SetMeasured(ref measured);
+            ShadowTechnique.Smrt.Entry().SetMeasured(ref measured);
+            ShadowTechnique.SingleLoop.Entry().SetMeasured(ref measured);
             Assert.That(NumbersOfOthers(measured), Has.None.Zero);
             var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
             foreach (VolumeParameter parameter in new VolumeParameter[]

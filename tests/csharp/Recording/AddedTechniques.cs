@@ -20,11 +20,16 @@ namespace Penumbra.Tests
         private static string Text(string file) =>
             File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), "tests", "techniques", "added", file));
 
+        internal static TechniqueGraph Layers => Graph("Layers", "layers");
+
+        private static TechniqueGraph Graph(string file, string name) =>
+            new TechniqueReader(Text("Runtime/Techniques/" + file + ".txt")).graphs[name];
+
         /// <summary>Adds the shader of Means and imports it, as far as the editor goes.</summary>
-        internal static Shader AddMeans() => Add(MeansGraphs.Means, "Means");
+        internal static Shader AddMeans() => Add(Graph("Means", "means"), "Means");
 
         /// <summary>Adds the shader of Layers, whose passes draw the casters, in the same way.</summary>
-        internal static Shader AddLayers() => Add(LayersGraphs.Layers, "Layers");
+        internal static Shader AddLayers() => Add(Layers, "Layers");
 
         private static Shader Add(TechniqueGraph graph, string name)
         {
@@ -37,10 +42,10 @@ namespace Penumbra.Tests
         }
 
         /// <summary>Adds the kernels of Blocks in the same way.</summary>
-        internal static ComputeShader AddBlocks() => AddKernels(BlocksGraphs.Blocks);
+        internal static ComputeShader AddBlocks() => AddKernels(Graph("Blocks", "blocks"));
 
         /// <summary>Adds the same kernels; one of them fills the visibility that another updates.</summary>
-        internal static ComputeShader AddFilledBlocks() => AddKernels(FilledBlocksGraphs.BlocksFilled);
+        internal static ComputeShader AddFilledBlocks() => AddKernels(Graph("FilledBlocks", "blocks-filled"));
 
         private static ComputeShader AddKernels(TechniqueGraph graph)
         {
@@ -58,11 +63,11 @@ namespace Penumbra.Tests
         }
 
         /// <summary>Gives this graph to the technique whose place is taken.</summary>
-        internal static void Use(TechniqueGraph graph) => TechniqueTable.Graphs[(int)Place] = new[] { graph };
+        internal static void Use(TechniqueGraph graph) => Place.Entry().formats[0].graph = graph;
 
         internal static void Remove()
         {
-            TechniqueTable.Graphs[(int)Place] = new TechniqueGraph[0];
+            Use(null);
             AssetDatabase.Assets.Clear();
         }
 

@@ -106,14 +106,14 @@ namespace Penumbra.Tests
 
         private static IEnumerable<ShadowTechnique> WithMaps() =>
             Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>()
-                .Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0);
+                .Where(technique => technique.Entry().formats[0].graph != null);
 
         [TestCaseSource(nameof(WithMaps))]
         public void MapsOfATechniqueAreMadeForCascadesThatWereDrawnAnew(ShadowTechnique technique)
         {
             frame.options.technique = technique;
             Prepare();
-            GraphPass[] passes = TechniqueTable.Graphs[(int)technique][0].passes;
+            GraphPass[] passes = technique.Entry().formats[0].graph.passes;
             string[] ofMaps = passes.Where(pass => pass.runs == PassFrequency.Cascade).Select(pass => pass.program).ToArray();
             // The levels are made of all cascades at once, where any was drawn anew.
             string[] ofLevels = passes.Where(pass => pass.eachMip).Select(pass => pass.program).Except(ofMaps).ToArray();

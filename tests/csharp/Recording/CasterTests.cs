@@ -103,14 +103,13 @@ namespace Penumbra.Tests
         }
 
         /// <summary>
-        /// The files are those that the C++ tools validate and measure; the technique has no C# of its own but its
-        /// graph.
+        /// The files are those that the C++ tools validate and measure; the technique has no C# of its own.
         /// </summary>
         [Test]
         public void AnAddedTechniqueDrawsThemAndItsFilterFindsTheTextures()
         {
             AddedTechniques.AddLayers();
-            List<FakeDevice.DrawCall> draws = Draws(LayersGraphs.Layers);
+            List<FakeDevice.DrawCall> draws = Draws(AddedTechniques.Layers);
             Assert.That(draws.Select(draw => draw.Pass),
                         Is.EqualTo(new[] { "Layers", "Nearest" }
                                        .SelectMany(pass => new[] { 1, 2, 3, 4 }.Select(

@@ -183,7 +183,7 @@ namespace Penumbra.Tests
                 Use(options);
                 urp.Device.Draws.Clear();
                 urp.Render(new FakeScene(), feature);
-                string keyword = TechniqueTable.Keywords[(int)technique];
+                string keyword = technique.Entry().keyword;
                 Assert.That(Draw("Resolve").Keywords,
                             Is.EqualTo(keyword == null ? new string[0] : new[] { keyword }), technique.ToString());
             }
@@ -401,14 +401,13 @@ namespace Penumbra.Tests
         public void RulesForCascadesAreToldWithTheFrameTheyChange()
         {
             const string name = "_PenumbraPcssAngularParameters0From2";
-            CascadeVector[][] table = TechniqueTable.Cascades;
-            CascadeVector[] none = table[(int)ShadowTechnique.Pcss];
+            TechniqueEntry entry = ShadowTechnique.Pcss.Entry();
             feature.Create();
             urp.Render(new FakeScene(), feature);
             Assert.That(urp.Device.Uniforms.Keys, Has.None.EqualTo(name));
             try
             {
-                table[(int)ShadowTechnique.Pcss] = new[]
+                entry.cascades = new[]
                 {
                     new CascadeVector(name, "_PenumbraPcssAngularParameters0", 2, 0.0f, 5.0f, 0.0f, 0.0f),
                 };
@@ -416,7 +415,7 @@ namespace Penumbra.Tests
             }
             finally
             {
-                table[(int)ShadowTechnique.Pcss] = none;
+                entry.cascades = new CascadeVector[0];
             }
             var near = (Vector4)urp.Device.Uniforms["_PenumbraPcssAngularParameters0"];
             Assert.That(urp.Device.Uniforms[name], Is.EqualTo(new Vector4(near.x, 5.0f, near.z, near.w)));

@@ -35,6 +35,7 @@ namespace Penumbra.Tests
         /// <summary>Installs all shaders of passes, and returns the frame's own.</summary>
         internal static Shader Install()
         {
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/" + TechniqueTable.File] = LoadedTechniques.File();
             Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
             Maps = Install("Hidden/Penumbra/Maps", MapFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + MapFile] = Maps;

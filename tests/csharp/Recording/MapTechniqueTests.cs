@@ -48,10 +48,10 @@ namespace Penumbra.Tests
             Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>();
 
         private static bool DrawsVisibility(ShadowTechnique technique) =>
-            TechniqueTable.Graphs[(int)technique].Any(graph => graph.visibility != TechniqueGraph.None);
+            new ShadowOptions { technique = technique }.DrawsVisibility;
 
         private static IEnumerable<ShadowTechnique> WithMaps() =>
-            Every().Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0 && !DrawsVisibility(technique));
+            Every().Where(technique => technique.Entry().formats[0].graph != null && !DrawsVisibility(technique));
 
         private static IEnumerable<ShadowTechnique> WithResolve() =>
             Every().Where(technique => !DrawsVisibility(technique));
@@ -69,11 +69,11 @@ namespace Penumbra.Tests
         public void TheMapsOfEachCascadeComeBeforeTheFilterThatReadsThem(ShadowTechnique technique)
         {
             FakeDevice.DrawCall resolve = Resolve(technique);
-            TechniqueGraph graph = TechniqueTable.Graphs[(int)technique][0];
+            TechniqueGraph graph = technique.Entry().formats[0].graph;
             string[] drawn = urp.Device.Draws.Select(draw => draw.Pass).ToArray();
             Assert.That(drawn.Distinct(), Is.EqualTo(graph.passes.Select(pass => pass.program).Append("Resolve")));
             Assert.That(drawn.Count(pass => pass == graph.passes[0].program), Is.EqualTo(4), "cascades");
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { TechniqueTable.Keywords[(int)technique] }));
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { technique.Entry().keyword }));
             foreach (GraphBinding texture in graph.filterTextures)
             {
                 Assert.That(resolve.Textures, Contains.Key(texture.property));
@@ -165,8 +165,8 @@ namespace Penumbra.Tests
         [Test]
         public void TheShaderAsksForTarget45WhereTheTechniqueDoes() =>
             Assert.That(FakeShader.KeywordsOfTarget45(),
-                        Is.EquivalentTo(Every().Where(technique => technique.NeedsTarget45())
-                                            .Select(technique => TechniqueTable.Keywords[(int)technique]).Distinct()));
+                        Is.EquivalentTo(Every().Where(technique => technique.Entry().needsTarget45)
+                                            .Select(technique => technique.Entry().keyword).Distinct()));
 
         // The values are those of no measured technique.
         private static ShadowOptions Odd() => new ShadowOptions
@@ -227,7 +227,7 @@ namespace Penumbra.Tests
                                                  params string[] structs)
         {
             feature.Settings.custom = Odd();
-            technique.SetMeasured(ref feature.Settings.custom);
+            technique.Entry().SetMeasured(ref feature.Settings.custom);
             FakeDevice.DrawCall resolve = Resolve(technique, format);
             foreach (KeyValuePair<string, Vector4> vector in Measured(entry, structs))
                 Assert.That(resolve.Uniforms[vector.Key], Is.EqualTo(vector.Value), vector.Key);
@@ -251,7 +251,7 @@ namespace Penumbra.Tests
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
             Assert.That(feature.Replaced, Is.Null);
             Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass != "clear").Distinct(),
-                        Is.EqualTo(PenumbraFlagshipGraphs.Flagship.passes.Select(pass => pass.program)));
+                        Is.EqualTo(TechniqueTable.Graph("flagship").passes.Select(pass => pass.program)));
         }
 
         private void ExpectPcss(string reason)

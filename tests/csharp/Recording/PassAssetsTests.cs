@@ -12,7 +12,7 @@ namespace Penumbra.Tests
 
         private static readonly TechniqueGraph[] Graphs =
         {
-            PenumbraShadowsGraphs.Pcss,
+            TechniqueTable.Graph("pcss"),
             new TechniqueGraph { passes = new[] { new GraphPass { kind = PassKind.Compute, asset = Reduction } } },
         };
 

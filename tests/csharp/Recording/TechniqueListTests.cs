@@ -152,7 +152,7 @@ namespace Penumbra.Tests
                 technique.GetProperty("keywords").EnumerateArray().Select(keyword => keyword.GetString());
             // Kernels declare no technique's; with half resolution, upsampling filters where neighbours differ widely.
             if (options.DrawsVisibility && !options.HalvesResolution)
-                keywords = keywords.Append(TechniqueTable.Keywords[(int)options.technique]);
+                keywords = keywords.Append(options.technique.Entry().keyword);
             Assert.That(chain.Keywords, Is.EquivalentTo(keywords), name);
             Assert.That(chain.Steps.Select(step => step.pass.program), Is.EqualTo(Programs(name)), name);
             var placed = new Dictionary<string, int>();
@@ -248,7 +248,7 @@ namespace Penumbra.Tests
             options.halfResolution = true;
             foreach (ChainStep step in ShadowChain.Of(options).Steps)
                 Assert.That(shader, Does.Contain("Name \"" + step.pass.program + "\""));
-            foreach (string keyword in TechniqueTable.Keywords.Where(name => name != null))
+            foreach (string keyword in ChainKeywords.OfTechniques)
                 Assert.That(shader, Does.Contain(" " + keyword));
         }
 
@@ -261,7 +261,7 @@ namespace Penumbra.Tests
             string text = shader.Substring(shader.IndexOf("Name \"Resolve\""));
             string[] declared = text.Substring(0, text.IndexOf("ENDHLSL")).Split('\n')
                 .Where(line => line.Contains("#pragma multi_compile")).SelectMany(line => line.Trim().Split(' ')).ToArray();
-            Assert.That(TechniqueTable.Keywords.Where(name => name != null).Except(declared), Is.Empty);
+            Assert.That(ChainKeywords.OfTechniques.Except(declared), Is.Empty);
         }
     }
 }

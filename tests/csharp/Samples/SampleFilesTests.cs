@@ -116,8 +116,7 @@ namespace Penumbra.Samples
 
         // The sample's material does not offer these techniques, because an enum of materials has nine entries at most.
         private static IEnumerable<string> UniformsOfOtherTechniques() =>
-            Names(new[] { Path.Combine(package, "Runtime", "Settings", "ShadowTechnique.cs") }, @"new (\w+Parameters)\n")
-                .SelectMany(UniformsOf);
+            Names(new[] { Path.Combine(package, "Runtime", "Techniques", "Techniques.txt") }, @"\nvector\t(\w+)");
 
         [Test]
         public void TheForwardShaderSetsEveryUniformOfTheLibrarysThatItsTechniquesHave()

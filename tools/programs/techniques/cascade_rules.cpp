@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "techniques/csharp_literal.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/technique_call.h"
 
@@ -55,25 +54,6 @@ const std::vector<CascadeRule>& compiled_rules(const TechniqueList& list, const 
                std::count(technique.keywords.begin(), technique.keywords.end(), selection.keyword) > 0;
       });
   return found == list.selections.end() ? technique.cascades : list.find(found->technique).cascades;
-}
-
-std::string emit_cascade_row(const TechniqueList& list, const Technique& technique) {
-  const std::vector<CascadeVector> vectors = cascade_vectors(list, technique);
-  const std::string indent(12, ' ');
-  if (vectors.empty()) return indent + "new CascadeVector[0],\n";
-  std::string text = indent + "new[]\n" + indent + "{\n";
-  for (const CascadeVector& vector : vectors) {
-    int own = 0;
-    std::string numbers;
-    for (std::size_t k = 0; k < 4; ++k) {
-      own |= vector.own[k] ? 1 << k : 0;
-      numbers += ", " + csharp_float(vector.value[k]);
-    }
-    text += indent + "    new CascadeVector(" + csharp_text(vector.uniform) + ",\n" + indent +
-            "                      " + (vector.base.empty() ? "null" : csharp_text(vector.base)) + ", " +
-            std::to_string(own) + numbers + "),\n";
-  }
-  return text + indent + "},\n";
 }
 
 }  // namespace penumbra::techniques

@@ -30,7 +30,4 @@ const std::vector<CascadeRule>& compiled_rules(const TechniqueList& list, const 
 // same filter.
 std::map<std::string, std::vector<double>> values_of(const CascadeRule& rule, const Technique& technique);
 
-// Returns a row of the C# table of all selections.
-std::string emit_cascade_row(const TechniqueList& list, const Technique& technique);
-
 }  // namespace penumbra::techniques

@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cctype>
-#include <charconv>
 
 #include "input/text_line.h"
+#include "techniques/table_row.h"
 
 namespace penumbra::techniques {
 
 std::string csharp_float(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value)).ptr;
-  std::string digits(text.data(), end);
+  std::string digits = table_number(value);
   if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
   return digits + "f";
 }
@@ -31,6 +28,13 @@ std::string csharp_text(const std::string& text) {
   return quoted + "\"";
 }
 
+std::string xml_text(const std::string& text) {
+  std::string safe;
+  for (const char character : text)
+    safe += character == '<' ? "&lt;" : character == '&' ? "&amp;" : std::string(1, character);
+  return safe;
+}
+
 std::string csharp_name(const std::string& name) {
   std::string text;
   bool begins = true;
@@ -39,6 +43,20 @@ std::string csharp_name(const std::string& name) {
     if (belongs && text.empty() && std::isdigit(character) != 0) text = "Of";
     if (belongs) text += static_cast<char>(begins ? std::toupper(character) : character);
     begins = !belongs;
+  }
+  return text;
+}
+
+std::string csharp_list(const std::vector<std::string>& items, std::size_t indent, std::size_t begun) {
+  constexpr std::size_t kColumns = 116;  // 120, with what closes the list
+  std::string text;
+  std::size_t column = indent + begun;
+  for (const std::string& item : items) {
+    const bool fits = column + item.size() + 2 <= kColumns;
+    if (!text.empty()) text += fits ? ", " : ",\n" + std::string(indent, ' ');
+    if (!fits) column = indent;
+    text += item;
+    column += item.size() + 2;
   }
   return text;
 }

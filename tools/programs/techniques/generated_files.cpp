@@ -1,5 +1,7 @@
 #include "techniques/generated_files.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <filesystem>
 #include <string>
@@ -33,8 +35,27 @@ struct PackageFile {
   bool shipped = true;  // else it is of the repository alone
 };
 
-constexpr std::array<PackageFile, 8> kPackageFiles{
-    {{"Runtime/Settings/OptionTable.cs", emit_options_csharp},
+constexpr const char* kTechniqueTable = R"(# Written by `penumbra emit` from {}; do not edit.
+# Columns are separated by tabs; TechniqueReader.cs reads them. After the graphs of passes come the techniques.
+)";
+
+std::string table(const TechniqueList& list) {
+  return fmt::format(kTechniqueTable, "the manifests, *.technique.json") + graph_rows(list) +
+         selection_rows(list);
+}
+
+// Without the renderer feature, the graphs are those of a technique to come.
+void add_graphs(const TechniqueList& list, std::vector<EmittedFile>& files) {
+  const std::string rows = graph_rows(list);
+  if (rows.empty()) return;
+  const fs::path manifest = list.graphs.front().manifest;
+  files.push_back({"Runtime/Techniques/" + manifest.stem().stem().string() + ".txt",
+                   fmt::format(kTechniqueTable, manifest.generic_string()) + rows});
+}
+
+constexpr std::array<PackageFile, 9> kPackageFiles{
+    {{"Runtime/Techniques/Techniques.txt", table},
+     {"Runtime/Settings/OptionTable.cs", emit_options_csharp},
      {"Runtime/Settings/PresetTable.cs", emit_presets_csharp},
      {"Runtime/Settings/ShadowLook.cs", emit_looks_csharp},
      {"Runtime/Settings/ShadowTechnique.cs", emit_selections_csharp},
@@ -46,13 +67,15 @@ constexpr std::array<PackageFile, 8> kPackageFiles{
 }  // namespace
 
 std::vector<EmittedFile> generated_files(const TechniqueList& list) {
-  std::vector<EmittedFile> files = emit_graphs_csharp(list);
+  std::vector<EmittedFile> files;
+  std::error_code error;
+  const bool has_feature = fs::exists(list.package / kFeatureShader, error);
+  if (!has_feature) add_graphs(list, files);
   for (const ParameterStruct& parameters : list.structs) {
     files.push_back(emit_hlsl(parameters));
     files.push_back(emit_csharp(parameters));
   }
-  std::error_code error;
-  if (!fs::exists(list.package / kFeatureShader, error)) return files;
+  if (!has_feature) return files;
   for (const PackageFile& made : kPackageFiles)
     if (made.shipped || fs::is_directory((list.package / made.file).parent_path(), error))
       files.push_back({made.file, made.text(list)});

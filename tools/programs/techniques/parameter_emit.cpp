@@ -34,35 +34,55 @@ struct {name}
 #endif
 )";
 
-constexpr const char* kCsharp = R"(using System;
-using UnityEngine;
+constexpr const char* kHlslField = R"(    {type} {name}; // {unit}: {doc}
+)";
+
+constexpr const char* kHlslUnpacked = R"(    parameters.{name} = {value};
+)";
+
+constexpr const char* kCsharp = R"(using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace Penumbra
 {{
     // Written by `penumbra emit` from {manifest}; do not edit.
     /// <summary>{doc}</summary>
-    [Serializable]
+    [System.Serializable]
     public struct {name}
     {{
-{ids}{fields}        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
+{ids}
+{fields}
+        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static {name} Default => new {name}
-        {{
-{defaults}        }};
+            {{ {defaults} }};
 
-{packed}        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
-        internal bool TryGet(int uniform, out Vector4 vector)
-        {{
-{gets}            vector = default;
-            return false;
-        }}
-
+{vectors}
         /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands)
-        {{
-{sets}        }}
+        public void SetGlobal(CommandBuffer commands){sets}
     }}
 }}
+)";
+
+constexpr const char* kCsharpId =
+    R"(        public static readonly int Uniform{index} = Shader.PropertyToID("{uniform}");
+)";
+
+constexpr const char* kCsharpField = R"(        /// <summary>{summary}</summary>
+        [Tooltip({tooltip}){range}] public {type} {name};
+)";
+
+constexpr const char* kCsharpVector =
+    R"(        /// <summary>{uniform}, each component clamped to its range; NaN gives the low end.</summary>
+        public Vector4 Vector{index} => new Vector4({components});
+)";
+
+constexpr const char* kCsharpSet = R"( => commands.SetGlobalVector(Uniform0, Vector0);)";
+
+constexpr const char* kCsharpSets = R"(
+        {{
+{sets}        }})";
+
+constexpr const char* kCsharpSetOf = R"(            commands.SetGlobalVector(Uniform{index}, Vector{index});
 )";
 
 // Returns PENUMBRA_PCSS_ANGULAR_PARAMETERS_HLSL and the like.
@@ -80,13 +100,6 @@ std::string sentence(std::string text) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char character : text)
-    safe += character == '<' ? "&lt;" : character == '&' ? "&amp;" : std::string(1, character);
-  return safe;
-}
-
 std::string swizzle(const PackedPlace& place, std::size_t count) {
   return std::string(kComponents.substr(place.component, count));
 }
@@ -97,6 +110,14 @@ std::string csharp_type(const ParameterField& field) {
 
 std::string csharp_number(const ParameterField& field, double value) {
   return field.type == "int" ? std::to_string(static_cast<long long>(value)) : csharp_float(value);
+}
+
+std::string csharp_value(const ParameterField& field, const std::vector<double>& value) {
+  if (component_count(field) == 1) return csharp_number(field, value.front());
+  std::string text = "new " + csharp_type(field) + "(";
+  for (std::size_t i = 0; i < component_count(field); ++i)
+    text += (i == 0 ? "" : ", ") + csharp_number(field, value[i]);
+  return text + ")";
 }
 
 std::string csharp_default(const ParameterField& field) {
@@ -118,7 +139,8 @@ std::string csharp_bounded(const ParameterField& field, const std::string& expre
 std::string hlsl_fields(const ParameterStruct& parameters) {
   std::string text;
   for (const ParameterField& field : parameters.fields)
-    text += "    " + field.type + " " + field.name + "; // " + field.unit + ": " + field.doc + "\n";
+    text += fmt::format(kHlslField, fmt::arg("type", field.type), fmt::arg("name", field.name),
+                        fmt::arg("unit", field.unit), fmt::arg("doc", field.doc));
   return text;
 }
 
@@ -129,8 +151,8 @@ std::string hlsl_unpacked(const ParameterStruct& parameters) {
     const ParameterField& field = parameters.fields[i];
     const std::string components =
         fmt::format("packed{}.{}", places[i].vector, swizzle(places[i], component_count(field)));
-    text += "    parameters." + field.name + " = " +
-            (field.type == "int" ? "int(" + components + ")" : components) + ";\n";
+    text += fmt::format(kHlslUnpacked, fmt::arg("name", field.name),
+                        fmt::arg("value", field.type == "int" ? "int(" + components + ")" : components));
   }
   return text;
 }
@@ -140,18 +162,19 @@ std::string csharp_fields(const ParameterStruct& parameters) {
   for (const ParameterField& field : parameters.fields) {
     const std::string summary =
         sentence(field.doc) + (field.unit == "1" ? "." : ". Unit: " + field.unit + ".");
-    text += "        /// <summary>" + escaped(summary) + "</summary>\n        [Tooltip(" +
-            csharp_text(summary) + ")]\n";
+    std::string range;
     if (field.range && component_count(field) == 1)
-      text += "        [Range(" + csharp_number(field, field.range->smallest) + ", " +
-              csharp_number(field, field.range->largest) + ")]\n";
-    text += "        public " + csharp_type(field) + " " + field.name + ";\n\n";
+      range = ", Range(" + csharp_number(field, field.range->smallest) + ", " +
+              csharp_number(field, field.range->largest) + ")";
+    text += fmt::format(kCsharpField, fmt::arg("summary", xml_text(summary)),
+                        fmt::arg("tooltip", csharp_text(summary)), fmt::arg("range", range),
+                        fmt::arg("type", csharp_type(field)), fmt::arg("name", field.name));
   }
   return text;
 }
 
-std::string csharp_packed(const ParameterStruct& parameters) {
-  std::vector<std::array<std::string, 4>> vectors(vector_count(parameters), {"0.0f", "0.0f", "0.0f", "0.0f"});
+std::string csharp_vectors(const ParameterStruct& parameters) {
+  std::vector<std::vector<std::string>> vectors(vector_count(parameters), {"0.0f", "0.0f", "0.0f", "0.0f"});
   const std::vector<PackedPlace> places = packed_places(parameters);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const ParameterField& field = parameters.fields[i];
@@ -161,16 +184,17 @@ std::string csharp_packed(const ParameterStruct& parameters) {
           csharp_bounded(field, count == 1 ? field.name : field.name + "." + kComponents[k]);
   }
   std::string text;
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    const std::string indent(16 + std::string("new Vector4(").size(), ' ');
-    text += fmt::format(
-        "        /// <summary>The value of {}. Components are clamped to their ranges; NaN gives the low "
-        "end.</summary>\n"
-        "        public Vector4 Vector{} =>\n                new Vector4({},\n{}{},\n{}{},\n{}{});\n\n",
-        uniform_name(parameters, i), i, vectors[i][0], indent, vectors[i][1], indent, vectors[i][2], indent,
-        vectors[i][3]);
-  }
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    text += fmt::format(kCsharpVector, fmt::arg("uniform", uniform_name(parameters, i)), fmt::arg("index", i),
+                        fmt::arg("components", csharp_list(vectors[i], 12, 33)));
   return text;
+}
+
+std::string csharp_defaults(const ParameterStruct& parameters) {
+  std::vector<std::string> defaults;
+  for (const ParameterField& field : parameters.fields)
+    defaults.push_back(field.name + " = " + csharp_default(field));
+  return csharp_list(defaults, 14);
 }
 
 // Joins the results of `of` for each vector, by its number.
@@ -181,22 +205,7 @@ std::string of_each_vector(const ParameterStruct& parameters, const char* betwee
   return text;
 }
 
-std::string csharp_ids(const ParameterStruct& parameters) {
-  return of_each_vector(parameters, "", [&](std::size_t i) {
-    return fmt::format("        public static readonly int Uniform{} = Shader.PropertyToID(\"{}\");\n{}", i,
-                       uniform_name(parameters, i), i + 1 == vector_count(parameters) ? "\n" : "");
-  });
-}
-
 }  // namespace
-
-std::string csharp_value(const ParameterField& field, const std::vector<double>& value) {
-  if (component_count(field) == 1) return csharp_number(field, value.front());
-  std::string text = "new " + csharp_type(field) + "(";
-  for (std::size_t i = 0; i < component_count(field); ++i)
-    text += (i == 0 ? "" : ", ") + csharp_number(field, value[i]);
-  return text + ")";
-}
 
 EmittedFile emit_hlsl(const ParameterStruct& parameters) {
   const std::filesystem::path folder = std::filesystem::path(parameters.manifest).parent_path();
@@ -212,25 +221,21 @@ EmittedFile emit_hlsl(const ParameterStruct& parameters) {
 }
 
 EmittedFile emit_csharp(const ParameterStruct& parameters) {
-  std::string defaults;
-  for (const ParameterField& field : parameters.fields)
-    defaults += "            " + field.name + " = " + csharp_default(field) + ",\n";
-  const auto set = [](std::size_t i) {
-    return fmt::format("            commands.SetGlobalVector(Uniform{}, Vector{});\n", i, i);
+  const auto id = [&](std::size_t i) {
+    return fmt::format(kCsharpId, fmt::arg("index", i), fmt::arg("uniform", uniform_name(parameters, i)));
   };
-  const auto get = [](std::size_t i) {
-    return fmt::format(
-        "            if (uniform == Uniform{0})\n            {{\n                vector = Vector{0};\n"
-        "                return true;\n            }}\n",
-        i);
-  };
+  const auto set = [](std::size_t i) { return fmt::format(kCsharpSetOf, fmt::arg("index", i)); };
+  const std::string sets =
+      vector_count(parameters) == 1
+          ? kCsharpSet
+          : fmt::format(kCsharpSets, fmt::arg("sets", of_each_vector(parameters, "", set)));
   return {"Runtime/Parameters/" + parameters.name + ".cs",
-          fmt::format(kCsharp, fmt::arg("doc", escaped(parameters.doc)),
+          fmt::format(kCsharp, fmt::arg("doc", xml_text(parameters.doc)),
                       fmt::arg("manifest", parameters.manifest), fmt::arg("name", parameters.name),
-                      fmt::arg("ids", csharp_ids(parameters)), fmt::arg("fields", csharp_fields(parameters)),
-                      fmt::arg("defaults", defaults), fmt::arg("packed", csharp_packed(parameters)),
-                      fmt::arg("gets", of_each_vector(parameters, "", get)),
-                      fmt::arg("sets", of_each_vector(parameters, "", set)))};
+                      fmt::arg("ids", of_each_vector(parameters, "", id)),
+                      fmt::arg("fields", csharp_fields(parameters)),
+                      fmt::arg("defaults", csharp_defaults(parameters)),
+                      fmt::arg("vectors", csharp_vectors(parameters)), fmt::arg("sets", sets))};
 }
 
 }  // namespace penumbra::techniques

@@ -10,7 +10,4 @@ namespace penumbra::techniques {
 EmittedFile emit_hlsl(const ParameterStruct& parameters);
 EmittedFile emit_csharp(const ParameterStruct& parameters);
 
-// Returns a value of the field in C#: 24, 1.5f or new Vector2(0.0f, 1.0f).
-std::string csharp_value(const ParameterField& field, const std::vector<double>& value);
-
 }  // namespace penumbra::techniques

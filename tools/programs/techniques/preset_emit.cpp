@@ -1,5 +1,7 @@
 #include "techniques/preset_emit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -11,20 +13,24 @@ namespace penumbra::techniques {
 
 namespace {
 
-constexpr const char* preset_table_begin =
-    R"(namespace Penumbra
-{
-    // The options of the quality presets, in QualityPreset's order.
+constexpr const char* kPresetTable = R"(namespace Penumbra
+{{
     // Written by `penumbra emit` from the technique list; do not edit.
+    /// <summary>The options of the quality presets, in QualityPreset's order.</summary>
     internal static class PresetTable
-    {
+    {{
         internal static readonly ShadowOptions[] Rows =
-        {
+        {{
+{}        }};
+    }}
+}}
 )";
 
-constexpr const char* preset_table_end = R"(        };
-    }
-}
+constexpr const char* kPresetRow = R"(            // {title}
+            new ShadowOptions
+            {{
+                {options}
+            }},
 )";
 
 // Returns null if the preset draws what it is named after.
@@ -106,9 +112,9 @@ std::vector<std::pair<std::string, std::string>> of_other_techniques(const Techn
 
 std::string row(const TechniqueList& list, const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
-  std::string text = "            new ShadowOptions  // " + title_of(list, preset) + "\n            {\n";
+  std::vector<std::string> options;
   const auto set = [&](const std::string& field, const std::string& value) {
-    text.append("                ").append(field).append(" = ").append(value).append(",\n");
+    options.push_back(field + " = " + value);
   };
   set("technique", "ShadowTechnique." + technique_of(list, preset));
   set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
@@ -132,16 +138,17 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   set("conservativeMask", flag(conservative));
   set("halfResolution", flag(has_pass(upsampling_pass)));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
-  return text + "            },\n";
+  return fmt::format(kPresetRow, fmt::arg("title", title_of(list, preset)),
+                     fmt::arg("options", csharp_list(options, 16)));
 }
 
 }  // namespace
 
 std::string emit_presets_csharp(const TechniqueList& list) {
-  std::string text = preset_table_begin;
+  std::string rows;
   for (const Technique& technique : list.techniques)
-    if (technique.name.starts_with(preset_prefix)) text += row(list, technique);
-  return text + preset_table_end;
+    if (technique.name.starts_with(preset_prefix)) rows += row(list, technique);
+  return fmt::format(kPresetTable, rows);
 }
 
 }  // namespace penumbra::techniques

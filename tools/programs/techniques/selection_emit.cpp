@@ -1,23 +1,25 @@
 #include "techniques/selection_emit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "input/input_error.h"
 #include "techniques/cascade_rules.h"
 #include "techniques/csharp_literal.h"
-#include "techniques/graph_emit.h"
-#include "techniques/parameter_emit.h"
+#include "techniques/parameter_packing.h"
+#include "techniques/table_row.h"
 
 namespace penumbra::techniques {
 namespace {
 
-constexpr const char* enum_begin = R"(using System;
-using UnityEngine;
-using UnityEngine.Rendering;
+constexpr const char* kTechniqueEnum = R"(using UnityEngine;
 
 namespace Penumbra
-{
+{{
     // Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
     /// <summary>
     /// The technique that computes the visibility: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that
@@ -25,102 +27,13 @@ namespace Penumbra
     /// names.
     /// </summary>
     public enum ShadowTechnique
-    {
+    {{
+{}    }}
+}}
 )";
 
-constexpr const char* table_begin = R"(    }
-
-    /// <summary>Sets the parameters of a technique's passes and filter. Does not allocate.</summary>
-    internal delegate void SetParameters(CommandBuffer commands, in ShadowOptions options);
-
-    /// <summary>Sets some of the options.</summary>
-    internal delegate void SetOptions(ref ShadowOptions options);
-
-    /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
-    internal static class TechniqueTable
-    {
-        /// <summary>
-        /// Shader keywords; null for the technique that is used without one. Passes that draw the visibility have their
-        /// fallback's.
-        /// </summary>
-        internal static readonly string[] Keywords =
-        {
-)";
-
-constexpr const char* cascades_begin = R"(        };
-
-        /// <summary>Parameters that the technique's rules change from a cascade on; empty without rules.</summary>
-        internal static readonly CascadeVector[][] Cascades =
-        {
-)";
-
-constexpr const char* graphs_begin = R"(        };
-
-        /// <summary>
-        /// The passes before the filter, which make the maps that it reads, or those that draw the visibility without
-        /// one; empty for a filter of the shadow map alone.
-        /// Of two the second makes maps of 16 bits: index with ShadowOptions.GraphIndex.
-        /// </summary>
-        internal static readonly TechniqueGraph[][] Graphs =
-        {
-)";
-
-constexpr const char* half_graphs_begin = R"(        };
-
-        /// <summary>Passes that draw the visibility at half resolution, in place of those of Graphs; null: none.</summary>
-        internal static readonly TechniqueGraph[] HalfGraphs =
-        {
-)";
-
-constexpr const char* parameters_begin = R"(        };
-
-        /// <summary>
-        /// As Graphs, but one for a filter of the shadow map alone; empty where there are no parameters, or
-        /// ShadowUniforms computes them.
-        /// </summary>
-        internal static readonly SetParameters[][] Parameters =
-        {
-)";
-
-constexpr const char* measured_begin = R"(        };
-
-        private static readonly SetOptions[] Measured =
-        {
-)";
-
-constexpr const char* fallbacks_begin = R"(        };
-
-        /// <summary>What is drawn where the technique cannot run; itself if it runs everywhere.</summary>
-        internal static readonly ShadowTechnique[] Fallbacks =
-        {
-)";
-
-constexpr const char* table_end = R"(        };
-
-        /// <summary>The technique samples the light's disc, so that its penumbrae are noisy.</summary>
-        internal static bool TakesSamples(this ShadowTechnique technique) => Sampled[(int)technique];
-
-        /// <summary>Penumbrae are as wide as the light's disc makes them.</summary>
-        internal static bool WidensWithDisc(this ShadowTechnique technique) => Widens[(int)technique];
-
-        /// <summary>The filter gathers texels or searches for bits, which needs shader target 4.5.</summary>
-        internal static bool NeedsTarget45(this ShadowTechnique technique) => Target45[(int)technique];
-
-        /// <summary>The filter itself limits how wide penumbrae are, in metres.</summary>
-        internal static bool LimitsWidth(this ShadowTechnique technique) => Limiting[(int)technique];
-
-        /// <summary>The filter biases receivers itself: the light's own biases should be 0.</summary>
-        internal static bool HasOwnBias(this ShadowTechnique technique) => Biased[(int)technique];
-
-        /// <summary>Gives the technique's own options the values that it is measured with.</summary>
-        internal static void SetMeasured(this ShadowTechnique technique, ref ShadowOptions options) =>
-            Measured[(int)technique](ref options);
-
-        /// <summary>Whether this field of ShadowOptions sets a parameter of the technique's passes or filter.</summary>
-        internal static bool Takes(this ShadowTechnique technique, string option) =>
-            Array.IndexOf(Options[(int)technique], option) >= 0;
-    }
-}
+constexpr const char* kTechniqueEntry = R"(        /// <summary>{doc}</summary>
+        [InspectorName({title})] {name} = {value},
 )";
 
 std::vector<const Selection*> offered(const TechniqueList& list) {
@@ -136,32 +49,11 @@ std::vector<const Selection*> offered(const TechniqueList& list) {
   return selections;
 }
 
-std::string options_of(const Selection& selection) {
-  if (selection.options.empty()) return "new string[0]";
-  const std::string indent(12, ' ');
-  std::string text = "new[]\n" + indent + "{\n";
-  for (const auto& [option, field] : selection.options)
-    text += indent + "    nameof(ShadowOptions." + option + "),\n";
-  return text + indent + "}";
-}
-
 // Returns the techniques of a selection, by the formats of their maps.
 std::vector<const Technique*> techniques_of(const TechniqueList& list, const Selection& selection) {
   std::vector<const Technique*> techniques{&list.find(selection.technique)};
   if (!selection.technique_16_bits.empty()) techniques.push_back(&list.find(selection.technique_16_bits));
   return techniques;
-}
-
-std::string graphs_of(const TechniqueList& list, const Selection& selection) {
-  std::string names;
-  for (const Technique* technique : techniques_of(list, selection))
-    if (!technique->graph_name.empty()) names += (names.empty() ? "" : ", ") + csharp_graph_of(*technique);
-  return names.empty() ? "new TechniqueGraph[0]" : "new[] { " + names + " }";
-}
-
-std::string half_graph_of(const TechniqueList& list, const Selection& selection) {
-  const std::string& name = selection.technique_half_resolution;
-  return name.empty() ? "null" : csharp_graph_of(list.find(name));
 }
 
 std::string option_that_sets(const Selection& selection, const std::string& field) {
@@ -170,53 +62,64 @@ std::string option_that_sets(const Selection& selection, const std::string& fiel
   return {};
 }
 
-// Returns a struct of the technique with the values with which it is measured; the options replace some.
-std::string set_struct(const ParameterStruct& parameters, const Technique& technique,
-                       const Selection& selection) {
-  const std::string indent(20, ' ');
-  std::string text = indent + "new " + parameters.name + "\n" + indent + "{\n";
-  for (const ParameterField& field : parameters.fields) {
-    const std::string option = option_that_sets(selection, field.name);
-    text += indent + "    " + field.name + " = " +
-            (option.empty() ? csharp_value(field, technique.values.at(field.name)) : "options." + option) +
-            ",\n";
-  }
-  return text + indent + "}.SetGlobal(commands);\n";
-}
-
 bool is_computed(const Selection& selection, const std::string& parameters) {
   return std::find(selection.computed_parameters.begin(), selection.computed_parameters.end(), parameters) !=
          selection.computed_parameters.end();
 }
 
-std::string parameters_of(const TechniqueList& list, const Selection& selection) {
-  std::string setters;
-  const std::string indent(16, ' ');
-  for (const Technique* technique : techniques_of(list, selection)) {
-    std::string structs;
-    for (const ParameterStruct* parameters : list.structs_of(*technique))
-      if (!is_computed(selection, parameters->name))
-        structs += set_struct(*parameters, *technique, selection);
-    if (!structs.empty())
-      setters += indent + "(CommandBuffer commands, in ShadowOptions options) =>\n" + indent + "{\n" +
-                 structs + indent + "},\n";
+// A component is a number, or option:low:high where the option sets the field.
+std::string vector_rows(const ParameterStruct& parameters, const Technique& technique,
+                        const Selection& selection) {
+  const std::vector<std::array<float, 4>> values = packed(parameters, technique.values);
+  std::vector<std::array<std::string, 4>> columns(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) columns[i][k] = table_number(values[i][k]);
+  const std::vector<PackedPlace> places = packed_places(parameters);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ParameterField& field = parameters.fields[i];
+    const std::string option = option_that_sets(selection, field.name);
+    if (option.empty()) continue;
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    const ParameterRange range = field.range.value_or(ParameterRange{-kLargest, kLargest});
+    columns[places[i].vector][places[i].component] =
+        option + ":" + table_number(range.smallest) + ":" + table_number(range.largest);
   }
-  if (setters.empty()) return "new SetParameters[0]";
-  return "new SetParameters[]\n            {\n" + setters + "            }";
+  std::string rows;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    TableRow row("vector");
+    row.add(uniform_name(parameters, i));
+    for (const std::string& column : columns[i]) row.add(column);
+    rows += row.line();
+  }
+  return rows;
 }
 
-std::string measured_of(const TechniqueList& list, const Selection& selection) {
+std::string format_rows(const TechniqueList& list, const Selection& selection, const Technique& technique) {
+  std::string rows = TableRow("format").option("graph", technique.graph_name).line();
+  for (const ParameterStruct* parameters : list.structs_of(technique))
+    if (!is_computed(selection, parameters->name)) rows += vector_rows(*parameters, technique, selection);
+  return rows;
+}
+
+std::string option_rows(const TechniqueList& list, const Selection& selection) {
   const Technique& technique = list.find(selection.technique);
-  const std::vector<ParameterField> fields = list.fields_of(technique);
-  const std::string indent(12, ' ');
-  std::string settings;
+  std::string rows;
   for (const auto& [option, set] : selection.options)
-    for (const ParameterField& field : fields)
-      if (field.name == set)
-        settings +=
-            indent + "    options." + option + " = " + csharp_value(field, technique.values.at(set)) + ";\n";
-  if (settings.empty()) return "(ref ShadowOptions options) => { }";
-  return "(ref ShadowOptions options) =>\n" + indent + "{\n" + settings + indent + "}";
+    rows += TableRow("option").add(option).add(table_number(technique.values.at(set).front())).line();
+  return rows;
+}
+
+std::string cascade_rows(const TechniqueList& list, const Technique& technique) {
+  std::string rows;
+  for (const CascadeVector& vector : cascade_vectors(list, technique)) {
+    int own = 0;
+    for (std::size_t k = 0; k < 4; ++k) own |= vector.own[k] ? 1 << k : 0;
+    TableRow row("cascade");
+    row.add(vector.uniform).add(vector.base).add(own);
+    for (const float value : vector.value) row.add(table_number(value));
+    rows += row.line();
+  }
+  return rows;
 }
 
 // The parameters of the filter, or of the passes that draw the visibility, decide it.
@@ -250,58 +153,50 @@ void require_fitting_rules(const TechniqueList& list, const Selection& selection
 std::string fallback_of(const std::vector<const Selection*>& selections, const Selection& selection) {
   const std::string& name = !selection.fallback.empty() ? selection.fallback : selection.name;
   for (const Selection* other : selections)
-    if (other->name == name) return "ShadowTechnique." + name;
+    if (other->name == name) return name;
   throw InputError(selection.where, "the renderer feature does not offer '" + name +
                                         "', which is drawn where '" + selection.name + "' cannot run");
 }
 
-std::string table(const std::string& values) {
-  return "        };\n\n" + values;
-}
-
-// The flags are written ten in a line.
-std::string flags(const char* name, const std::vector<bool>& values) {
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool ends = i % 10 == 9 || i + 1 == values.size();
-    text +=
-        (i % 10 == 0 ? std::string(12, ' ') : " ") + (values[i] ? "true," : "false,") + (ends ? "\n" : "");
-  }
-  return "        private static readonly bool[] " + std::string(name) + " =\n        {\n" + text;
+std::string rows_of(const TechniqueList& list, const std::vector<const Selection*>& selections,
+                    const Selection& selection) {
+  require_fitting_rules(list, selection);
+  const Technique& technique = list.find(selection.technique);
+  std::string rows = TableRow("technique")
+                         .add(selection.name)
+                         .add(fallback_of(selections, selection))
+                         .option("keyword", selection.keyword)
+                         .option("takesSamples", selection.is_sampled)
+                         .option("widensWithDisc", selection.widens_with_disc)
+                         .option("needsTarget45", selection.needs_target_45)
+                         .option("limitsWidth", limits_width(list, selection))
+                         .option("hasOwnBias", has_own_bias(list, selection))
+                         .line();
+  rows += option_rows(list, selection) + cascade_rows(list, technique);
+  if (const std::string& half = selection.technique_half_resolution; !half.empty())
+    rows += TableRow("half").add(list.find(half).graph_name).line();
+  for (const Technique* of_format : techniques_of(list, selection))
+    rows += format_rows(list, selection, *of_format);
+  return rows;
 }
 
 }  // namespace
 
 std::string emit_selections_csharp(const TechniqueList& list) {
-  const std::string indent(12, ' ');
-  std::string entries, keywords, options, cascades, graphs, half_graphs, parameters, measured, fallbacks;
-  std::vector<bool> sampled, widens, target_45, limiting, biased;
+  std::string entries;
+  for (const Selection* selection : offered(list))
+    entries += (entries.empty() ? "" : "\n") +
+               fmt::format(kTechniqueEntry, fmt::arg("doc", xml_text(selection->doc)),
+                           fmt::arg("title", csharp_text(selection->title)),
+                           fmt::arg("name", selection->name), fmt::arg("value", *selection->value));
+  return fmt::format(kTechniqueEnum, entries);
+}
+
+std::string selection_rows(const TechniqueList& list) {
   const std::vector<const Selection*> selections = offered(list);
-  for (const Selection* selection : selections) {
-    require_fitting_rules(list, *selection);
-    entries += (entries.empty() ? "" : "\n") + ("        /// <summary>" + selection->doc) +
-               "</summary>\n        [InspectorName(" + csharp_text(selection->title) + ")]\n        " +
-               selection->name + " = " + std::to_string(*selection->value) + ",\n";
-    keywords += indent + (selection->keyword.empty() ? "null" : csharp_text(selection->keyword)) + ",\n";
-    options += indent + options_of(*selection) + ",\n";
-    cascades += emit_cascade_row(list, list.find(selection->technique));
-    graphs += indent + graphs_of(list, *selection) + ",\n";
-    half_graphs += indent + half_graph_of(list, *selection) + ",\n";
-    parameters += indent + parameters_of(list, *selection) + ",\n";
-    measured += indent + measured_of(list, *selection) + ",\n";
-    fallbacks += indent + fallback_of(selections, *selection) + ",\n";
-    sampled.push_back(selection->is_sampled);
-    widens.push_back(selection->widens_with_disc);
-    target_45.push_back(selection->needs_target_45);
-    limiting.push_back(limits_width(list, *selection));
-    biased.push_back(has_own_bias(list, *selection));
-  }
-  return enum_begin + entries + table_begin + keywords + table(flags("Sampled", sampled)) +
-         table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
-         table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
-         table("        private static readonly string[][] Options =\n        {\n" + options) +
-         cascades_begin + cascades + graphs_begin + graphs + half_graphs_begin + half_graphs +
-         parameters_begin + parameters + measured_begin + measured + fallbacks_begin + fallbacks + table_end;
+  std::string rows;
+  for (const Selection* selection : selections) rows += rows_of(list, selections, *selection);
+  return rows;
 }
 
 }  // namespace penumbra::techniques

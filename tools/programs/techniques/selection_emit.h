@@ -1,5 +1,5 @@
-// The selections that the renderer feature offers, as its C# enumeration and the table beside it
-// (Runtime/Settings/ShadowTechnique.cs).
+// The selections that the renderer feature offers, as its C# enumeration
+// (Runtime/Settings/ShadowTechnique.cs) and as rows of the table that it reads; TechniqueReader.cs says how.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace penumbra::techniques {
 
-// Throws InputError where the values of the selections are not 0, 1, 2 ...: the table is indexed by them.
+// Both throw InputError where the values of the selections are not 0, 1, 2 ...: the table is indexed by them.
 std::string emit_selections_csharp(const TechniqueList& list);
+std::string selection_rows(const TechniqueList& list);
 
 }  // namespace penumbra::techniques

@@ -12,13 +12,11 @@
 namespace penumbra::techniques {
 namespace {
 
-constexpr const char* header = R"(// Penumbra: the technique that a shader keyword selects.
+constexpr const char* kTechniqueByKeyword = R"(// Penumbra: the technique that a shader keyword selects.
 // Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
 //
 // Computes:   visibility with the filter of the enabled keyword:
-)";
-
-constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
+{filters}// Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
 //             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
 //             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
@@ -31,9 +29,8 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 #ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 
-)";
+#include "../Core/ShadowStructs.hlsl"
 
-constexpr const char* raw_depth_rule = R"(
 // These filters, or the passes before them, read raw depths from a texture that has a comparison sampler. That is
 // undefined in OpenGL, OpenGL ES and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used
 // instead; on WebGPU too, where no frame was seen yet. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without
@@ -44,14 +41,47 @@ constexpr const char* raw_depth_rule = R"(
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 
+{choices}
+{maps_rule}{includes}{maps}{structs}{rules}
+float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
+                      ShadowReceiver receiver, ShadowTile tile, int cascade)
+{{
+{calls}}}
+
+#endif
 )";
 
-constexpr const char* maps_rule =
+constexpr const char* kFilter = R"(//               {:<{}}  {:<{}}  {}
+)";
+
+constexpr const char* kWithoutGather = R"({} defined(PENUMBRA_WITHOUT_GATHER) && \
+    ({})
+)";
+
+constexpr const char* kMapsRule =
     R"(// The renderer feature's passes bind these maps while its technique is this keyword's.
 #if defined(PENUMBRA_READS_MAPS) && !defined(PENUMBRA_MAPS_BOUND)
 #error "this keyword's filter reads maps that only the renderer feature's passes make: choose another, or define PENUMBRA_MAPS_BOUND where they are bound"
 #endif
 
+)";
+
+// A filter's lines among those of the other filters.
+constexpr const char* kBranch = R"({} {}
+{})";
+
+constexpr const char* kUniforms = R"(
+#include "../{folder}Parameters/{name}.hlsl"
+{uniforms}
+{name} {function}()
+{{
+    return Unpack{name}({vectors});
+}}
+)";
+
+constexpr const char* kRules = R"(
+#if {}
+{}#endif
 )";
 
 constexpr const char* linear_sampler = "linearSampler";
@@ -80,19 +110,11 @@ class KeywordWriter {
                        "give the one that shaders use without any: \"keyword\": \"\"");
   }
 
-  std::string text() {
-    describe();
-    text_ += rest_of_header;
-    text_ += "#include \"../Core/ShadowStructs.hlsl\"\n";
-    text_ += raw_depth_rule;
-    choose();
-    require_maps();
-    include();
-    declare_maps();
-    declare();
-    declare_rules();
-    call();
-    return text_ + "\n#endif\n";
+  std::string text() const {
+    return fmt::format(kTechniqueByKeyword, fmt::arg("filters", filters()), fmt::arg("choices", choices()),
+                       fmt::arg("maps_rule", any_maps() ? kMapsRule : ""), fmt::arg("includes", includes()),
+                       fmt::arg("maps", maps()), fmt::arg("structs", uniforms()), fmt::arg("rules", rules()),
+                       fmt::arg("calls", calls()));
   }
 
  private:
@@ -107,7 +129,7 @@ class KeywordWriter {
     return list_.find(selection.technique).cascades;
   }
 
-  void describe() {
+  std::string filters() const {
     std::size_t keyword = 0;
     std::size_t function = 0;
     for (const Selection* selection : in_shaders_) {
@@ -115,16 +137,18 @@ class KeywordWriter {
       function = std::max(function, selection->filter.function.size());
     }
     const auto line = [&](const std::string& name, const Selection& selection) {
-      text_ += fmt::format("//               {:<{}}  {:<{}}  {}\n", name, keyword, selection.filter.function,
-                           function, file_of(selection.filter));
+      return fmt::format(kFilter, name, keyword, selection.filter.function, function,
+                         file_of(selection.filter));
     };
-    for (const Selection* selection : by_keyword_) line(selection->keyword, *selection);
-    line("none of them", *otherwise_);
+    std::string lines;
+    for (const Selection* selection : by_keyword_) lines += line(selection->keyword, *selection);
+    return lines + line("none of them", *otherwise_);
   }
 
   // Defines one macro for the filter that is used, and none for the one without a keyword.
-  void choose() {
-    const char* directive = "#if";
+  std::string choices() const {
+    std::string text;
+    const auto directive = [&] { return text.empty() ? "#if" : "#elif"; };
     for (const Selection* fallback : in_shaders_) {
       std::string keywords;
       std::size_t width = 0;
@@ -137,66 +161,59 @@ class KeywordWriter {
         keywords += one;
       }
       if (keywords.empty()) continue;
-      text_ += fmt::format("{} defined(PENUMBRA_WITHOUT_GATHER) && \\\n    ({})\n", directive, keywords);
-      if (!fallback->keyword.empty()) text_ += "#define " + macro_of(*fallback) + "\n";
-      directive = "#elif";
+      text += fmt::format(kWithoutGather, directive(), keywords);
+      if (!fallback->keyword.empty()) text += definition_of(macro_of(*fallback));
     }
     for (const Selection* selection : by_keyword_) {
-      text_ +=
-          fmt::format("{} defined({})\n#define {}\n", directive, selection->keyword, macro_of(*selection));
-      if (selection->reads_raw_depth()) text_ += "#define PENUMBRA_READS_RAW_DEPTH\n";
-      if (!selection->textures.empty()) text_ += "#define PENUMBRA_READS_MAPS\n";
-      directive = "#elif";
+      text += fmt::format(kBranch, directive(), "defined(" + selection->keyword + ")",
+                          definition_of(macro_of(*selection)));
+      if (selection->reads_raw_depth()) text += definition_of("PENUMBRA_READS_RAW_DEPTH");
+      if (!selection->textures.empty()) text += definition_of("PENUMBRA_READS_MAPS");
     }
-    text_ += "#endif\n\n";
+    return text + "#endif\n";
   }
+
+  static std::string definition_of(const std::string& macro) { return "#define " + macro + "\n"; }
 
   bool any_maps() const {
     return std::any_of(by_keyword_.begin(), by_keyword_.end(),
                        [](const Selection* selection) { return !selection->textures.empty(); });
   }
 
-  void require_maps() {
-    if (any_maps()) text_ += maps_rule;
+  // Joins the lines of each filter with a keyword that has some, in #if and #elif.
+  template <typename Lines>
+  std::string branches(Lines lines) const {
+    std::string text;
+    for (const Selection* selection : by_keyword_)
+      if (const std::string own = lines(*selection); !own.empty())
+        text += fmt::format(kBranch, text.empty() ? "#if" : "#elif", "defined(" + macro_of(*selection) + ")",
+                            own);
+    return text;
   }
 
   // Declares the filters' arguments besides the shadow map, each for the filters that take it.
-  void declare_maps() {
-    const char* directive = "\n#if";
-    for (const Selection* selection : by_keyword_) {
+  std::string maps() const {
+    const std::string text = branches([](const Selection& selection) {
       std::string lines;
-      for (const std::string& argument : selection->filter.arguments)
+      for (const std::string& argument : selection.filter.arguments)
         if (argument == linear_sampler) lines += "SAMPLER(" + std::string(linear_sampler_name) + ");\n";
-      for (const GraphTexture& texture : selection->textures) lines += declaration_of(texture);
-      if (lines.empty()) continue;
-      text_ += fmt::format("{} defined({})\n{}", directive, macro_of(*selection), lines);
-      directive = "#elif";
-    }
-    if (std::string_view(directive) == "#elif") text_ += "#endif\n";
-  }
-
-  // Writes a line for the filter that is used.
-  template <typename Line>
-  void branch(Line line) {
-    const char* directive = "#if";
-    for (const Selection* selection : by_keyword_) {
-      text_ += fmt::format("{} defined({})\n{}\n", directive, macro_of(*selection), line(*selection));
-      directive = "#elif";
-    }
-    text_ += fmt::format("#else\n{}\n#endif\n", line(*otherwise_));
-  }
-
-  void include() {
-    branch([this](const Selection& selection) {
-      std::string lines = "#include \"../" + file_of(selection.filter) + "\"";
-      std::vector<std::string> included{file_of(selection.filter)};
-      for (const CascadeRule& rule : rules_of(selection)) {
-        if (std::find(included.begin(), included.end(), file_of(rule.filter)) != included.end()) continue;
-        included.push_back(file_of(rule.filter));
-        lines += "\n#include \"../" + included.back() + "\"";
-      }
+      for (const GraphTexture& texture : selection.textures) lines += declaration_of(texture);
       return lines;
     });
+    return text.empty() ? "" : "\n" + text + "#endif\n";
+  }
+
+  std::string includes() const {
+    const auto lines = [this](const Selection& selection) {
+      std::vector<std::string> included{file_of(selection.filter)};
+      for (const CascadeRule& rule : rules_of(selection))
+        if (std::find(included.begin(), included.end(), file_of(rule.filter)) == included.end())
+          included.push_back(file_of(rule.filter));
+      std::string text;
+      for (const std::string& file : included) text += "#include \"../" + file + "\"\n";
+      return text;
+    };
+    return branches(lines) + "#else\n" + lines(*otherwise_) + "#endif\n";
   }
 
   std::vector<const ParameterStruct*> structs() const {
@@ -218,24 +235,26 @@ class KeywordWriter {
     return "Penumbra" + parameters.name.substr(0, ending == 0 ? std::string::npos : ending);
   }
 
-  void declare() {
+  std::string uniforms() const {
+    std::string text;
     for (const ParameterStruct* parameters : structs()) {
-      std::string folder = parameters->manifest.substr(0, parameters->manifest.rfind('/') + 1);
-      constexpr std::string_view library = "ShaderLibrary/";
-      if (folder.starts_with(library)) folder.erase(0, library.size());
-      text_ += fmt::format("\n#include \"../{}Parameters/{}.hlsl\"\n", folder, parameters->name);
-      std::string vectors;
+      std::string declared, vectors;
       for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
-        text_ += "float4 " + uniform_name(*parameters, i) + ";\n";
+        declared += "float4 " + uniform_name(*parameters, i) + ";\n";
         vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i);
       }
-      text_ += fmt::format("\n{0} {1}()\n{{\n    return Unpack{0}({2});\n}}\n", parameters->name,
-                           unpacker_of(*parameters), vectors);
+      text += fmt::format(
+          kUniforms,
+          fmt::arg("folder", in_library(parameters->manifest.substr(0, parameters->manifest.rfind('/') + 1))),
+          fmt::arg("name", parameters->name), fmt::arg("uniforms", declared),
+          fmt::arg("function", unpacker_of(*parameters)), fmt::arg("vectors", vectors));
     }
+    return text;
   }
 
   // Declares the uniforms of rules, only for shaders that have them.
-  void declare_rules() {
+  std::string rules() const {
+    std::string text;
     for (const Selection* selection : in_shaders_) {
       std::string lines;
       for (const CascadeRule& rule : rules_of(*selection))
@@ -245,8 +264,9 @@ class KeywordWriter {
       if (lines.empty()) continue;
       const std::string condition =
           selection->keyword.empty() ? none_of_them() : "defined(" + macro_of(*selection) + ")";
-      text_ += fmt::format("\n#if {}\n{}#endif\n", condition, lines);
+      text += fmt::format(kRules, condition, lines);
     }
+    return text;
   }
 
   std::string none_of_them() const {
@@ -310,20 +330,15 @@ class KeywordWriter {
     return call + line + ");";
   }
 
-  void call() {
-    text_ +=
-        "\nfloat FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), "
-        "SAMPLER(sampler_point),\n"
-        "                      ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n";
-    branch([this](const Selection& selection) { return calls_of(selection); });
-    text_ += "}\n";
+  std::string calls() const {
+    const auto lines = [this](const Selection& selection) { return calls_of(selection) + "\n"; };
+    return branches(lines) + "#else\n" + lines(*otherwise_) + "#endif\n";
   }
 
   const TechniqueList& list_;
   std::vector<const Selection*> in_shaders_;
   std::vector<const Selection*> by_keyword_;
   const Selection* otherwise_ = nullptr;
-  std::string text_ = header;
 };
 
 }  // namespace
