@@ -250,10 +250,7 @@ study::Results earlier_results(const MeasureOptions& options) {
 
 void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
-  if (writes_report(options)) {
-    check_report_files(options.output);
-    study::require_gnuplot();
-  }
+  if (writes_report(options)) check_report_files(options.output);
   check_cache_folder(options.cache, platform::cache_directory(), context);
   check_output_file(options.presets);
   check_output_file(options.readme);

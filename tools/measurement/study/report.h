@@ -36,10 +36,8 @@ struct PictureRow {
 };
 
 struct ReportChart {
-  Chart chart;  // its name is that of its file: "pareto-fetches", "pareto-time"
+  Chart chart;
   std::string caption;
-  std::string svg;                 // by render_svg()
-  std::vector<DrawnPanel> panels;  // by render_panels()
 };
 
 struct ReportContent {
@@ -52,7 +50,7 @@ struct ReportContent {
 // The same content gives the same bytes.
 std::string render_report(const ReportContent& content);
 
-// Returns the charts of pareto_chart.h that have something to show. Throws EnvironmentError without gnuplot.
+// Returns the charts of pareto_chart.h that have something to show.
 std::vector<ReportChart> report_charts(const Results& results);
 
 }  // namespace penumbra::study
