@@ -209,7 +209,8 @@ std::filesystem::path own_costs() {
 
 // Reads the facts that the manifests and a compiler state about techniques, where something shows them.
 study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
-  if (!writes_report(options) && options.readme.empty()) return {};
+  const bool readme_shows_them = !options.readme.empty() && !options.brief && !options.line;
+  if (!writes_report(options) && !readme_shows_them && options.costs.empty()) return {};
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   study::FactsOfTechniques facts = study::facts_of(list);
   std::error_code ignored;
