@@ -2,8 +2,8 @@
 //
 // The page contains its style, its script, its charts (inline SVG) and its pictures (PNG in base64, decoded
 // when they are viewed), and a content security policy that forbids loading anything. It follows the reader's
-// light or dark setting and prints. Without its script it shows every figure and chart; sorting, filtering
-// and the picture viewer need it.
+// light or dark setting and prints. Its script draws the table of figures and the picture viewer from data
+// that the page contains; without it, the charts and the words are there.
 #pragma once
 
 #include <filesystem>
