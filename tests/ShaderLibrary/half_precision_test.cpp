@@ -1,7 +1,7 @@
 // Tells which functions of the library may be computed with 16-bit half, by the largest difference to the
 // same function in float over the values that scenes have.
 //
-// The test prints a line for each function, from which tests/ShaderLibrary/half_page makes the page, and
+// The test prints a line for each function, from which scripts/pages makes the page, and
 // compares it with half_precision.json, which holds the lines of the last run of the page.
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST_P(HalfPrecision, DiffersFromFloatAsThePageSays) {
   const auto found =
       std::find_if(page["functions"].begin(), page["functions"].end(),
                    [&](const nlohmann::json& one) { return one["function"] == tested.function; });
-  ASSERT_NE(found, page["functions"].end()) << "not on the page: tests/ShaderLibrary/half_page";
+  ASSERT_NE(found, page["functions"].end()) << "not on the page: scripts/pages --take half";
   const double then = (*found)["largest"].is_null() ? std::numeric_limits<double>::infinity()
                                                     : (*found)["largest"].get<double>();
   EXPECT_EQ(then <= tested.quantity.accepted, largest <= tested.quantity.accepted) << largest;

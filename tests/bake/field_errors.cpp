@@ -1,6 +1,6 @@
 // Measures errors of soft shadows through distance fields against ray tracing: those of several marches by
 // the penumbra's width, and those of several ways to combine objects. It writes JSON, from which
-// tests/bake/page makes the tables of Documentation~/other-shadows.md.
+// scripts/pages makes the tables of Documentation~/other-shadows.md.
 #include <fmt/format.h>
 
 #include <algorithm>

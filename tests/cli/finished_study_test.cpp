@@ -43,14 +43,8 @@ TEST_F(FinishedStudy, IsDrawnWhateverItsTitlesAre) {
   const auto result = shell(command() + R"( --title "tent-5='Soft' ''tent''" --title 'hard="a\b `id`"')");
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(kept(), 0U);
-  EXPECT_THAT(read("out/pareto-fetches.svg"), AllOf(HasSubstr("'Soft' ''tent''"), HasSubstr(R"(a\b `id`)")));
-}
-
-TEST_F(FinishedStudy, IsNotBegunWithoutWhatDrawsIt) {
-  const auto result = shell("PATH=/nonexistent " + command());
-  EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.errors, HasSubstr("apt-get install gnuplot-nox"));
-  EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
+  EXPECT_THAT(read("out/pareto-fetches.svg"),
+              AllOf(HasSubstr("&#39;Soft&#39; &#39;&#39;tent&#39;&#39;"), HasSubstr(R"(a\b `id`)")));
 }
 
 TEST_F(FinishedStudy, IsNotBegunForRowsOrPresetsThatItWillLack) {

@@ -20,7 +20,7 @@ import zlib
 
 root = pathlib.Path(__file__).resolve().parents[2]
 tests = root / 'tests'
-sys.path.insert(0, str(tests))
+sys.path.insert(0, str(root / 'tools' / 'pages'))
 from results_table import read_table  # noqa: E402
 
 LONGEST = 16384

@@ -34,6 +34,12 @@ TEST(Markdown, CodeEndsWhereItsTextDoes) {
   EXPECT_EQ(markdown_code_block("sh", "a\n```\n<!-- x:end -->"), "````sh\na ``` <! -- x:end -->\n````\n");
 }
 
+TEST(Markdown, ATableHasNumbersAtTheRight) {
+  EXPECT_EQ(markdown_table({"a", "b", "c"}, {{"1", "2", "3"}}),
+            "| a | b | c |\n|:--|--:|--:|\n| 1 | 2 | 3 |\n");
+  EXPECT_EQ(markdown_table({"a", "b", "c"}, {}, 1), "| a | b | c |\n|:--|--:|:--|\n");
+}
+
 TEST(Markdown, ABlockIsReplacedAndTheRestKept) {
   const std::string text =
       "# Title\r\n<!-- one:begin -->old<!-- one:end -->\n<!-- two:begin --><!-- two:end -->";

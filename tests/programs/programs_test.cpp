@@ -26,7 +26,7 @@ int number(const char* variable, int otherwise) {
 }
 
 // The programs are in two halves, for two processors. PENUMBRA_RANDOM_PROGRAMS=10000 runs more of them,
-// PENUMBRA_FIRST_SEED others; tests/programs/page publishes what the line at the end says.
+// PENUMBRA_FIRST_SEED others; scripts/pages publishes what the line at the end says.
 class RandomProgramsHalf : public testing::TestWithParam<int> {};
 
 TEST_P(RandomProgramsHalf, MeansOnTheDeviceWhatTheLanguageSays) {

@@ -56,12 +56,11 @@ TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {
     EXPECT_THAT(html, HasSubstr("<p class=\"value\">" + headline.value + "</p>"));
   }
   EXPECT_EQ(count(html, "<svg"), 2 * 2) << "two charts, two lights";
-  EXPECT_EQ(count(html, "<tbody data-technique=\"pcss-24-16\""), 4 + 2)
-      << "two scenes and their mean, two lights";
+  EXPECT_EQ(count(html, R"({"technique":"pcss-24-16")"), 4 + 2) << "two scenes and their mean, two lights";
   // The exact figure is there to sort by, the rounded one to read: 0.25 + 0.0053 of the first record.
-  EXPECT_THAT(html, HasSubstr("data-value=\"0.2553\">0.255 <span class=\"plus\">± 0.004</span>"));
-  EXPECT_THAT(html, HasSubstr("<dt>99th percentile</dt><dd>0.511</dd>")) << "folded away";
-  EXPECT_THAT(html, HasSubstr("<dt>bias</dt><dd>−0.0255</dd>"));
+  EXPECT_THAT(html, HasSubstr(R"([0.2553,"0.255 \u00b1 0.004"])"));
+  EXPECT_THAT(html, HasSubstr(R"(["99th percentile","0.511"])"));
+  EXPECT_THAT(html, HasSubstr(R"(["bias","\u22120.0255"])"));
   EXPECT_THAT(html, HasSubstr("<td>1024</td><td>0.0040</td>")) << "the noise floor of each reference";
 }
 
@@ -98,14 +97,14 @@ TEST_F(Report, WithoutPicturesItSaysHowToGetThem) {
   const std::string html = render_report(content);
   EXPECT_THAT(html, HasSubstr("<span>1</span> <span>--output</span> <span>report</span></code>"));
   EXPECT_THAT(html, Not(HasSubstr("<canvas")));
-  EXPECT_THAT(html, Not(HasSubstr("to-pictures\" href")));
+  EXPECT_THAT(html, Not(HasSubstr("\"pictures\":")));
 }
 
 TEST_F(Report, AColumnWithoutAnyFigureIsLeftOut) {
-  EXPECT_THAT(render_report(*content_), HasSubstr(">False shadow<span"));
+  EXPECT_THAT(render_report(*content_), HasSubstr(R"("title":"False shadow")"));
   ReportContent content = *content_;
   for (Record& record : content.results.records) record.metrics.false_shadow_rate = std::nullopt;
-  EXPECT_THAT(render_report(content), Not(HasSubstr(">False shadow<span")));
+  EXPECT_THAT(render_report(content), Not(HasSubstr(R"("title":"False shadow")")));
 }
 
 TEST_F(Report, ShowsTheFiguresOfEachCascade) {
@@ -121,9 +120,9 @@ TEST_F(Report, ShowsTheFiguresOfEachCascade) {
   far.parameters = {{"taps", {8.0}}};
   content.results.records[0].per_cascade = {near, {}, far, far};
   EXPECT_THAT(render_report(content),
-              HasSubstr("<dt>cascade 0</dt><dd>1234 penumbra pixels, RMSE 0.0625 (0.051 to 0.074), leaks "
-                        "1.25 %</dd>\n<dt>cascade 1</dt><dd>0 penumbra pixels</dd>\n"
-                        "<dt>cascade 2</dt><dd>0 penumbra pixels, by tent-5, taps 8</dd>"));
+              HasSubstr(R"(["cascade 0","1234 penumbra pixels, RMSE 0.0625 (0.051 to 0.074), leaks 1.25 %"],)"
+                        R"(["cascade 1","0 penumbra pixels"],)"
+                        R"(["cascade 2","0 penumbra pixels, by tent-5, taps 8"])"));
 }
 
 TEST_F(Report, ExplainsEveryFigureAndReference) {
@@ -187,7 +186,7 @@ TEST_F(Report, AFindingIsToldAboveEverything) {
 TEST_F(Report, AnAbsentFigureIsADashThatSortsLast) {
   ReportContent content = *content_;
   content.results.records[1].metrics.rmse_penumbra = std::nullopt;
-  EXPECT_THAT(render_report(content), HasSubstr("<td class=\"figure\" data-value=\"\">– <"));
+  EXPECT_THAT(render_report(content), HasSubstr(R"([null,"\u2013"])"));
 }
 
 TEST(EmptyReport, IsStillAPage) {

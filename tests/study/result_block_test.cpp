@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
-#include "cli/static_cycles.h"
 #include "input/input_error_matcher.h"
 #include "study/preset_figures.h"
 #include "study/summary.h"
@@ -20,12 +17,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kChart = "Documentation~/results/pareto-fetches.svg";
-
-std::string file_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  EXPECT_TRUE(stream) << file << " is missing";
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(ResultBlock, ATablePerLightThenChartAndOrigin) {
   const std::string block = result_block(synthetic::results(), {kChart, {}});
@@ -229,97 +220,6 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
                      HasSubstr("before the begin marker"));
 }
 
-// A page that scripts/publish writes figures into, and how it calls `penumbra measure --from
-// FOLDER/results.tsv`.
-struct PublishedPage {
-  std::string name;
-  std::string file;
-  std::string folder;  // folder below Documentation~/results
-  BlockForm form = BlockForm::brief;
-  std::string block{};              // argument of --block; empty: the folder's name
-  std::vector<std::string> rows{};  // argument of --rows
-  bool with_urp = true;             // false: --rows names all techniques but URP's filters
-};
-
-void PrintTo(const PublishedPage& page, std::ostream* stream) {
-  *stream << page.file << ", " << page.name;
-}
-
-// The results' techniques of one bias. URP's own filters, which are in them too, are four-tap, tent-5 and
-// tent-7.
-std::vector<std::string> without_urp(const Results& results) {
-  std::vector<std::string> names;
-  for (const Choice& choice : choices(results))
-    if (!choice.technique.starts_with("urp-")) names.push_back(choice.technique);
-  return names;
-}
-
-std::vector<PublishedPage> published_pages() {
-  const std::string filters = "Documentation~/filters.md";
-  const std::string flagship = "Documentation~/flagship.md";
-  const std::string others = "Documentation~/other-shadows.md";
-  return {{.name = "ReadmeLine",
-           .file = "README.md",
-           .folder = "presets",
-           .form = BlockForm::line,
-           .block = "line",
-           .rows = {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"}},
-          {"Presets", "Documentation~/presets.md", "presets", BlockForm::full},
-          {"Techniques", filters, "techniques", BlockForm::full},
-          {.name = "EqualBias", .file = filters, .folder = "equal-bias", .with_urp = false},
-          {.name = "EqualBiasOfUrp", .file = filters, .folder = "equal-bias-urp", .with_urp = false},
-          {"EqualFetches", filters, "equal-fetches"},
-          {"EqualFetchesOfASmallMap", filters, "equal-fetches-small-map"},
-          {"FarOrigin", "Documentation~/pipelines.md", "far-origin"},
-          {"PlanarAndBlob", others, "planar-and-blob"},
-          {"DistanceFields", others, "distance-field-scenes"},
-          {"Wires", others, "wires"},
-          {"Flagship", flagship, "flagship", BlockForm::full},
-          {"FlagshipLowSun", flagship, "flagship-low-sun"},
-          {"FlagshipFullHd", flagship, "flagship-full-hd"},
-          {"FlagshipFullHdLowSun", flagship, "flagship-full-hd-low-sun"},
-          {"FlagshipKept", flagship, "flagship-kept"},
-          {"FlagshipHalf", flagship, "flagship-half"}};
-}
-
-// Every manifest of the library and the costs of its programs are read once.
-const FactsOfTechniques& committed_facts() {
-  static const FactsOfTechniques all = [] {
-    const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-    const techniques::TechniqueList list = techniques::read_technique_list(root);
-    FactsOfTechniques facts = facts_of(list);
-    cli::add_cycles(facts, list, cost::read_cost_report(root / "Documentation~/results/cost.json"));
-    return facts;
-  }();
-  return all;
-}
-
-class Published : public testing::TestWithParam<PublishedPage> {};
-
-std::string relative_chart(const PublishedPage& page) {
-  const std::string folder = "results/" + page.folder + "/pareto-fetches.svg";
-  return page.file.starts_with("Documentation~/") ? folder : "Documentation~/" + folder;
-}
-
-// The figures a visitor reads are those of the committed file, intervals included; scripts/publish measures
-// and writes both.
-TEST_P(Published, ShowsTheCommittedResults) {
-  const PublishedPage& page = GetParam();
-  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const std::filesystem::path folder = root / "Documentation~/results" / page.folder;
-  const Results results = read_results(folder / "results.tsv");
-  const std::string text = file_text(root / page.file);
-  const std::vector<std::string> rows = page.with_urp ? page.rows : without_urp(results);
-  const std::string block = result_block(results, {relative_chart(page), rows, page.form, committed_facts()});
-  EXPECT_EQ(text,
-            replace_result_block(text, block, page.file, page.block.empty() ? page.folder : page.block));
-  if (page.form != BlockForm::full) return;
-  const std::string chart = file_text(folder / "pareto-fetches.svg");
-  for (const Choice& choice : choices(results)) {
-    EXPECT_THAT(chart, HasSubstr(">" + choice.shown + "<")) << "the chart is of other results";
-  }
-}
-
 // Rows of URP's filters and of ours that are the same filter have the same figures, at the same bias: what
 // stands once in a table stands for both, and a package that was changed by hand is found.
 TEST(PublishedPeers, UrpsFiltersAndOursAreTheSame) {
@@ -336,17 +236,6 @@ TEST(PublishedPeers, UrpsFiltersAndOursAreTheSame) {
       EXPECT_EQ(record.metrics.fetches_mean, same->metrics.fetches_mean) << urp;
     }
   }
-}
-
-INSTANTIATE_TEST_SUITE_P(Page, Published, testing::ValuesIn(published_pages()),
-                         [](const auto& instance) { return instance.param.name; });
-
-// The inspector shows these figures.
-TEST(PublishedPresets, AreTheCommittedResults) {
-  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const Results results = read_results(root / "Documentation~/results/presets/results.tsv");
-  EXPECT_EQ(file_text(root / "Editor/Inspectors/PresetFigures.cs"),
-            preset_figures_csharp(results, "preset-"));
 }
 
 // Results may be a stranger's, and the titles stand in comments of C#.

@@ -1,4 +1,4 @@
-// Checks the tags of an XML text for balance: enough to say whether gnuplot's SVG is one that parses.
+// Checks the tags of an XML text for balance: enough to say whether an SVG is one that parses.
 #pragma once
 
 #include <string>

@@ -209,7 +209,8 @@ std::filesystem::path own_costs() {
 
 // Reads the facts that the manifests and a compiler state about techniques, where something shows them.
 study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
-  if (!writes_report(options) && options.readme.empty()) return {};
+  const bool readme_shows_them = !options.readme.empty() && !options.brief && !options.line;
+  if (!writes_report(options) && !readme_shows_them && options.costs.empty()) return {};
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   study::FactsOfTechniques facts = study::facts_of(list);
   std::error_code ignored;
@@ -250,10 +251,7 @@ study::Results earlier_results(const MeasureOptions& options) {
 
 void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
-  if (writes_report(options)) {
-    check_report_files(options.output);
-    study::require_gnuplot();
-  }
+  if (writes_report(options)) check_report_files(options.output);
   check_cache_folder(options.cache, platform::cache_directory(), context);
   check_output_file(options.presets);
   check_output_file(options.readme);

@@ -70,9 +70,11 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   const study::Picture overview = study::overview(results, content.pictures, 4);
   if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
   const std::string page = study::render_report(content);
+  std::vector<std::string> charts;
+  for (const study::ReportChart& chart : content.charts) charts.push_back(study::render_svg(chart.chart));
   std::vector<platform::FileContent> drawn;
-  for (const study::ReportChart& chart : content.charts)
-    drawn.push_back({folder / (chart.chart.name + ".svg"), chart.svg});
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    drawn.push_back({folder / (content.charts[i].chart.name + ".svg"), charts[i]});
   drawn.push_back({folder / "report.html", page});
   platform::write_files_atomically(drawn);
 }

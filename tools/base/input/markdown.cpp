@@ -89,6 +89,21 @@ std::string markdown_code_block(std::string_view language, std::string_view text
   return fence + std::string(language) + "\n" + code + "\n" + fence + "\n";
 }
 
+std::string markdown_table(const std::vector<std::string>& heads,
+                           const std::vector<std::vector<std::string>>& rows, std::size_t texts_at_end) {
+  std::string text;
+  const auto add = [&text](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) text += "| " + cell + " ";
+    text += "|\n";
+  };
+  add(heads);
+  for (std::size_t i = 0; i < heads.size(); ++i)
+    text += i == 0 || i + texts_at_end >= heads.size() ? "|:--" : "|--:";
+  text += "|\n";
+  for (const std::vector<std::string>& row : rows) add(row);
+  return text;
+}
+
 std::string block_begin(std::string_view name) {
   return "<!-- " + std::string(name) + ":begin -->";
 }

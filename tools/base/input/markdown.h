@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace penumbra {
 
@@ -15,6 +16,11 @@ std::string markdown_cell(std::string_view text);
 // fence. Neither ends before its text does, and no comment begins in it.
 std::string markdown_code(std::string_view text);
 std::string markdown_code_block(std::string_view language, std::string_view text);
+
+// Returns a table of cells that are Markdown already. The first column and the last `texts_at_end` hold text,
+// at the left; the others hold numbers, at the right.
+std::string markdown_table(const std::vector<std::string>& heads,
+                           const std::vector<std::vector<std::string>>& rows, std::size_t texts_at_end = 0);
 
 // These return "<!-- NAME:begin -->" and "<!-- NAME:end -->", which enclose the block NAME.
 std::string block_begin(std::string_view name);

@@ -22,27 +22,14 @@ std::string head_of(const CostReport& report) {
          "  \nCommand: " + markdown_code(report.command) + "\n\n";
 }
 
-std::string table_line(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
-}
-
-std::string table_head(const std::vector<std::string>& heads) {
-  std::string rule = "|:--|";
-  for (std::size_t i = 1; i < heads.size(); ++i) rule += "--:|";
-  return table_line(heads) + rule + "\n";
-}
-
 std::string family_table(const CostReport& report, const RadvFamily& family) {
-  std::string text = table_head(column_heads(report, family.name));
+  std::vector<std::vector<std::string>> rows;
   for (const CostRow& row : report.rows) {
     if (row.family != family.name) continue;
-    std::vector<std::string> cells;
+    std::vector<std::string>& cells = rows.emplace_back();
     for (const std::string& cell : column_cells(report, row)) cells.push_back(markdown_cell(cell));
-    text += table_line(cells);
   }
-  return text;
+  return markdown_table(column_heads(report, family.name), rows);
 }
 
 const CostRow* find_row(const CostReport& report, const std::string& family, const CostVariant& variant) {
@@ -82,16 +69,15 @@ std::string cost_summary_block(const CostReport& report) {
     heads.push_back((figure == &Figures::instructions ? "instructions, " : "cycles per 64 lanes, ") +
                     markdown_cell(family));
   });
-  std::string text = head_of(report) + table_head(heads);
+  std::vector<std::vector<std::string>> rows;
   for (const char* technique : shown) {
-    std::vector<std::string> cells{technique};
+    std::vector<std::string>& cells = rows.emplace_back(1, technique);
     of_figures([&](const auto figure, const std::string& family) {
       const CostRow* row = find_row(report, family, {technique, {"UNITY_REVERSED_Z"}});
       cells.push_back(row == nullptr ? "-" : figure_text(row->measured.figures.*figure));
     });
-    text += table_line(cells);
   }
-  return text;
+  return head_of(report) + markdown_table(heads, rows);
 }
 
 std::string replace_cost_blocks(const std::string& text, const CostReport& report, const std::string& file) {

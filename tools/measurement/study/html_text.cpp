@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 namespace penumbra::study {
 namespace {
@@ -75,6 +76,13 @@ std::string command_html(std::string_view command) {
     command.remove_prefix(std::min(end + 1, command.size()));
   }
   return "<pre class=\"command\"><code>" + words + "</code></pre>\n";
+}
+
+std::string json_script(std::string_view id, const nlohmann::ordered_json& data) {
+  std::string text;
+  for (const char c : data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace))
+    text += c == '<' ? std::string("\\u003c") : std::string(1, c);  // nothing ends the element
+  return "<script type=\"application/json\" id=\"" + std::string(id) + "\">" + text + "</script>\n";
 }
 
 std::string base64(std::span<const std::byte> bytes) {

@@ -10,7 +10,6 @@
 #include "study/report_charts.h"
 #include "study/report_pictures.h"
 #include "study/report_table.h"
-#include "study/report_words.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
@@ -185,9 +184,9 @@ std::vector<Section> sections(const ReportContent& content) {
       {"figures", "All figures", record_table(results, content.pictures)},
       {"techniques", "One row for each technique", technique_table(content)},
       {"pictures", "Pictures", pictures_html(results, content.pictures)},
-      {"words", "What each figure means", metric_definitions_html()},
+      {"words", "What each figure means", std::string(kMetricWords)},
       {"references", "What the errors are measured against",
-       reference_definitions_html() + references(results)},
+       std::string(kReferenceWords) + references(results)},
       {"machine", "How it was measured", machine(results)},
   };
   std::erase_if(all, [](const Section& section) { return section.body.empty(); });

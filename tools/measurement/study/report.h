@@ -2,8 +2,8 @@
 //
 // The page contains its style, its script, its charts (inline SVG) and its pictures (PNG in base64, decoded
 // when they are viewed), and a content security policy that forbids loading anything. It follows the reader's
-// light or dark setting and prints. Without its script it shows every figure and chart; sorting, filtering
-// and the picture viewer need it.
+// light or dark setting and prints. Its script draws the table of figures and the picture viewer from data
+// that the page contains; without it, the charts and the words are there.
 #pragma once
 
 #include <filesystem>
@@ -36,10 +36,8 @@ struct PictureRow {
 };
 
 struct ReportChart {
-  Chart chart;  // its name is that of its file: "pareto-fetches", "pareto-time"
+  Chart chart;
   std::string caption;
-  std::string svg;                 // by render_svg()
-  std::vector<DrawnPanel> panels;  // by render_panels()
 };
 
 struct ReportContent {
@@ -52,7 +50,7 @@ struct ReportContent {
 // The same content gives the same bytes.
 std::string render_report(const ReportContent& content);
 
-// Returns the charts of pareto_chart.h that have something to show. Throws EnvironmentError without gnuplot.
+// Returns the charts of pareto_chart.h that have something to show.
 std::vector<ReportChart> report_charts(const Results& results);
 
 }  // namespace penumbra::study

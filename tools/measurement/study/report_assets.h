@@ -1,5 +1,5 @@
-// The style and the script that report.html carries: the files of tools/measurement/study/report, one after
-// the other.
+// The style, the script and the definitions that report.html carries: the files of
+// tools/measurement/study/report.
 #pragma once
 
 #include <string_view>
@@ -8,5 +8,7 @@ namespace penumbra::study {
 
 extern const std::string_view kReportStyle;
 extern const std::string_view kReportScript;
+extern const std::string_view kReferenceWords;
+extern const std::string_view kMetricWords;
 
 }  // namespace penumbra::study

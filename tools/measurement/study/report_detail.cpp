@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "parameters/settings_input.h"
-#include "study/html_text.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
+
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 // Figures get a minus sign, not a hyphen.
@@ -29,23 +31,20 @@ class Group {
   explicit Group(std::string title) : title_(std::move(title)) {}
 
   void add_text(const std::string& term, const std::string& text) {
-    entries_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(term), escape_html(with_minus(text)));
+    entries_.push_back({term, with_minus(text)});
   }
 
   void add(const char* term, const std::optional<double>& value, const char* format, double scale = 1.0) {
     if (value) add_text(term, fmt::format(fmt::runtime(format), *value * scale));
   }
 
-  std::string html(const std::string& id = {}) const {
-    if (entries_.empty()) return {};
-    const std::string name = id.empty() ? "" : " id=\"" + id + "\"";
-    return "<div class=\"group\"" + name + "><h4>" + escape_html(title_) + "</h4>\n<dl>\n" + entries_ +
-           "</dl></div>\n";
+  void add_to(Json& groups) const {
+    if (!entries_.empty()) groups.push_back({{"title", title_}, {"entries", entries_}});
   }
 
  private:
   std::string title_;
-  std::string entries_;
+  Json entries_ = Json::array();
 };
 
 std::string yes_or_no(bool yes) {
@@ -53,7 +52,7 @@ std::string yes_or_no(bool yes) {
 }
 
 // Lists the parameters, and the settings at which the technique was measured.
-std::string about(const Record& record, const std::string& id) {
+void add_about(Json& groups, const Record& record) {
   Group group(record.title.empty() ? record.technique : record.title);
   group.add_text("name", record.technique);
   for (const auto& [name, values] : record.parameters) {
@@ -83,10 +82,10 @@ std::string about(const Record& record, const std::string& id) {
     group.add_text("light's diameter", fmt::format("multiplied by {}", settings.light_scale));
   }
   group.add_text("reversed depth", yes_or_no(settings.reversed_z));
-  return group.html(id);
+  group.add_to(groups);
 }
 
-std::string intervals(const MetricIntervals& intervals) {
+void add_intervals(Json& groups, const MetricIntervals& intervals) {
   Group group("95 % intervals");
   const auto add = [&group](const char* term, const std::optional<Interval>& interval, double scale) {
     if (!interval || interval->low == interval->high) return;  // a constant has no interval
@@ -97,19 +96,19 @@ std::string intervals(const MetricIntervals& intervals) {
   add("leaks, %", intervals.leak_rate, 100.0);
   add("false shadow, %", intervals.false_shadow_rate, 100.0);
   add("fetches of the shadow function", intervals.fetches_mean, 1.0);
-  return group.html();
+  group.add_to(groups);
 }
 
-std::string errors(const Metrics& metrics) {
+void add_errors(Json& groups, const Metrics& metrics) {
   Group group("Error");
   group.add("bias", metrics.bias, "{:+.4f}");
   group.add("variance over seeds", metrics.variance, "{:.5f}");
   group.add("99th percentile", metrics.p99, "{:.3f}");
   group.add("largest", metrics.max_error, "{:.3f}");
-  return group.html();
+  group.add_to(groups);
 }
 
-std::string split(const ErrorSplit& split) {
+void add_split(Json& groups, const ErrorSplit& split) {
   Group group("Where the error comes from");
   const auto add = [&group](const char* term, const std::optional<ErrorShare>& share) {
     if (share) group.add_text(term, fmt::format("mean {:+.4f}, RMSE {:.4f}", share->mean, share->rmse));
@@ -117,10 +116,10 @@ std::string split(const ErrorSplit& split) {
   add("map", split.map);
   add("algorithm", split.algorithm);
   add("sampling", split.sampling);
-  return group.html();
+  group.add_to(groups);
 }
 
-std::string fetches(const Record& record) {
+void add_fetches(Json& groups, const Record& record) {
   const Metrics& metrics = record.metrics;
   Group group("Fetches and operations per pixel");
   group.add("of the shadow function", metrics.fetches_mean, "{:.1f}");
@@ -134,10 +133,10 @@ std::string fetches(const Record& record) {
     group.add("pixels skipped by the mask, %", metrics.mask->pixels_saved, "{:.1f}", 100.0);
     group.add("penumbra pixels missed by the mask, %", metrics.mask->penumbra_pixels_missed, "{:.2f}", 100.0);
   }
-  return group.html();
+  group.add_to(groups);
 }
 
-std::string cascades(const Record& record) {
+void add_cascades(Json& groups, const Record& record) {
   Group group("By the cascade that pixels read");
   for (std::size_t i = 0; i < record.per_cascade.size(); ++i) {
     const CascadeRecord& cascade = record.per_cascade[i];
@@ -159,15 +158,15 @@ std::string cascades(const Record& record) {
       text += fmt::format(", {} {}", name, fmt::join(values, " "));
     group.add_text(fmt::format("cascade {}", i), text);
   }
-  return group.html();
+  group.add_to(groups);
 }
 
-std::string motion(const Record& record) {
+void add_motion(Json& groups, const Record& record) {
   Group group("Shimmer");
-  if (!record.shimmer) return {};
+  if (!record.shimmer) return;
   group.add("static noise", record.shimmer->static_noise, "{:.4f}");
   group.add("new noise per frame", record.shimmer->per_frame_noise, "{:.4f}");
-  return group.html();
+  group.add_to(groups);
 }
 
 void add_frame(Group& group, const Results& results, const Record& record) {
@@ -189,7 +188,7 @@ void add_frame(Group& group, const Results& results, const Record& record) {
   group.add_text("camera direction", vector(found->camera.forward));
 }
 
-std::string provenance(const Results& results, const Record& record) {
+void add_provenance(Json& groups, const Results& results, const Record& record) {
   const Metrics& metrics = record.metrics;
   Group group("Measured on");
   add_frame(group, results, record);
@@ -203,24 +202,34 @@ std::string provenance(const Results& results, const Record& record) {
   }
   group.add_text("reference", fmt::format("{}, {} rays per pixel, noise floor {:.4f}", record.reference.kind,
                                           record.reference.samples, record.reference.noise_floor));
-  return group.html();
+  group.add_to(groups);
 }
 
 }  // namespace
 
-std::string record_detail(const Results& results, const Record& record, const std::string& about_id) {
-  return "<div class=\"groups\">\n" + about(record, about_id) + intervals(record.metrics.intervals) +
-         errors(record.metrics) + split(record.metrics.split) + fetches(record) + cascades(record) +
-         motion(record) + provenance(results, record) + "</div>\n";
+Json record_detail(const Results& results, const Record& record) {
+  Json groups = Json::array();
+  add_about(groups, record);
+  add_intervals(groups, record.metrics.intervals);
+  add_errors(groups, record.metrics);
+  add_split(groups, record.metrics.split);
+  add_fetches(groups, record);
+  add_cascades(groups, record);
+  add_motion(groups, record);
+  add_provenance(groups, results, record);
+  return groups;
 }
 
-std::string mean_detail(const Results& results, const Record& any, const std::string& about_id) {
+Json mean_detail(const Results& results, const Record& any) {
+  Json groups = Json::array();
+  add_about(groups, any);
   const LightSample sample = sample_of(results, any.light_degrees);
   Group group("Mean of");
   group.add_text("scenes", fmt::format("{}", sample.scenes));
   group.add_text("penumbra pixels, all scenes", fmt::format("{}", sample.penumbra_pixels));
   group.add_text("penumbra pixels, fewest in a scene", fmt::format("{}", sample.smallest_penumbra_pixels));
-  return "<div class=\"groups\">\n" + about(any, about_id) + group.html() + "</div>\n";
+  group.add_to(groups);
+  return groups;
 }
 
 }  // namespace penumbra::study

@@ -42,15 +42,6 @@ Planes planes_of(const Picture& painted) {
   return planes;
 }
 
-// Returns JSON that may stand in a <script> element: no '<' can end it.
-std::string embedded(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
-    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  }
-  return text;
-}
-
 // Returns a ramp as the bytes of its colours, in base64.
 std::string ramp(Rgb (*colour)(double), double from, double to) {
   const Picture strip = ramp_strip(colour, from, to);
@@ -73,8 +64,7 @@ class Album {
     index["noReceiver"] = css_colour(kNoReceiver);
     index["invalid"] = css_colour(kInvalid);
     index["stages"] = stages_;
-    return "<script type=\"application/json\" id=\"picture-index\">" + embedded(index) + "</script>\n" +
-           data_;
+    return json_script("picture-index", index) + data_;
   }
 
  private:

@@ -10,9 +10,9 @@
 
 namespace penumbra::study {
 
-// Returns one group of two rows per record: its headline figures, and all other figures of it, which the
-// report's script folds away. A row leads to its pictures where there are some. Columns without any figure
-// are left out. The table is empty without records.
+// Returns the table's frame and the data from which the report's script draws it: for each record a row of
+// its headline figures, and all other figures of it, which are folded away. A row leads to its pictures where
+// there are some. Columns without any figure are left out. The text is empty without records.
 std::string record_table(const Results& results, const std::vector<PictureRow>& pictures);
 
 }  // namespace penumbra::study

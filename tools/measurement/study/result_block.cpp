@@ -12,24 +12,6 @@
 namespace penumbra::study {
 namespace {
 
-// A header row, the line under it (first column left, others right), and rows added one by one.
-class MarkdownTable {
- public:
-  explicit MarkdownTable(const std::vector<std::string>& heads) {
-    add(heads);
-    text_ += "|:--";
-    for (std::size_t i = 1; i < heads.size(); ++i) text_ += "|--:";
-    text_ += "|\n";
-  }
-  void add(const std::vector<std::string>& cells) {
-    text_ += fmt::format("| {} |\n", fmt::join(cells, " | "));
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 std::string light_name(double degrees) {
   return fmt::format("{}°", degrees);
 }
@@ -81,23 +63,18 @@ std::string mean_table(const Results& results, double light, BlockForm form) {
                                  "light leaks, %",      "false shadow, %",  "fetches per pixel",
                                  "fetches in penumbrae"};
   if (with_operations) heads.push_back("operations per pixel");
-  MarkdownTable table(heads);
+  std::vector<std::vector<std::string>> rows;
   for (const SummaryLine& line : summarise(results)) {
     if (line.light_degrees != light) continue;
     const std::string partial =
         line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
     const std::string name = form == BlockForm::full ? title_and_name(line.choice) : title_of(line.choice);
-    std::vector<std::string> cells{name + partial,
-                                   figure_text(line.rmse_penumbra),
-                                   figure_text(line.rmse_all),
-                                   figure_text(line.leak_rate, 100.0),
-                                   figure_text(line.false_shadow_rate, 100.0),
-                                   fetches_text(line.fetches),
-                                   fetches_text(line.fetches_in_penumbra)};
-    if (with_operations) cells.push_back(operations_text(line.operations));
-    table.add(cells);
+    rows.push_back({name + partial, figure_text(line.rmse_penumbra), figure_text(line.rmse_all),
+                    figure_text(line.leak_rate, 100.0), figure_text(line.false_shadow_rate, 100.0),
+                    fetches_text(line.fetches), fetches_text(line.fetches_in_penumbra)});
+    if (with_operations) rows.back().push_back(operations_text(line.operations));
   }
-  return table.text();
+  return markdown_table(heads, rows);
 }
 
 // Returns those records alone, technique by technique.
@@ -196,8 +173,7 @@ std::string how_to_read(const Results& results, BlockForm form) {
 // at the middle light. The table is empty without such a pass.
 std::string map_pass_table(const Results& results) {
   if (!has_map_passes(results)) return {};
-  MarkdownTable table(
-      {"Technique", "fetches of the passes over the map, millions", "other fetches per pixel"});
+  std::vector<std::vector<std::string>> rows;
   for (const Choice& choice : choices(results)) {
     double of_map = 0.0, others = 0.0;
     int scenes = 0;
@@ -213,12 +189,14 @@ std::string map_pass_table(const Results& results) {
       }
     }
     if (scenes == 0) continue;
-    table.add({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
-               fmt::format("{:.1f}", others / scenes)});
+    rows.push_back({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
+                    fmt::format("{:.1f}", others / scenes)});
   }
   return folded("Passes over the shadow map, " + light_name(middle_light(results)) +
                     " light: their fetches in a frame that draws every cascade",
-                table.text()) +
+                markdown_table(
+                    {"Technique", "fetches of the passes over the map, millions", "other fetches per pixel"},
+                    rows)) +
          "\n";
 }
 
@@ -263,22 +241,19 @@ std::string technique_table(const Results& results, const FactsOfTechniques& fac
   for (const double light : light_sizes(results)) heads.push_back("RMSE in penumbra, " + light_name(light));
   heads.insert(heads.end(), {"fetches per pixel, " + light_name(middle_light(results)), "maps, MiB"});
   if (!facts.cycles_of.empty()) heads.push_back("cycles, " + markdown_cell(facts.cycles_of));
-  const std::size_t figures = heads.size();
   const bool advice = has_advice(rows);
   if (advice) heads.insert(heads.end(), {"Use it when", "Not when"});
-  std::string table = fmt::format("| {} |\n|:--", fmt::join(heads, " | "));
-  for (std::size_t i = 1; i < heads.size(); ++i) table += i < figures ? "|--:" : "|:--";
-  table += "|\n";
+  std::vector<std::vector<std::string>> table;
   for (const TechniqueRow& row : rows) {
-    std::vector<std::string> cells{markdown_code(row.choice.label)};
+    std::vector<std::string>& cells = table.emplace_back(1, markdown_code(row.choice.label));
     for (const std::optional<Estimate>& rmse : row.rmse_penumbra) cells.push_back(figure_text(rmse));
     cells.push_back(fetches_text(row.fetches));
     cells.push_back(fmt::format("{:.1f}", row.map_mebibytes));
     if (!facts.cycles_of.empty()) cells.push_back(cycles_text(row.cycles));
     if (advice) cells.insert(cells.end(), {markdown_cell(row.use_when), markdown_cell(row.not_when)});
-    table += fmt::format("| {} |\n", fmt::join(cells, " | "));
   }
-  return "One row for each technique. " + rows_explained(rows, facts) + "\n\n" + table + "\n";
+  return "One row for each technique. " + rows_explained(rows, facts) + "\n\n" +
+         markdown_table(heads, table, advice ? 2 : 0) + "\n";
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {

@@ -1,6 +1,5 @@
-"""Tables in Markdown pages that are written from JSON files: between `<!-- NAME -->` and `<!-- /NAME -->`."""
+"""Tables in Markdown pages: between `<!-- NAME -->` and `<!-- /NAME -->`."""
 import difflib
-import sys
 
 
 class Problem(Exception):
@@ -11,6 +10,11 @@ def table(head, rows, left):
     """`left` columns are text, the others numbers."""
     lines = ["| " + " | ".join(head) + " |", "|" + ":--|" * left + "--:|" * (len(head) - left)]
     return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+def cell(text):
+    """Text of others as code in a cell."""
+    return "`" + text.replace("|", "\\|").replace("`", "'") + "`"
 
 
 def written(page, parts):
@@ -24,13 +28,5 @@ def written(page, parts):
     return page
 
 
-def update(path, parts, command, check):
-    """Writes the parts into the page; with `check` ends the program when that would change it."""
-    page = path.read_text()
-    wanted = written(page, parts)
-    if not check:
-        path.write_text(wanted)
-    elif page != wanted:
-        print("\n".join(difflib.unified_diff(page.splitlines(), wanted.splitlines(), "the page", "the JSON files",
-                                             lineterm="")))
-        sys.exit(f"{path.name} differs from the JSON files: run {command}")
+def differences(name, before, after):
+    return "\n".join(difflib.unified_diff(before.splitlines(), after.splitlines(), name, "its results", lineterm=""))

@@ -1,7 +1,9 @@
 """Reads results.tsv of `penumbra measure`: tools/base/input/json_table.h says what its lines are."""
+import functools
 import json
 
 
+@functools.lru_cache(maxsize=None)
 def value_of(cell):
     try:
         return json.loads(cell)
@@ -9,11 +11,16 @@ def value_of(cell):
         return cell
 
 
+@functools.lru_cache(maxsize=None)
+def keys_of(path):
+    return [key.replace("~1", "/").replace("~0", "~") for key in path.split("/")]
+
+
 def nested(values):
     """The object whose parts have these paths: {"a/0": 1} is {"a": [1]}."""
     result = {}
     for path, value in values.items():
-        *parents, name = (key.replace("~1", "/").replace("~0", "~") for key in path.split("/"))
+        *parents, name = keys_of(path)
         place = result
         for parent in parents:
             place = place.setdefault(parent, {})

@@ -1,16 +1,19 @@
-"""The tables of masks, shimmer and splits of samples say what their results say: means are taken and masks are told
-apart as there; the page of figures names every table."""
-import importlib.machinery
-import importlib.util
-import json
+"""Tables of measured figures: means, intervals, pairs and orders of rows, from records that are made up."""
 import re
+import sys
 import unittest
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
-page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
-loader.exec_module(page)
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "pages"))
+import far_shadows  # noqa: E402
+import figures  # noqa: E402
+import flagship  # noqa: E402
+import markdown  # noqa: E402
+import measuring  # noqa: E402
+import other_shadows  # noqa: E402
+import presets  # noqa: E402
+import results_table  # noqa: E402
+import screen_passes  # noqa: E402
 
 PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # parts of a record with fields of their own
 
@@ -32,18 +35,13 @@ def results(*records):
     return {"device": "device", "command": "penumbra measure --made", "commit": COMMIT, "records": list(records)}
 
 
-class Pages(unittest.TestCase):
-    def test_say_what_the_files_say(self):
-        for path, parts in page.pages().items():
-            text = path.read_text()
-            self.assertEqual(text, page.written(text, parts), "run tests/study/page")
-
+class Fields(unittest.TestCase):
     def test_every_field_of_a_record_has_its_meaning(self):
-        figures = page.MEASURING.read_text().split("\n## Figures\n")[1].split("\n## ")[0]
-        cells = re.findall(r"^\| (.*?) \|", figures, re.MULTILINE)
+        figures_of = measuring.PAGE.read_text().split("\n## Figures\n")[1].split("\n## ")[0]
+        cells = re.findall(r"^\| (.*?) \|", figures_of, re.MULTILINE)
         named = {name for cell in cells for name in re.findall("`([^`]*)`", cell)}
-        for file in page.RESULTS.glob("**/results.tsv"):
-            for record in page.read_table(file.read_text())["records"]:
+        for file in figures.RESULTS.glob("**/results.tsv"):
+            for record in results_table.read_table(file.read_text())["records"]:
                 parts = [record, *(record[part] for part in PARTS if part in record)]
                 self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in docs/measuring.md")
 
@@ -54,7 +52,7 @@ class Volumetric(unittest.TestCase):
             return {"scene": scene, "extinction_per_metre": 0.05, "samples": 8, "jittered": jittered, "rmse": rmse,
                     "rmse_of_blocks": blocks}
 
-        text = page.volumetric({"device": "d", "command": "c", "commit": COMMIT, "picture": [160, 90], "map": [64, 32], "cascades": 2,
+        text = other_shadows.volumetric({"device": "d", "command": "c", "commit": COMMIT, "picture": [160, 90], "map": [64, 32], "cascades": 2,
                                 "longest_ray_metres": 50.0, "places_of_the_exact_answer": 256, "block_pixels": 4,
                                 "records": [one("a", False, 0.2, 0.1), one("a", True, 0.3, 0.02),
                                             one("b", False, 0.2, 0.3), one("b", True, 0.3, 0.02)]})
@@ -64,19 +62,19 @@ class Volumetric(unittest.TestCase):
 
 class Provenance(unittest.TestCase):
     def test_results_of_changed_sources_or_of_no_commit_are_refused(self):
-        self.assertTrue(page.made(results()).endswith(f", at commit {COMMIT}"))
+        self.assertTrue(figures.made(results()).endswith(f", at commit {COMMIT}"))
         for commit in (COMMIT + "-dirty", COMMIT[1:], "", None):
-            with self.assertRaisesRegex(page.Problem, "nobody can check out"):
-                page.made({**results(), "commit": commit})
+            with self.assertRaisesRegex(markdown.Problem, "nobody can check out"):
+                figures.made({**results(), "commit": commit})
 
 
 class Intervals(unittest.TestCase):
     def test_an_interval_ends_where_the_figure_does(self):
-        self.assertEqual(page.mean_and_interval([0.4, 0.5, 0.6], 3), "0.500 ± 0.248")
-        self.assertEqual(page.mean_and_interval([0.0, 0.1, 0.2], 3), "0.100 [0, 0.348]")
-        self.assertEqual(page.mean_and_interval([80.0, 90.0, 100.0], 1, 100.0), "90.0 [65.2, 100]")
-        self.assertEqual(page.mean_and_interval([0.0, 100.0], 1, 100.0), "50.0 [0, 100]")
-        self.assertEqual(page.mean_and_interval([0.3], 3), "0.300")
+        self.assertEqual(figures.mean_and_interval([0.4, 0.5, 0.6], 3), "0.500 ± 0.248")
+        self.assertEqual(figures.mean_and_interval([0.0, 0.1, 0.2], 3), "0.100 [0, 0.348]")
+        self.assertEqual(figures.mean_and_interval([80.0, 90.0, 100.0], 1, 100.0), "90.0 [65.2, 100]")
+        self.assertEqual(figures.mean_and_interval([0.0, 100.0], 1, 100.0), "50.0 [0, 100]")
+        self.assertEqual(figures.mean_and_interval([0.3], 3), "0.300")
 
 
 class Noise(unittest.TestCase):
@@ -93,28 +91,27 @@ class Noise(unittest.TestCase):
 
     def test_a_row_has_single_frames_and_their_history(self):
         self.assertIn("| 2° | PCSS, gradient noise | 0.200 ± 0.000 | 0.100 ± 0.000 | 0.100 ± 0.000 | 0.050 ± 0.000 |"
-                      " 0.0200 ± 0.0000 | 4.0 |", page.noise_rows(self.results()))
+                      " 0.0200 ± 0.0000 | 4.0 |", screen_passes.noise_rows(self.results()))
 
     def test_differences_are_the_mask_less_gradient_noise_by_scene(self):
-        text = page.noise_differences(self.results())
+        text = screen_passes.noise_differences(self.results())
         # 0.01 and 0.03 have the mean 0.02 and the standard error 0.01; t of one degree of freedom is 12.706.
         self.assertIn("| PCSS noise | RMSE in penumbra, one frame | +0.0200 ± 0.1271 |".replace(" noise", ""), text)
         self.assertIn("flicker, history | -0.0100 ± 0.0000 |", text)
 
     def test_one_history_is_wanted(self):
-        with self.assertRaisesRegex(page.Problem, "not one history"):
-            page.noise_rows(results(record("pcss-gradient history=1")))
-
+        with self.assertRaisesRegex(markdown.Problem, "not one history"):
+            screen_passes.noise_rows(results(record("pcss-gradient history=1")))
 
     def test_a_row_of_the_denoiser_has_its_radius_and_the_error_of_each_light(self):
         def of(radius, light, error):
             return record(f"t denoiseRadius={radius}", light=light, rmse_penumbra=error, parameters={"denoiseRadius": [float(radius)]})
 
-        text = page.denoise_radii(results(of(0, 2.0, 0.3), of(4, 2.0, 0.2), of(0, 5.0, 0.5), of(4, 5.0, 0.1)))
+        text = screen_passes.denoise_radii(results(of(0, 2.0, 0.3), of(4, 2.0, 0.2), of(0, 5.0, 0.5), of(4, 5.0, 0.1)))
         self.assertIn("| 0 | 0.300 | 0.500 | 4.0 |\n| 4 | 0.200 | 0.100 | 4.0 |", text)
 
     def test_a_row_of_a_pan_has_both_kinds_of_noise(self):
-        text = page.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)), record("t", "b", title="T", shimmer=(0.04, 0.05))))
+        text = screen_passes.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)), record("t", "b", title="T", shimmer=(0.04, 0.05))))
         self.assertIn("| 2° | T | 0.0300 [0, 0.1571] | 0.0400 [0, 0.1671] |", text)
 
 
@@ -126,7 +123,7 @@ class RingCells(unittest.TestCase):
                           passes=[{"pass": "FirstLevels", "fetches_per_pixel": 9.0},
                                   {"pass": "ResolveTiles", "fetches_per_pixel": fetches}])
 
-        text = page.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0)) for sun in page.RING_SUNS})
+        text = screen_passes.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0)) for sun in screen_passes.RING_SUNS})
         self.assertIn("| 8° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
 
 
@@ -145,7 +142,7 @@ class TexelErrors(unittest.TestCase):
         return {"command": "penumbra_texel_errors FILE", "commit": COMMIT, "receivers": 100, "trained": 200, "records": records + list(more)}
 
     def test_the_best_smallest_radius_of_a_column_is_bold(self):
-        text = page.texel_errors(self.results(), "penumbra")
+        text = flagship.texel_errors(self.results(), "penumbra")
         self.assertIn("| estimator | 0.25 edges | 0.25 bars | 1 edges |", text)
         self.assertIn("| bilinear, 2 x 2 | 0.300 | 0.600 | 0.150 |", text)
         self.assertIn("smallest radius 0.5 | 0.250 | 0.500 | 0.125 |", text)
@@ -154,23 +151,23 @@ class TexelErrors(unittest.TestCase):
         self.assertIn("is 0.0020 at most", text)
 
     def test_errors_of_all_receivers_have_their_own_interval(self):
-        text = page.texel_errors(self.results(), "all")
+        text = flagship.texel_errors(self.results(), "all")
         self.assertIn("| bilinear, 2 x 2 | 0.500 | 0.500 | 0.500 |", text)
         self.assertIn("is 0.0022 at most", text)
 
     def test_gains_are_against_the_best_disc_or_the_default(self):
-        text = page.texel_gains(self.results())
+        text = flagship.texel_gains(self.results())
         # The interval is 100 x .5 x hypot(.001 / .1, .001 / .2).
         self.assertIn("| mean of the edges that 4 x 4 allow | the best disc | -50.0 ± 0.6 |", text)
         self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |", text)
 
     def test_a_record_that_is_missing_or_doubled_is_told(self):
         results = self.results()
-        with self.assertRaisesRegex(page.Problem, "two records"):
-            page.texel_errors(self.results(results["records"][0]), "penumbra")
+        with self.assertRaisesRegex(markdown.Problem, "two records"):
+            flagship.texel_errors(self.results(results["records"][0]), "penumbra")
         del results["records"][0]
-        with self.assertRaisesRegex(page.Problem, "has no bilinear"):
-            page.texel_errors(results, "penumbra")
+        with self.assertRaisesRegex(markdown.Problem, "has no bilinear"):
+            flagship.texel_errors(results, "penumbra")
 
 
 class FarSteps(unittest.TestCase):
@@ -183,7 +180,7 @@ class FarSteps(unittest.TestCase):
             return record(f"t heightSteps={steps}", scene, by_distance=rings, leak_rate=leaks, false_shadow_rate=0.0,
                           parameters={"heightSteps": [float(steps)]})
 
-        text = page.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1), of("b", 16, 0.0, 0.0)))
+        text = far_shadows.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1), of("b", 16, 0.0, 0.0)))
         # The second figure of 8 is the root of 3 / 4 of the first ring's.
         self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |", text)
 
@@ -198,34 +195,34 @@ class PresetSteps(unittest.TestCase):
         first = run("one", [("a", 2.0, {"rmse_penumbra": 0.2}), ("a", 5.0, {"rmse_penumbra": 0.3}), ("b", 2.0, {}), ("b", 5.0, {})])
         second = run("two", [("b", 2.0, {"fetches_mean": 4.5}), ("a", 2.0, {"rmse_penumbra": 0.21}),
                              ("a", 5.0, {"rmse_penumbra": 0.25, "leak_rate": 0.002}), ("b", 5.0, {})])
-        text = page.device_differences(first, second)
+        text = measuring.device_differences(first, second)
         self.assertIn("| `a` | 0.3000 | 0.2500 | 0.0500 | 0.200 | 0.000 |", text)
         self.assertIn("| `b` | 0.1000 | 0.1000 | 0.0000 | 0.000 | 0.500 |", text)
         self.assertIn("penumbrae is 0.0500", text)
         self.assertIn("3000 penumbra pixels", text)
         second["records"].pop()
-        with self.assertRaises(page.Problem):
-            page.device_differences(first, second)
+        with self.assertRaises(markdown.Problem):
+            measuring.device_differences(first, second)
 
     def test_front_ends_are_paired_by_technique(self):
         glslang = results(record("tent", operations_per_pixel=100.0), record("pcss", operations_per_pixel=400.0))
         fxc = results(record("pcss", operations_per_pixel=100.0, rmse_penumbra=0.15),
                       record("tent", operations_per_pixel=50.0, fetches_mean=3.0))
-        with self.assertRaises(page.Problem):
-            page.front_end_differences(glslang, fxc)
+        with self.assertRaises(markdown.Problem):
+            measuring.front_end_differences(glslang, fxc)
         fxc["front_end"] = "FXC 10"
-        text = page.front_end_differences(glslang, fxc)
+        text = measuring.front_end_differences(glslang, fxc)
         self.assertIn("| `tent` | 0.1000 | 0.1000 | 4.00 | 3.00 | 100 | 50 | 0.50 |", text)
         self.assertIn("| `pcss` | 0.1000 | 0.1500 | 4.00 | 4.00 | 400 | 100 | 0.25 |", text)
         self.assertIn("from 0.25 to 0.50. The largest difference of the RMSE in penumbrae is 0.0500.", text)
-        with self.assertRaises(page.Problem):
-            page.front_end_differences(glslang, {**fxc, "records": fxc["records"][:1]})
+        with self.assertRaises(markdown.Problem):
+            measuring.front_end_differences(glslang, {**fxc, "records": fxc["records"][:1]})
 
     def test_differences_are_paired_by_scene(self):
         def preset(name, scene, error):
             return record("preset-" + name, scene, rmse_penumbra=error)
 
-        text = page.preset_steps(results(
+        text = presets.preset_steps(results(
             preset("low", "a", 0.30), preset("low", "b", 0.10), preset("low", "c", 0.20), record("other", "a"),
             preset("high", "a", 0.28), preset("high", "b", 0.09), preset("high", "c", 0.20)))
         # The differences 0.02, 0.01 and 0 have the mean 0.01 and the standard error 0.01 / sqrt(3); t of two degrees of
@@ -233,7 +230,7 @@ class PresetSteps(unittest.TestCase):
         self.assertTrue(text.endswith("| from, to | 2° light |\n|:--|--:|\n| Low to High | 0.0100 ± 0.0248 (2 of 3) |"), text)
 
     def test_one_scene_has_no_interval(self):
-        text = page.preset_steps(results(record("preset-low", rmse_penumbra=0.2), record("preset-high", rmse_penumbra=0.1)))
+        text = presets.preset_steps(results(record("preset-low", rmse_penumbra=0.2), record("preset-high", rmse_penumbra=0.1)))
         self.assertIn("| Low to High | - (1 of 1) |", text)
 
 
@@ -251,7 +248,7 @@ class Masks(unittest.TestCase):
             masked("pcss-masked", "a", 19.0, 2.0, 0.0, 0.25, 0.001), masked("pcss-masked", "b", 4.0, 2.5, 0.0, 0.75, 0.0),
             masked("pcss-conservative", "a", 12.0, 5.0, 9.0, 0.5, 0.0),
             masked("pcss-conservative", "b", 3.0, 5.5, 9.0, 0.7, 0.0))
-        text = page.masks(measured)
+        text = presets.masks(measured)
         self.assertIn("Not counted: 0.25 million fetches for each cascade", text)
         self.assertIn("| mean of 2 scenes | 2° light |", text)
         self.assertIn(" conservative mask | 15.0 → 13.8 → 12.8 |\n", text)
@@ -259,8 +256,8 @@ class Masks(unittest.TestCase):
         self.assertTrue(text.endswith(" misses, % | 0.05 → 0.00 |"), text)
 
     def test_two_other_techniques_are_refused(self):
-        with self.assertRaises(page.Problem):
-            page.masks(results(record("tent-5"), record("pcss-masked")))
+        with self.assertRaises(markdown.Problem):
+            presets.masks(results(record("tent-5"), record("pcss-masked")))
 
 
 def cost_row(entry, technique, instructions, keywords=("UNITY_REVERSED_Z",), family="navi21"):
@@ -270,7 +267,7 @@ def cost_row(entry, technique, instructions, keywords=("UNITY_REVERSED_Z",), fam
 
 class PresetCosts(unittest.TestCase):
     def test_programs_of_several_presets_stand_once(self):
-        text = page.preset_costs({"driver": "radv", "command": "penumbra cost", "rows": [
+        text = presets.preset_costs({"driver": "radv", "command": "penumbra cost", "rows": [
             cost_row("Fragment", "tent-7", 400), cost_row("Fragment", "tent-7", 399, []),
             cost_row("Fragment", "tent-7", 398, family="gfx1100"),
             cost_row("Resolve", "preset-low", 1000), cost_row("Resolve", "preset-high", 1200),
@@ -297,7 +294,7 @@ class WeightedCosts(unittest.TestCase):
 
     def test_each_pass_counts_by_its_threads(self):
         tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
-        text = page.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
+        text = flagship.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
         # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each pixel.
         self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
         self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
@@ -306,11 +303,11 @@ class WeightedCosts(unittest.TestCase):
 
     def test_a_pass_without_a_program_is_an_error(self):
         unknown = record("flagship", "a", operations_per_pixel=1.0, passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
-        with self.assertRaisesRegex(page.Problem, "the cost of flagship lacks Rest"):
-            page.weighted_costs(results(unknown), self.COST)
+        with self.assertRaisesRegex(markdown.Problem, "the cost of flagship lacks Rest"):
+            flagship.weighted_costs(results(unknown), self.COST)
 
     def test_threads_of_each_pass(self):
-        text = page.shares_of_passes(results(self.flagship("a", 0.5), self.flagship("b", 0.5)), "flagship")
+        text = flagship.shares_of_passes(results(self.flagship("a", 0.5), self.flagship("b", 0.5)), "flagship")
         self.assertIn("| `Classify` | 0.062 ± 0.000 |\n| `Resolve` | 0.500 ± 0.000 |", text)
 
 
@@ -320,14 +317,14 @@ class RelativeTimes(unittest.TestCase):
         return record(technique, scene, time_ms_median=milliseconds, time_kind="CPU time")
 
     def test_the_ratio_is_of_each_scene(self):
-        text = page.relative_times(results(self.timed("flagship", "a", 30.0), self.timed("pcss", "a", 10.0),
+        text = flagship.relative_times(results(self.timed("flagship", "a", 30.0), self.timed("pcss", "a", 10.0),
                                            self.timed("flagship", "b", 3.0), self.timed("pcss", "b", 3.0)), "pcss")
         self.assertIn("device, CPU time, mean of 2 scenes", text)
         self.assertIn("| `flagship` | 2.00 [0, 14.71] |\n| `pcss` | 1.00 ± 0.00 |", text)
 
     def test_without_times_there_is_no_table(self):
-        with self.assertRaisesRegex(page.Problem, "measure with --timing-repeats"):
-            page.relative_times(results(self.timed("flagship", "a", None)), "flagship")
+        with self.assertRaisesRegex(markdown.Problem, "measure with --timing-repeats"):
+            flagship.relative_times(results(self.timed("flagship", "a", None)), "flagship")
 
 
 class TimesOfGpu(unittest.TestCase):
@@ -338,19 +335,19 @@ class TimesOfGpu(unittest.TestCase):
                               {"pass": "Resolve", "time_ms_median": 0.75 * milliseconds}])
 
     def test_times_stand_beside_errors(self):
-        text = page.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
+        text = flagship.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
         self.assertIn("device, GPU time, mean of 2 scenes", text)
         self.assertIn("| `flagship` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
-        self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.", page.times_of_gpu(results(self.timed("a", 1.0))))
+        self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.", flagship.times_of_gpu(results(self.timed("a", 1.0))))
 
     def test_times_of_a_cpu_are_refused(self):
-        with self.assertRaisesRegex(page.Problem, "not times of a GPU"):
-            page.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
-        with self.assertRaisesRegex(page.Problem, "not times of a GPU"):
-            page.times_of_gpu(results(record("flagship", time_ms_median=None, time_kind="GPU time")))
+        with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
+            flagship.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
+        with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
+            flagship.times_of_gpu(results(record("flagship", time_ms_median=None, time_kind="GPU time")))
 
     def test_passes_add_up(self):
-        text = page.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "flagship")
+        text = flagship.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "flagship")
         self.assertIn("| `Classify` | 0.500 ± 0.000 |\n| `Resolve` | 1.500 ± 0.000 |", text)
 
 
@@ -363,7 +360,7 @@ class DepthFetches(unittest.TestCase):
         def masked(name, scene, light, fetches, saved):
             return record("fallback-" + name, scene, light, (saved, 0.0), preprocess_fetches_per_pixel=fetches)
 
-        text = page.depth_fetches(results(record("fallback-low"), *(
+        text = screen_passes.depth_fetches(results(record("fallback-low"), *(
             row for name in ("high", "ultra") for row in (
                 masked(name, "a", 2.0, 2.0, 0.1), masked(name, "b", 2.0, 3.0, 0.3),
                 masked(name, "a", 5.0, 1.0, 0.0), masked(name, "b", 5.0, 1.0, 0.02)))), self.SCREEN)
@@ -374,14 +371,14 @@ class DepthFetches(unittest.TestCase):
             "| fallbacks of High, Ultra: pixels where the mask skips the filter, % | 20 | 1 |"), text)
 
     def test_different_masks_are_refused(self):
-        with self.assertRaisesRegex(page.Problem, "different masks"):
-            page.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
+        with self.assertRaisesRegex(markdown.Problem, "different masks"):
+            screen_passes.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
                                        record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
 
 
 class ScreenFigures(unittest.TestCase):
     def test_means_over_scenes_of_all_passes(self):
-        text = page.screen_figures(results(
+        text = screen_passes.screen_figures(results(
             record("t", "a", mask=(0.2, 0.01), shimmer=(0.1, 0.2), preprocess_fetches_per_pixel=1.0),
             record("t", "b", mask=(0.4, None), shimmer=(0.3, None), rmse_penumbra=0.2, penumbra_pixels=2017),
             record("plain", "a", rmse_penumbra=None, fetches_mean=None)))
@@ -401,7 +398,7 @@ def split(blockers, filters, light, error, fetches, scene="a"):
 
 class SampleSplit(unittest.TestCase):
     def test_a_row_is_a_mean_over_scenes_and_bold_where_nothing_is_cheaper_and_better(self):
-        text = page.sample_split(results(
+        text = presets.sample_split(results(
             split(8.0, 16.0, 0.5, 0.1, 10.0), split(8.0, 16.0, 0.5, 0.3, 12.0, "b"), split(8.0, 16.0, 5.0, 0.1, 12.0),
             split(24.0, 8.0, 0.5, 0.2, 26.0), split(24.0, 8.0, 5.0, 0.2, 28.0),
             split(24.0, 32.0, 0.5, 0.05, 26.0), split(24.0, 32.0, 5.0, 0.05, 38.0)))
@@ -413,7 +410,7 @@ class SampleSplit(unittest.TestCase):
             "| **24** | **32** | **0.050** | **0.050** | **26.0** | **38.0** |"), text)
 
     def test_differences_to_the_last_row_are_paired_by_scene(self):
-        text = page.sample_split(results(
+        text = presets.sample_split(results(
             split(8.0, 16.0, 2.0, 0.10, 10.0), split(8.0, 16.0, 2.0, 0.32, 10.0, "b"),
             split(24.0, 32.0, 2.0, 0.08, 40.0), split(24.0, 32.0, 2.0, 0.28, 40.0, "b")))
         # The differences are 0.02 and 0.04; the interval of two values is 12.706 times half their difference.

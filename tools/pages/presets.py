@@ -1,0 +1,203 @@
+"""Tables of Documentation~/presets.md, with what a player contains."""
+import json
+import math
+import subprocess
+from pathlib import Path
+
+from figures import (COMMAND, DOCUMENTATION, RESULTS, ROOT, all_fetches, by_light, code, distinct, figure, groups, interval_of,
+                     light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes, techniques_by_light,
+                     with_interval)
+from markdown import Problem, table
+
+PAGE = DOCUMENTATION / "presets.md"
+FALLBACK = "fallback-"  # techniques that presets fall back to
+
+
+def preset_steps(results):
+    """By how much the error falls from each preset to the next: one row per step, lights are columns."""
+    presets = {name: own for (name,), own in groups(results["records"], "technique") if name.startswith("preset-")}
+    rows = []
+    for lower, higher in zip(presets, list(presets)[1:]):
+        errors = {(record["light_degrees"], record["scene"]): record["rmse_penumbra"] for record in presets[higher]}
+
+        def cell(records):
+            pairs = [(one["rmse_penumbra"], errors.get((one["light_degrees"], one["scene"]))) for one in records]
+            differences = [before - after for before, after in pairs if None not in (before, after)]
+            step = with_interval(differences)
+            shown = "-" if step is None else f"{step[0]:.4f} ± {step[1]:.4f}"
+            return f"{shown} ({sum(difference > 0.0 for difference in differences)} of {len(differences)})"
+
+        rows.append([" to ".join(name.removeprefix("preset-").capitalize() for name in (lower, higher)),
+                     *by_light(presets[lower], cell)])
+    return (f"Command: `{COMMAND}`. It reads `Documentation~/results/presets/results.tsv` in the repository, which the"
+            f" command below the first tables writes.\n\n{table(['from, to', *light_heads(results['records'])], rows, 1)}")
+
+
+def executed_operations(results):
+    """Operations per pixel that FXC's bytecode executes."""
+    if "front_end" not in results:
+        raise Problem("operations are those of optimised bytecode: measure with --front-end fxc")
+    return measured({**results, "device": results["front_end"]}, *techniques_by_light(
+        results, "operations per pixel", interval_of("operations_per_pixel", 0, math.inf)), what=scenes(results["records"]))
+
+
+def each_frame(record):
+    """Fetches per pixel of all passes but those that run only for a cascade that is drawn anew."""
+    return all_fetches(record) - sum(one["fetches_per_pixel"] for one in record.get("passes", []) if one["runs"] == "cascade")
+
+
+def masks(results):
+    """Fetches per pixel without a mask, with it and with the conservative one, and what each mask skips and misses: means."""
+    records = results["records"]
+    names = distinct(records, "technique")
+    plain, *settings = names[0].split(" ")
+    if names != [" ".join([plain + mask, *settings]) for mask in ("", "-masked", "-conservative")]:
+        raise Problem(f"results/masks/results.tsv holds {names}, not one technique without a mask, with it, and with the"
+                      " conservative one")
+    once = {sum(one["fetches_per_cascade"] for one in record["passes"] if one["runs"] == "cascade")
+            for record in records if record["technique"] == names[2]}
+    if len(once) != 1:
+        raise Problem(f"results/masks/results.tsv: the passes over a cascade fetch {sorted(once)} times, not as often everywhere")
+
+    def cells(names, cell):
+        return by_light(records, lambda own: " → ".join(cell([one for one in own if one["technique"] == name]) for name in names))
+
+    rows = [["fetches per pixel, without a mask → four taps → conservative mask", *cells(names, mean_of(each_frame, 1))],
+            ["pixels that the mask skips, %: four taps → conservative mask",
+             *cells(names[1:], mean_of(lambda record: record["mask"]["pixels_saved"], 0, 100))],
+            ["penumbra pixels that it misses, %",
+             *cells(names[1:], mean_of(lambda record: record["mask"]["penumbra_pixels_missed"], 2, 100))]]
+    return (f"{results['device']}. Not counted: {once.pop() / 1e6:.2f} million fetches for each cascade of 1024 x 1024 texels that is"
+            f" drawn anew, for the conservative mask.  \n{made(results)}.\n\n"
+            + table([f"mean of {len(distinct(records, 'scene'))} scenes", *light_heads(records)], rows, 1))
+
+
+COST_FAMILY = "navi21"
+COST_ROWS = {"tent-5": "Tent 5x5, URP's filter at Medium", "tent-7": "Tent 7x7, URP's filter at High",
+             "pcss-angular-24-16-hdrp": "PCSS with HDRP's rules"}
+
+
+def preset_costs(cost):
+    """One row per program: the filters of URP and HDRP, then every program of the presets and of their fallbacks."""
+    def of(technique):
+        """(program, its figures) of the variants for a map in which near is 1."""
+        figures = ("instructions", "vgprs", "inverse_throughput_cycles")
+        return [(row["entry"], *(str(row["figures"][name]) for name in figures))
+                for row in cost["rows"] if row["family"] == COST_FAMILY and any(
+                    variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
+                    and "PENUMBRA_UNLIMITED" not in variant["keywords"] for variant in row["variants"])]
+
+    rows = [[title, "the filter alone", *figures] for name, title in COST_ROWS.items() for _, *figures in of(name)]
+    programs = {}
+    for prefix, what in (("preset-", ""), (FALLBACK, "fallback of ")):
+        for preset in ("low", "medium", "high", "ultra"):
+            for program in of(prefix + preset):
+                programs.setdefault(program, []).append(what + preset.capitalize())
+    rows += [[", ".join(names), *program] for program, names in programs.items()]
+    return (f"{COST_FAMILY}, {cost['driver']}. The mask's programs run for blocks of pixels.  \n"
+            f"Command: `{cost['command']}`\n\n"
+            + table(["technique or presets", "program", "instructions", "VGPRs", "cycles per 64 lanes"], rows, 2))
+
+
+def on_frontier(points):
+    """Of (fetches, error): whether no other point has less of one and no more of the other."""
+    return [not any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points)
+            for point in points]
+
+
+def against_most_samples(records, most):
+    """"0.109 (+0.029 ± 0.010)": the mean error, and the interval of its difference to that with most samples, by scene;
+    "0.080 ± 0.031", the interval of the mean, for most samples themselves."""
+    if records[0]["technique"] == most[0]["technique"]:
+        return mean_and_interval([record["rmse_penumbra"] for record in records], 3)
+    errors_of_most = {record["scene"]: record["rmse_penumbra"] for record in most}
+    interval = with_interval([record["rmse_penumbra"] - errors_of_most[record["scene"]] for record in records
+                              if None not in (record["rmse_penumbra"], errors_of_most.get(record["scene"]))])
+    error = figure(mean(record["rmse_penumbra"] for record in records), 3)
+    return error if interval is None else f"{error} ({interval[0]:+.3f} ± {interval[1]:.3f})"
+
+
+def sample_split(results):
+    """One row per number of blocker and of filter samples: error and fetches by light, means over scenes. The last
+    technique of the results is the one with most samples."""
+    records = results["records"]
+    techniques = [own for _, own in groups(records, "technique")]
+    rows, points = [], []
+    for own in techniques:
+        samples = [f"{own[0]['parameters'][key][0]:g}" for key in ("blockerSamples", "filterSamples")]
+        per_light, most = (by_light(some, list) for some in (own, techniques[-1]))
+        fetches = [mean(map(all_fetches, some)) for some in per_light]
+        points.append((mean(fetches), mean(mean(record["rmse_penumbra"] for record in some) for some in per_light)))
+        rows.append([*samples, *map(against_most_samples, per_light, most), *(figure(count, 1) for count in fetches)])
+    rows = [[f"**{cell}**" for cell in row] if best else row for row, best in zip(rows, on_frontier(points))]
+    head = ["blocker samples", "filter samples", *light_heads(records, "RMSE in penumbra {}"), *light_heads(records, "fetches {}")]
+    return measured(results, head, rows, 0)
+
+
+VARIANTS = DOCUMENTATION / "variants"
+RECEIVERS = VARIANTS / "receivers.json"
+PROJECTS = ("desktop", "phone")
+URP = "com.unity.render-pipelines.universal"
+SHADERS = ("Lit", "SimpleLit", "Terrain/TerrainLit")
+CONDITION = "-_MAIN_LIGHT_SHADOWS_SCREEN"
+
+
+def receivers_command(project, urp):
+    """Of one project; `urp` is the folder with URP's packages."""
+    packages = [f"com.unity.render-pipelines.{name}" for name in ("core", "universal", "universal-config")]
+    roots = [option for package in packages for option in ("--package-root", f"{package}={urp}/{package}")]
+    return ["validate", *(f"{urp}/{URP}/Shaders/{shader}.shader" for shader in SHADERS), *roots, "--api", "d3d11",
+            "--stripping", f"Documentation~/variants/{project}.json", "--count", f"--what-if={CONDITION}"]
+
+
+def take_receivers(urp):
+    """Counts anew; `urp` is the folder with URP's packages."""
+    projects = {}
+    for project in PROJECTS:
+        run = subprocess.run([ROOT / "build" / "release" / "penumbra", *receivers_command(project, urp), "--format", "json"],
+                             cwd=ROOT, capture_output=True, text=True)
+        if run.returncode != 0:
+            raise Problem(f"penumbra validate ended with {run.returncode}: {run.stderr.strip()}")
+        projects[project] = [{key: program[key] for key in ("shader", "pass", "stages")}  # without this machine's folders
+                             for program in json.loads(run.stdout)["programs"]]
+    version = read_json(Path(urp) / URP / "package.json")["version"]
+    RECEIVERS.write_text(json.dumps({"urp": version, "condition": CONDITION, "projects": projects}, indent=1) + "\n")
+
+
+def player_programs(counts):
+    rows = [[preset["name"].removeprefix("preset-").capitalize(),
+             ", ".join(" ".join(map(code, [program["pass"], *program["keywords"]])) for program in preset["programs"]),
+             len(preset["programs"])] for preset in counts["presets"]]
+    rows.append(["without stripping", "every pass with every keyword set", counts["programs"]])
+    return "Command: `penumbra emit`\n\n" + table(["preset", "programs", "number"], rows, 2)
+
+
+def receiver_variants(counts):
+    def sums(programs, key):
+        return [sum(stage[key] for program in programs for stage in program["stages"] if stage["stage"] == name)
+                for name in ("vertex", "fragment")]
+
+    rows = []
+    for project, programs in counts["projects"].items():
+        for (shader,), own in groups(programs, "shader"):
+            changed = [program for program in own if any(stage["variants"] != stage["what_if"] for stage in program["stages"])]
+            figures = [f"{count:,}" for after, before in zip(sums(own, "variants"), sums(own, "what_if"))
+                       for count in (before, after - before)]
+            rows.append([project, shader.removeprefix("Universal Render Pipeline/"),
+                         ", ".join(code(program["pass"]) for program in changed), *figures])
+    head = ["project", "shader", "passes that grow", "vertex programs before", "added", "fragment programs before", "added"]
+    command = " ".join(["penumbra", *receivers_command("PROJECT", "DIR")])
+    return f"URP {counts['urp']}, Direct3D 11.  \nCommand: `{command}`\n\n{table(head, rows, 3)}"
+
+
+TAKES = {"receivers": take_receivers}
+
+
+def parts(_):
+    return {PAGE: {"preset-steps": preset_steps(read("presets")),
+                   "preset-operations": executed_operations(read("preset-operations")),
+                   "masks": masks(read("masks")),
+                   "preset-costs": preset_costs(read_json(RESULTS / "cost.json")),
+                   "sample-split": sample_split(read("sample-split")),
+                   "player-programs": player_programs(read_json(VARIANTS / "presets.json")),
+                   "receiver-variants": receiver_variants(read_json(RECEIVERS))}}

@@ -1,0 +1,224 @@
+"""Tables of Documentation~/screen-passes.md, and the fetches of the fallbacks in Documentation~/installation.md."""
+import math
+
+from figures import (COMMAND, DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, all_fetches, by_light, code,
+                     distinct, figure, groups, interval_of, light_heads, made, mean, mean_of, measured, part_of, read, sample, with_interval)
+from markdown import Problem, table
+from presets import FALLBACK
+
+PAGE = DOCUMENTATION / "screen-passes.md"
+
+
+def screen_figures(results):
+    columns = {"penumbra RMSE": ERROR, "fetches per pixel, all passes": FETCHES,
+               "pixels skipped by the mask, %": mean_of(part_of("mask", "pixels_saved"), 0, 100.0),
+               "penumbra pixels missed by the mask, %": mean_of(part_of("mask", "penumbra_pixels_missed"), 2, 100.0),
+               "shimmer, static noise": mean_of(part_of("shimmer", "static_noise"), 3),
+               "shimmer, noise per frame": mean_of(part_of("shimmer", "per_frame_noise"), 3)}
+    rows = [[name, *(cell(own) for cell in columns.values())] for (name,), own in groups(results["records"], "technique")]
+    return measured(results, ["technique", *columns], rows, 1)
+
+
+UNMASKED = ("pcss-angular-24-16", "screen-pcss-angular-24-16")  # the filter alone, and the pass that calls it
+
+
+def depth_fetches(presets, screen):
+    """What the presets' fallbacks read besides the filter's own fetches, by light: one row without a mask, two of the
+    masked ones."""
+    records = presets["records"]
+    masked = [record for record in records if record["technique"].startswith(FALLBACK) and "mask" in record]
+    shared = {(record["scene"], record["light_degrees"], record["preprocess_fetches_per_pixel"]) for record in masked}
+    if len(shared) != len(distinct(masked, "scene")) * len(distinct(records, "light_degrees")):
+        raise Problem("the masked fallbacks of results/presets/results.tsv have different masks")
+
+    def of_pass(own):
+        alone, called = ([all_fetches(record) for record in own if record["technique"] == name] for name in UNMASKED)
+        return figure(mean(called) - mean(alone), 1) if alone and called else "-"
+
+    lights = distinct(records, "light_degrees")
+    names = ", ".join(name.removeprefix(FALLBACK).capitalize() for name in distinct(masked, "technique"))
+    rows = [["position and normal from the camera's depth, of the pass without a mask", *by_light(screen["records"], of_pass, lights)],
+            [f"fallbacks of {names}: the passes of the mask", *by_light(masked, mean_of("preprocess_fetches_per_pixel", 1), lights)],
+            [f"fallbacks of {names}: pixels where the mask skips the filter, %",
+             *by_light(masked, mean_of(part_of("mask", "pixels_saved"), 0, 100.0), lights)]]
+    return (f"Command: `{COMMAND}`. It reads `results.tsv` of [the screen passes' figures](screen-passes.md#figures) for the first"
+            " row and of [the presets'](presets.md) for the others, each written by the command named there; means over their"
+            f" scenes.\n\n{table(['fetches per pixel', *light_heads(records)], rows, 1)}")
+
+
+EDGE_PASSES = ("MarkSamples", "MarkSurfaces", "ShadePixels", "ShadeSamples", "MeanOfSamples")
+
+
+def pass_fetches(records, name):
+    """Of that pass, per pixel of the picture; None where there is none."""
+    return mean(one["fetches_per_pixel"] for record in records for one in record.get("passes", []) if one["pass"] == name)
+
+
+def edges(results):
+    """One row per technique and light: errors and fetches at edges alone, paired with those of the first technique that
+    shades once for a pixel; and the fetches of each pass over the picture."""
+    records = results["records"]
+    rows, passes = [], []
+    for (degrees, name), own in groups(records, "light_degrees", "technique"):
+        rows.append([name, f"{degrees:g}°", ERROR_OF_ALL(own), ERROR(own), interval_of("fetches_mean", 1, math.inf)(own)])
+        counts = [pass_fetches(own, one) for one in EDGE_PASSES]
+        if any(count is not None for count in counts):
+            passes.append([f"{degrees:g}°", *(figure(count, 1) for count in counts)])
+    pixels = [record["pixels"] for record in next(groups(records, "light_degrees", "technique"))[1]]
+    head = ["technique", "light", "RMSE at edges", "RMSE at edges in penumbra", "fetches per edge pixel"]
+    what = f"mean of {len(pixels)} scenes, {sum(pixels)} edge pixels, at least {min(pixels)} per scene; {INTERVALS}"
+    return (measured(results, head, rows, 2, what) + "\n\nFetches per pixel of the whole picture, by pass:\n\n"
+            + table(["light", *map(code, EDGE_PASSES)], passes, 1))
+
+
+def with_and_without(*runs):
+    """One row per light and technique of each run."""
+    rows, notes = [], []
+    for results in runs:
+        notes.append(f"{results['device']}, {sample(results['records'])}.  \n{made(results)}.")
+        for (light, name), own in groups(results["records"], "light_degrees", "technique"):
+            rows.append([code(name), f"{own[0]['settings']['normal_bias']:g}", f"{light:g}°", *(cell(own) for cell in PLAIN.values())])
+    return "\n\n".join(notes) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
+
+
+def trace_settings(results):
+    """One row per length, thickness and number of steps, the technique without a trace first."""
+    keys = ("traceLengthMetres", "traceThicknessMetres", "traceSteps")
+    rows = []
+    for _, own in groups(results["records"], "technique"):
+        values = own[0]["parameters"]
+        rows.append([*(f"{values[key][0]:g}" if key in values else "-" for key in keys), *(cell(own) for cell in PLAIN.values())])
+    return measured(results, ["length, m", "thickness, m", "steps", *PLAIN], rows, 0)
+
+
+HISTORY = "history="  # of a technique's name, where several were measured (`penumbra measure --history`)
+
+
+def of_history(records, name, share):
+    return [record for record in records if record["technique"] == f"{name} {HISTORY}{share:g}"]
+
+
+def without_history(results):
+    """The techniques' names, and the share of the newest frame in the histories that are not single frames."""
+    names = distinct(results["records"], "technique")
+    shares = {float(name.split(HISTORY)[1]) for name in names} - {1.0}
+    if len(shares) != 1:
+        raise Problem(f"'{results['command']}' has not one history beside single frames")
+    return list(dict.fromkeys(name.split(" " + HISTORY)[0] for name in names)), shares.pop()
+
+
+def flicker(record):
+    """Standard deviation of a penumbra pixel's visibility over the results; root of the mean of squares."""
+    return None if record["variance"] is None else math.sqrt(record["variance"])
+
+
+def plain_title(record):
+    return record["title"].split(" " + HISTORY)[0]
+
+
+def noise_rows(results):
+    """One row per light and technique: single frames, and the history."""
+    names, share = without_history(results)
+    rows = []
+    for (light,), own in groups(results["records"], "light_degrees"):
+        for name in names:
+            one, many = of_history(own, name, 1.0), of_history(own, name, share)
+            rows.append([f"{light:g}°", plain_title(one[0]), ERROR(one), ERROR_OF_ALL(one), ERROR(many), ERROR_OF_ALL(many),
+                         interval_of(flicker, 4)(many), FETCHES_ALONE(one)])
+    return measured(results, ["light", "technique", "RMSE in penumbra", "RMSE of all pixels", "RMSE in penumbra, history",
+                              "RMSE of all pixels, history", "flicker, history", "fetches per pixel"], rows, 2)
+
+
+def paired_difference(before, after, digits):
+    """Of figures by scene: "-0.0010 ± 0.0002"."""
+    step = with_interval([after[scene] - before[scene] for scene in before])
+    if step is None:
+        return "-"
+    centre = round(step[0], digits)
+    return f"{centre:{'+' if centre else ''}.{digits}f} ± {step[1]:.{digits}f}".removeprefix("-" if centre == 0.0 else "")
+
+
+def noise_differences(results):
+    """The mask's figures less the gradient noise's on the same scenes, by light."""
+    records = results["records"]
+    names, share = without_history(results)
+    rows = []
+    for name in names:
+        if "-gradient" not in name:
+            continue
+        for what, of_share, value in (("RMSE in penumbra, one frame", 1.0, lambda record: record["rmse_penumbra"]),
+                                      ("RMSE in penumbra, history", share, lambda record: record["rmse_penumbra"]),
+                                      ("flicker, history", share, flicker)):
+            def cell(own):
+                return paired_difference(*({record["scene"]: value(record) for record in of_history(own, one, of_share)}
+                                           for one in (name, name.replace("-gradient", "-mask"))), 4)
+
+            title = plain_title(of_history(records, name, 1.0)[0]).replace(", gradient noise", "")
+            rows.append([title, what, *by_light(records, cell)])
+    return f"Command: `{COMMAND}`. It reads the file of the table above.\n\n{table(['technique', 'figure', *light_heads(records)], rows, 2)}"
+
+
+FLAGSHIP_MAPS = (1024, 2048, 4096)
+
+
+def flagship_noise(results):
+    """By the map's size, one row per technique and light."""
+    rows = [[f"{size}", f"{light:g}°", own[0]["title"], ERROR(own), ERROR_OF_ALL(own), interval_of(flicker, 4)(own), FETCHES_ALONE(own)]
+            for size in FLAGSHIP_MAPS for (light, name), own in groups(results[size]["records"], "light_degrees", "technique")
+            if not name.endswith("-denoised")]
+    head = ["map", "light", "technique", "RMSE in penumbra", "RMSE of all pixels", "flicker", "fetches per pixel"]
+    return measured(results[FLAGSHIP_MAPS[0]], head, rows, 3, and_so_on=True)
+
+
+def denoise_radii(results):
+    """One row per radius: errors by light."""
+    records = results["records"]
+    rows = [[f"{own[0]['parameters']['denoiseRadius'][0]:g}", *by_light(own, ERROR), FETCHES_ALONE(own)]
+            for _, own in groups(records, "technique")]
+    return measured(results, ["radius, pixels", *light_heads(records, "RMSE in penumbra, {} light"), "fetches per pixel"], rows, 1)
+
+
+def noise_pan(results):
+    """One row per light and technique: change from frame to frame of a pan."""
+    rows = [[f"{light:g}°", own[0]["title"],
+             *(interval_of(part_of("shimmer", key), 4)(own) for key in ("static_noise", "per_frame_noise"))]
+            for (light, _), own in groups(results["records"], "light_degrees", "technique")]
+    return measured(results, ["light", "technique", "shimmer, static noise", "shimmer, noise per frame"], rows, 2)
+
+
+RING_SUNS = (42, 8)
+
+
+def of_one_scene(record, key, digits):
+    """A figure of one scene with its interval over the picture's blocks, as the program writes them."""
+    interval = record["intervals"][key]
+    half = max(record[key] - interval["low"], interval["high"] - record[key])
+    return f"{record[key]:.{digits}f} ± {half:.{digits}f}"
+
+
+def ring_cells(results):
+    """By the sun's height and diameter, one row per scene and number of cells."""
+    rows = []
+    for sun in RING_SUNS:
+        for record in results[sun]["records"]:
+            rows.append([f"{sun}°", f"{record['light_degrees']:g}°", record["scene"], *record["technique"].split("-")[1:3],
+                         *(of_one_scene(record, key, 4) for key in ("rmse_penumbra", "rmse_all")), record["penumbra_pixels"],
+                         figure(pass_fetches([record], "ResolveTiles"), 2)])
+    head = ["sun's height", "light", "scene", "cells", "cells of the search", "RMSE in penumbra", "RMSE of all pixels",
+            "penumbra pixels", "fetches per pixel of the windows"]
+    notes = "\n".join(f"{made(results[sun])}.\n" for sun in RING_SUNS)
+    return (f"{results[RING_SUNS[0]]['device']}; ± is half the width of the 95 % confidence interval over blocks of the picture.\n\n"
+            f"{notes}\n{table(head, rows, 5)}")
+
+
+def parts(_):
+    return {PAGE: {"screen-figures": screen_figures(read("screen-passes")),
+                   "edges": edges(read("edges")),
+                   "contact-shadows": with_and_without(read("contact-shadows"), read("contact-shadows-urp-bias")),
+                   "contact-settings": trace_settings(read("contact-shadow-settings")),
+                   "noise": noise_rows(read("noise")),
+                   "noise-differences": noise_differences(read("noise")),
+                   "denoise-radii": denoise_radii(read("denoise-radius")),
+                   "flagship-noise": flagship_noise({size: read(f"flagship-noise/{size}") for size in FLAGSHIP_MAPS}),
+                   "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})},
+            DOCUMENTATION / "installation.md": {"depth-fetches": depth_fetches(read("presets"), read("screen-passes"))}}

@@ -1,0 +1,230 @@
+"""Tables of docs/validating.md: the corpus of published shaders, speed, random programs."""
+import json
+import re
+from pathlib import Path
+
+from figures import DOCS, ROOT, code, read_json
+from markdown import Problem, cell, table
+
+PAGE = DOCS / "validating.md"
+CORPUS = ROOT / "tests" / "corpus"
+SPEED = ROOT / "tests" / "benchmarks" / "validation_results.json"
+PROGRAMS = ROOT / "tests" / "programs" / "last_run.json"
+
+
+def share(part, whole):
+    return f"{part} ({100 * part / whole:.1f} %)" if whole else "-"
+
+
+def total(counts):
+    return {key: sum(one[key] for one in counts) for key in counts[0]}
+
+
+BLOCKS = ["blocks", "left out", "SPIR-V", "also ESSL, GLSL, MSL", "also HLSL"]
+
+
+def of_blocks(blocks):
+    return [blocks["total"], blocks["editor_only"] + blocks["include_missing"],
+            *(share(blocks[key], blocks["counted"]) for key in ("spirv", "all_but_hlsl", "all_targets"))]
+
+
+def of_first_run(entry):
+    """Blocks to SPIR-V and blocks that count. The very first run found fewer includes through its own fault, so those
+    that were missing count in it."""
+    blocks = entry["blocks"]
+    return blocks["spirv"], blocks["counted"] if entry.get("found_includes") else blocks["total"] - blocks["editor_only"]
+
+
+def third_party(first, last):
+    before = {entry["repository"]: of_first_run(entry) for entry in first["results"]}
+    rows = [[entry["repository"], share(*before[entry["repository"]]), *of_blocks(entry["blocks"])] for entry in last["third_party"]]
+    rows.append(["**all**", share(*map(sum, zip(*before.values()))), *of_blocks(total([one["blocks"] for one in last["third_party"]]))])
+    return table(["repository", "SPIR-V, first run", *BLOCKS], rows, 1)
+
+
+def urp(last):
+    return table(["version", *BLOCKS], [[entry["version"], *of_blocks(entry["blocks"])] for entry in last["urp"]], 1)
+
+
+def lighting(last):
+    rows = [[entry["version"], entry["keyword_sets"], *(share(entry[key], entry["keyword_sets"]) for key in ("spirv", "all_targets"))]
+            for entry in last["lighting"]]
+    return table(["version", "keyword sets", "SPIR-V", "all targets"], rows, 1)
+
+
+def named_causes(last):
+    places = {"third_party": "{repository}", "urp": "URP {version}", "lighting": "lighting.hlsl, URP {version}"}
+    return [(place.format(**entry), cause) for part, place in places.items() for entry in last[part] for cause in entry["causes"]]
+
+
+def causes(last, explanations):
+    found = [[] for _ in explanations]
+    for where, cause in named_causes(last):
+        matching = [i for i, one in enumerate(explanations) if one["message"] in cause["message"] and one.get("where", "") in where]
+        if len(matching) != 1:
+            raise Problem(f"{len(matching)} explanations fit '{cause['message']}' of {where}; explanations.json needs one")
+        found[matching[0]].append((where, cause))
+    rows = []
+    for explanation, of in zip(explanations, found):
+        if not of:
+            raise Problem(f"nothing fails with '{explanation['message']}' any more; take it out of explanations.json")
+        example = max((cause for _, cause in of), key=lambda one: one["blocks"])
+        targets = sorted({target for _, cause in of for target in cause["targets"]})
+        in_emitted_text = example["example"].split(":")[0] in example["targets"]
+        rows.append([cell(example["message"]), ", ".join(sorted({where for where, _ in of})),
+                     code(example["shader"] if in_emitted_text else example["example"]),
+                     "all" if "spirv" in targets else ", ".join(targets), explanation["kind"],
+                     explanation["explanation"], sum(cause["blocks"] for _, cause in of)])
+    rows.sort(key=lambda row: -row[-1])
+    return table(["message", "found in", "example", "targets", "cause", "explanation", "blocks"], rows, 6)
+
+
+def of_front_ends(data):
+    """(name, its counts) of every repository and of URP's versions."""
+    return ([(entry["repository"], entry) for entry in data["third_party"]] +
+            [("URP " + entry["version"], entry) for entry in data["urp"]])
+
+
+def front_ends(data):
+    counts = [(name, {**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
+                      **{kind: sum(cause["variants"] for cause in entry[kind]) for kind in ("false_passes", "false_refusals")}})
+              for name, entry in of_front_ends(data)]
+    counts.append(("**all**", total([one for _, one in counts])))
+    rows = [[name, one["variants"], share(one["accepted_by_fxc"], one["variants"]), share(one["passed_by_us"], one["variants"]),
+             one["false_passes"], one["false_refusals"]] for name, one in counts]
+    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes", "false refusals"], rows, 1)
+
+
+def most_frequent(data, kind, count=10):
+    """Of all shaders, what the compiler that refuses alone says, without names."""
+    causes = {}
+    for name, entry in of_front_ends(data):
+        for cause in entry[kind]:
+            one = causes.setdefault(cause["message"], {**cause, "variants": 0, "found": []})
+            one["variants"] += cause["variants"]
+            one["found"].append(name)
+    rows = [[one["variants"], cell(one["says"]), code(one["example"]), ", ".join(one["found"])]
+            for one in sorted(causes.values(), key=lambda one: (-one["variants"], one["says"]))[:count]]
+    return table(["variants", "message", "example", "found in"], rows, 0) if rows else "None."
+
+
+# In the order in which each adds something to the one before.
+WAYS = {"alone": "the same seven steps in one process",
+        "cold": "and unreachable code is parsed only once",
+        "shared": "and identical sources and modules are processed once",
+        "driver": "and GLSL and ESSL are compiled with Mesa",
+        "lint": "and lint rules are applied: the whole command with `--api vulkan`",
+        "default": "the whole command without `--api`: a source for each target's graphics API",
+        "warm": "the same again, with a filled cache"}
+SETS = {"techniques": "this library's techniques", "urp_lighting": "URP's Lighting.hlsl"}
+
+
+def processor():
+    lines = Path("/proc/cpuinfo").read_text().splitlines()
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "unknown")
+
+
+def figures_of_speed(raw):
+    """The figures of the benchmark's own JSON, without what names a machine's folders; several repetitions of
+    one benchmark are there by their median."""
+    sets = [{"name": run["run_name"].split("/")[0],
+             **{name: round(value, 6) for name, value in run.items()
+                if name.endswith(("_ms", "_ratio", "texts", "modules")) or name == "variants"}}
+            for run in raw["benchmarks"] if run.get("aggregate_name") == "median"]
+    if not sets:
+        raise Problem("no medians in it: give the benchmark --benchmark_repetitions=3")
+    return {"command": "penumbra_validation_benchmark --benchmark_repetitions=3 --benchmark_filter='variants:(72|288|1000)'",
+            "processor": processor(), "threads": raw["context"]["num_cpus"], "date": raw["context"]["date"][:10], "sets": sets}
+
+
+def ratio(value):
+    return f"{value:.2f}" if value < 100 else f"{value:.0f}"
+
+
+def of_way(of, way, digits, more=""):
+    """The library's techniques have one source for all targets, and so no figure of the default."""
+    name = way + more
+    if name not in of:
+        return "–"
+    return ratio(of[name]) if more.endswith("ratio") else f"{of[name]:.{2 if way == 'warm' else digits}f}"
+
+
+def machine(results):
+    return f"{results['processor']}, {results['threads']} threads, {results['date']}. Command: `{results['command']}`"
+
+
+def title(of):
+    return f"{SETS[of['name']]}, {of['variants']:.0f} variants"
+
+
+def speed(results):
+    sets = results["sets"]
+    head = ["", *(f"{title(of)}: ms per variant" for of in sets), *(f"{of['variants']:.0f} variants: speed-up" for of in sets),
+            *(f"{of['variants']:.0f} variants: speed-up in CPU time" for of in sets)]
+    rows = [["the shell pipeline", *(f"{of['shell_ms']:.1f}" for of in sets), *("1" for _ in sets), *("1" for _ in sets)]]
+    rows += [[f"*{way}*: {words}", *(of_way(of, way, 1, more) for more in ("_ms", "_ratio", "_cpu_ratio") for of in sets)]
+             for way, words in WAYS.items()]
+    counts = ("variants", "texts", "modules", "every_api_texts", "every_api_modules")
+    equal = [[SETS[of["name"]], *(f"{of[key]:.0f}" if key in of else "–" for key in counts)] for of in sets]
+    return (f"{machine(results)}\n\n{table(head, rows, 1)}\n\n"
+            + table(["", "variants", "distinct sources", "distinct SPIR-V modules", "sources for every API", "SPIR-V modules of them"],
+                    equal, 1))
+
+
+def speed_summary(results):
+    def shown(of, way):
+        return f"{of_way(of, way, 0, '_ms')} ({of_way(of, way, 0, '_ratio')} ×)" if way + "_ms" in of else "–"
+
+    rows = [[title(of), f"{of['shell_ms']:.0f}", *(shown(of, way) for way in ("shared", "lint", "default", "warm"))]
+            for of in results["sets"]]
+    head = ["milliseconds per variant (speed-up)", "shell pipeline", "the same steps", "the command, `--api vulkan`",
+            "the command", "again, with a filled cache"]
+    return f"{machine(results)}\n\n{table(head, rows, 1)}"
+
+
+HALF = re.compile(r"^(\d+) programs on (\d+) sets of inputs each, seeds from (\d+) on, (\d+) more not run; "
+                  r"differences: (\d+), largest distance of two floats: (\d+) ULP; device: (.+)$", re.MULTILINE)
+
+
+def figures_of_programs(text):
+    found = HALF.findall(text)
+    if len(found) != 2:
+        raise Problem(f"{len(found)} halves in it instead of 2: run all of '*Half*'")
+    if len({(half[1], half[6]) for half in found}) != 1:
+        raise Problem("the halves are of different runs")
+    programs, unfit, differences = (sum(int(half[at]) for half in found) for at in (0, 3, 4))
+    return {"programs": programs, "input_sets": int(found[0][1]), "first_seeds": [int(half[2]) for half in found],
+            "not_run": unfit, "differences": differences, "most_ulps": max(int(half[5]) for half in found),
+            "device": found[0][6]}
+
+
+def random_programs(results):
+    row = [f"{results['programs']:,}", results["input_sets"], results["not_run"], results["differences"], f"{results['most_ulps']} ULP"]
+    return (f"{results['device']}, seeds from {' and '.join(map(str, results['first_seeds']))} on. Command:"
+            f" `PENUMBRA_RANDOM_PROGRAMS={results['programs']} build/release/penumbra_programs_tests --gtest_filter='*Half*' > TEXT;"
+            " scripts/pages --take programs TEXT`\n\n"
+            + table(["programs", "sets of inputs each", "left out", "differences", "largest distance of two floats"], [row], 0))
+
+
+def take_speed(file):
+    """FILE is what penumbra_validation_benchmark has written with --benchmark_out=FILE."""
+    SPEED.write_text(json.dumps(figures_of_speed(read_json(Path(file))), indent=2) + "\n")
+
+
+def take_programs(file):
+    """FILE is the output of penumbra_programs_tests."""
+    PROGRAMS.write_text(json.dumps(figures_of_programs(Path(file).read_text()), indent=2) + "\n")
+
+
+TAKES = {"speed": take_speed, "programs": take_programs}
+
+
+def parts(_):
+    first, last, explanations, both = (read_json(CORPUS / f"{name}.json")
+                                       for name in ("first_run", "last_run", "explanations", "front_ends"))
+    measured = read_json(SPEED)
+    return {PAGE: {"front-ends": front_ends(both), "false-passes": most_frequent(both, "false_passes"),
+                   "false-refusals": most_frequent(both, "false_refusals"), "third-party": third_party(first, last), "urp": urp(last),
+                   "lighting": lighting(last), "causes": causes(last, explanations),
+                   "speed": speed(measured), "validation-speed": speed_summary(measured),
+                   "programs": random_programs(read_json(PROGRAMS))}}
