@@ -12,6 +12,8 @@
 namespace penumbra::techniques {
 namespace {
 
+constexpr const char* kLibrary = "../";  // the library's folder as the written file sees it
+
 constexpr const char* kTechniqueByKeyword = R"(// Penumbra: the technique that a shader keyword selects.
 // Written by `penumbra emit` from the manifests, *.technique.json; do not edit.
 //
@@ -29,7 +31,7 @@ constexpr const char* kTechniqueByKeyword = R"(// Penumbra: the technique that a
 #ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 
-#include "../Core/ShadowStructs.hlsl"
+#include "{library}Core/ShadowStructs.hlsl"
 
 // These filters, or the passes before them, read raw depths from a texture that has a comparison sampler. That is
 // undefined in OpenGL, OpenGL ES and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used
@@ -71,7 +73,7 @@ constexpr const char* kBranch = R"({} {}
 {})";
 
 constexpr const char* kUniforms = R"(
-#include "../{folder}Parameters/{name}.hlsl"
+#include "{library}{folder}Parameters/{name}.hlsl"
 {uniforms}
 {name} {function}()
 {{
@@ -111,9 +113,10 @@ class KeywordWriter {
   }
 
   std::string text() const {
-    return fmt::format(kTechniqueByKeyword, fmt::arg("filters", filters()), fmt::arg("choices", choices()),
-                       fmt::arg("maps_rule", any_maps() ? kMapsRule : ""), fmt::arg("includes", includes()),
-                       fmt::arg("maps", maps()), fmt::arg("structs", uniforms()), fmt::arg("rules", rules()),
+    return fmt::format(kTechniqueByKeyword, fmt::arg("filters", filters()), fmt::arg("library", kLibrary),
+                       fmt::arg("choices", choices()), fmt::arg("maps_rule", any_maps() ? kMapsRule : ""),
+                       fmt::arg("includes", includes()), fmt::arg("maps", maps()),
+                       fmt::arg("structs", uniforms()), fmt::arg("rules", rules()),
                        fmt::arg("calls", calls()));
   }
 
@@ -210,7 +213,7 @@ class KeywordWriter {
         if (std::find(included.begin(), included.end(), file_of(rule.filter)) == included.end())
           included.push_back(file_of(rule.filter));
       std::string text;
-      for (const std::string& file : included) text += "#include \"../" + file + "\"\n";
+      for (const std::string& file : included) text += "#include \"" + (kLibrary + file) + "\"\n";
       return text;
     };
     return branches(lines) + "#else\n" + lines(*otherwise_) + "#endif\n";
@@ -244,7 +247,7 @@ class KeywordWriter {
         vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i);
       }
       text += fmt::format(
-          kUniforms,
+          kUniforms, fmt::arg("library", kLibrary),
           fmt::arg("folder", in_library(parameters->manifest.substr(0, parameters->manifest.rfind('/') + 1))),
           fmt::arg("name", parameters->name), fmt::arg("uniforms", declared),
           fmt::arg("function", unpacker_of(*parameters)), fmt::arg("vectors", vectors));
