@@ -15,7 +15,8 @@ import presets  # noqa: E402
 import results_table  # noqa: E402
 import screen_passes  # noqa: E402
 
-PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # parts of a record with fields of their own
+PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings",
+         "intervals")  # parts of a record with fields of their own
 
 
 COMMIT = "0123456789" * 4
@@ -43,7 +44,8 @@ class Fields(unittest.TestCase):
         for file in figures.RESULTS.glob("**/results.tsv"):
             for record in results_table.read_table(file.read_text())["records"]:
                 parts = [record, *(record[part] for part in PARTS if part in record)]
-                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in docs/measuring.md")
+                self.assertLessEqual({name for part in parts for name in part}, named,
+                                     f"{file}: say it in docs/measuring.md")
 
 
 class Volumetric(unittest.TestCase):
@@ -52,12 +54,14 @@ class Volumetric(unittest.TestCase):
             return {"scene": scene, "extinction_per_metre": 0.05, "samples": 8, "jittered": jittered, "rmse": rmse,
                     "rmse_of_blocks": blocks}
 
-        text = other_shadows.volumetric({"device": "d", "command": "c", "commit": COMMIT, "picture": [160, 90], "map": [64, 32], "cascades": 2,
+        text = other_shadows.volumetric({"device": "d", "command": "c", "commit": COMMIT, "picture": [160, 90],
+                                         "map": [64, 32], "cascades": 2,
                                 "longest_ray_metres": 50.0, "places_of_the_exact_answer": 256, "block_pixels": 4,
                                 "records": [one("a", False, 0.2, 0.1), one("a", True, 0.3, 0.02),
                                             one("b", False, 0.2, 0.3), one("b", True, 0.3, 0.02)]})
         # Where the scenes differ, the mean is 0.2 ± 12.706 * 0.1, which goes below 0 and above 1.
-        self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 [0, 1] | 0.020 ± 0.000 |"), text)
+        self.assertTrue(text.endswith("| 0.05 | 8 | 0.200 ± 0.000 | 0.300 ± 0.000 | 0.200 [0, 1] | 0.020 ± 0.000 |"),
+                        text)
 
 
 class Provenance(unittest.TestCase):
@@ -105,13 +109,15 @@ class Noise(unittest.TestCase):
 
     def test_a_row_of_the_denoiser_has_its_radius_and_the_error_of_each_light(self):
         def of(radius, light, error):
-            return record(f"t denoiseRadius={radius}", light=light, rmse_penumbra=error, parameters={"denoiseRadius": [float(radius)]})
+            return record(f"t denoiseRadius={radius}", light=light, rmse_penumbra=error,
+                          parameters={"denoiseRadius": [float(radius)]})
 
         text = screen_passes.denoise_radii(results(of(0, 2.0, 0.3), of(4, 2.0, 0.2), of(0, 5.0, 0.5), of(4, 5.0, 0.1)))
         self.assertIn("| 0 | 0.300 | 0.500 | 4.0 |\n| 4 | 0.200 | 0.100 | 4.0 |", text)
 
     def test_a_row_of_a_pan_has_both_kinds_of_noise(self):
-        text = screen_passes.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)), record("t", "b", title="T", shimmer=(0.04, 0.05))))
+        text = screen_passes.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)),
+                                               record("t", "b", title="T", shimmer=(0.04, 0.05))))
         self.assertIn("| 2° | T | 0.0300 [0, 0.1571] | 0.0400 [0, 0.1671] |", text)
 
 
@@ -119,27 +125,33 @@ class RingCells(unittest.TestCase):
     def test_a_row_has_the_errors_of_one_scene_and_the_fetches_of_the_windows_alone(self):
         def of(scene, error, fetches):
             interval = {"low": error - 0.01, "high": error + 0.02}
-            return record("rings-6-3", scene, rmse_penumbra=error, rmse_all=error, intervals={"rmse_penumbra": interval, "rmse_all": interval},
+            return record("rings-6-3", scene, rmse_penumbra=error, rmse_all=error,
+                          intervals={"rmse_penumbra": interval, "rmse_all": interval},
                           passes=[{"pass": "FirstLevels", "fetches_per_pixel": 9.0},
                                   {"pass": "ResolveTiles", "fetches_per_pixel": fetches}])
 
-        text = screen_passes.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0)) for sun in screen_passes.RING_SUNS})
+        text = screen_passes.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0))
+                                         for sun in screen_passes.RING_SUNS})
         self.assertIn("| 8° | 2° | b | 6 | 3 | 0.2000 ± 0.0200 | 0.2000 ± 0.0200 | 3000 | 4.00 |", text)
 
 
 class TexelErrors(unittest.TestCase):
     @staticmethod
     def results(*more):
-        errors = {("bilinear", None): 0.3, ("disc", 0.5): 0.25, ("disc", 0.9): 0.2, ("shipped", 1.0): 0.21, ("shipped", 1.125): 0.24,
-                  ("shipped", 1.25): 0.2, ("mean edge", None): 0.1, ("revectorised 16 x 16", 0.5): 0.3, ("learned", None): 0.19,
+        errors = {("bilinear", None): 0.3, ("disc", 0.5): 0.25, ("disc", 0.9): 0.2, ("shipped", 1.0): 0.21,
+                  ("shipped", 1.125): 0.24,
+                  ("shipped", 1.25): 0.2, ("mean edge", None): 0.1, ("revectorised 16 x 16", 0.5): 0.3,
+                  ("learned", None): 0.19,
                   ("learned of its kind", None): 0.18}
         records = []
         for radius, shapes, scale in ((0.25, "edges", 1.0), (1.0, "edges", 0.5), (0.25, "bars", 2.0)):
             for (estimator, floor), error in errors.items():
-                one = {"shapes": shapes, "radius_texels": radius, "estimator": estimator, "rmse_penumbra": scale * error,
+                one = {"shapes": shapes, "radius_texels": radius, "estimator": estimator,
+                       "rmse_penumbra": scale * error,
                        "half_penumbra": 0.001 * scale, "rmse_all": 0.5, "half_all": 0.00213, "receivers_penumbra": 70}
                 records.append(one if floor is None else {**one, "floor_texels": floor})
-        return {"command": "penumbra_texel_errors FILE", "commit": COMMIT, "receivers": 100, "trained": 200, "records": records + list(more)}
+        return {"command": "penumbra_texel_errors FILE", "commit": COMMIT, "receivers": 100, "trained": 200,
+                "records": records + list(more)}
 
     def test_the_best_smallest_radius_of_a_column_is_bold(self):
         text = flagship.texel_errors(self.results(), "penumbra")
@@ -159,7 +171,8 @@ class TexelErrors(unittest.TestCase):
         text = flagship.texel_gains(self.results())
         # The interval is 100 x .5 x hypot(.001 / .1, .001 / .2).
         self.assertIn("| mean of the edges that 4 x 4 allow | the best disc | -50.0 ± 0.6 |", text)
-        self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |", text)
+        self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |",
+                      text)
 
     def test_a_record_that_is_missing_or_doubled_is_told(self):
         results = self.results()
@@ -180,19 +193,23 @@ class FarSteps(unittest.TestCase):
             return record(f"t heightSteps={steps}", scene, by_distance=rings, leak_rate=leaks, false_shadow_rate=0.0,
                           parameters={"heightSteps": [float(steps)]})
 
-        text = far_shadows.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1), of("b", 16, 0.0, 0.0)))
+        text = far_shadows.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1),
+                                             of("b", 16, 0.0, 0.0)))
         # The second figure of 8 is the root of 3 / 4 of the first ring's.
-        self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |", text)
+        self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |",
+                      text)
 
 
 class PresetSteps(unittest.TestCase):
     def test_devices_are_paired_by_technique_and_light(self):
-        figures = dict(rmse_all=0.1, bias=0.0, leak_rate=0.0, false_shadow_rate=0.0, fetches_penumbra_mean=4.0, invalid=0)
+        figures = dict(rmse_all=0.1, bias=0.0, leak_rate=0.0, false_shadow_rate=0.0, fetches_penumbra_mean=4.0,
+                       invalid=0)
         def run(device, rows):
             return {"device": device, "driver": "1", "command": f"penumbra measure --device {device}",
                     "commit": COMMIT,
                     "records": [record(name, light=light, **{**figures, **own}) for name, light, own in rows]}
-        first = run("one", [("a", 2.0, {"rmse_penumbra": 0.2}), ("a", 5.0, {"rmse_penumbra": 0.3}), ("b", 2.0, {}), ("b", 5.0, {})])
+        first = run("one", [("a", 2.0, {"rmse_penumbra": 0.2}), ("a", 5.0, {"rmse_penumbra": 0.3}), ("b", 2.0, {}),
+                            ("b", 5.0, {})])
         second = run("two", [("b", 2.0, {"fetches_mean": 4.5}), ("a", 2.0, {"rmse_penumbra": 0.21}),
                              ("a", 5.0, {"rmse_penumbra": 0.25, "leak_rate": 0.002}), ("b", 5.0, {})])
         text = measuring.device_differences(first, second)
@@ -227,10 +244,12 @@ class PresetSteps(unittest.TestCase):
             preset("high", "a", 0.28), preset("high", "b", 0.09), preset("high", "c", 0.20)))
         # The differences 0.02, 0.01 and 0 have the mean 0.01 and the standard error 0.01 / sqrt(3); t of two degrees of
         # freedom is 4.303.
-        self.assertTrue(text.endswith("| from, to | 2° light |\n|:--|--:|\n| Low to High | 0.0100 ± 0.0248 (2 of 3) |"), text)
+        self.assertTrue(text.endswith("| from, to | 2° light |\n|:--|--:|\n| Low to High | 0.0100 ± 0.0248 (2 of 3) |"),
+                        text)
 
     def test_one_scene_has_no_interval(self):
-        text = presets.preset_steps(results(record("preset-low", rmse_penumbra=0.2), record("preset-high", rmse_penumbra=0.1)))
+        text = presets.preset_steps(results(record("preset-low", rmse_penumbra=0.2),
+                                            record("preset-high", rmse_penumbra=0.1)))
         self.assertIn("| Low to High | - (1 of 1) |", text)
 
 
@@ -245,7 +264,8 @@ class Masks(unittest.TestCase):
 
         measured = results(
             record("pcss", "a", fetches_mean=20.0), record("pcss", "b", fetches_mean=10.0),
-            masked("pcss-masked", "a", 19.0, 2.0, 0.0, 0.25, 0.001), masked("pcss-masked", "b", 4.0, 2.5, 0.0, 0.75, 0.0),
+            masked("pcss-masked", "a", 19.0, 2.0, 0.0, 0.25, 0.001),
+            masked("pcss-masked", "b", 4.0, 2.5, 0.0, 0.75, 0.0),
             masked("pcss-conservative", "a", 12.0, 5.0, 9.0, 0.5, 0.0),
             masked("pcss-conservative", "b", 3.0, 5.5, 9.0, 0.7, 0.0))
         text = presets.masks(measured)
@@ -283,7 +303,8 @@ class PresetCosts(unittest.TestCase):
 
 class WeightedCosts(unittest.TestCase):
     COST = {"driver": "radv", "command": "penumbra cost", "rows": [
-        cost_row("Classify", "flagship", 320), cost_row("Resolve", "flagship", 3200), cost_row("Resolve", "flagship", 1, []),
+        cost_row("Classify", "flagship", 320), cost_row("Resolve", "flagship", 3200),
+        cost_row("Resolve", "flagship", 1, []),
         cost_row("Fragment", "tent-7", 64), cost_row("Fragment", "tent-7", 128, family="gfx1100"),
         cost_row("Classify", "flagship", 640, family="gfx1100"), cost_row("Resolve", "flagship", 0, family="gfx1100")]}
 
@@ -295,14 +316,16 @@ class WeightedCosts(unittest.TestCase):
     def test_each_pass_counts_by_its_threads(self):
         tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
         text = flagship.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
-        # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each pixel.
+        # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each
+        # pixel.
         self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
         self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
         self.assertIn("| cycles, gfx1100 | `flagship` | 1 ± 0 |", text)
         self.assertIn("| operations of bytecode | `tent-7` | 500 ± 0 |", text)
 
     def test_a_pass_without_a_program_is_an_error(self):
-        unknown = record("flagship", "a", operations_per_pixel=1.0, passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
+        unknown = record("flagship", "a", operations_per_pixel=1.0,
+                         passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
         with self.assertRaisesRegex(markdown.Problem, "the cost of flagship lacks Rest"):
             flagship.weighted_costs(results(unknown), self.COST)
 
@@ -330,7 +353,8 @@ class RelativeTimes(unittest.TestCase):
 class TimesOfGpu(unittest.TestCase):
     @staticmethod
     def timed(scene, milliseconds, kind="GPU time"):
-        return record("flagship", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25, false_shadow_rate=0.01,
+        return record("flagship", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25,
+                      false_shadow_rate=0.01,
                       passes=[{"pass": "Classify", "time_ms_median": 0.25 * milliseconds},
                               {"pass": "Resolve", "time_ms_median": 0.75 * milliseconds}])
 
@@ -338,7 +362,8 @@ class TimesOfGpu(unittest.TestCase):
         text = flagship.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
         self.assertIn("device, GPU time, mean of 2 scenes", text)
         self.assertIn("| `flagship` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
-        self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.", flagship.times_of_gpu(results(self.timed("a", 1.0))))
+        self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.",
+                      flagship.times_of_gpu(results(self.timed("a", 1.0))))
 
     def test_times_of_a_cpu_are_refused(self):
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
@@ -352,7 +377,8 @@ class TimesOfGpu(unittest.TestCase):
 
 
 class DepthFetches(unittest.TestCase):
-    SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0), record("pcss-angular-24-16", "b", fetches_mean=20.0),
+    SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0),
+                     record("pcss-angular-24-16", "b", fetches_mean=20.0),
                      record("screen-pcss-angular-24-16", fetches_mean=35.5),
                      record("screen-pcss-angular-24-16", "b", fetches_mean=25.5))
 
@@ -372,8 +398,10 @@ class DepthFetches(unittest.TestCase):
 
     def test_different_masks_are_refused(self):
         with self.assertRaisesRegex(markdown.Problem, "different masks"):
-            screen_passes.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
-                                       record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
+            screen_passes.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0),
+                                                       preprocess_fetches_per_pixel=1.0),
+                                       record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)),
+                                       self.SCREEN)
 
 
 class ScreenFigures(unittest.TestCase):
@@ -384,7 +412,8 @@ class ScreenFigures(unittest.TestCase):
             record("plain", "a", rmse_penumbra=None, fetches_mean=None)))
         self.assertTrue(text.startswith(
             "device, mean of 2 scenes, at least 2017 penumbra pixels per scene and light; ± is half the width of the"
-            " 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest possible value, [a, b] gives its"
+            " 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest possible value, [a,"
+            " b] gives its"
             f" ends.  \nCommand: `penumbra measure --made`, at commit {COMMIT}.\n"), text)
         # The interval of two values is 12.706 times half their difference; here it goes below 0.
         self.assertIn("| t | 0.150 [0, 0.785] | 4.5 [0, 10.9] | 30 | 1.00 | 0.200 | 0.200 |", text)
@@ -403,7 +432,8 @@ class SampleSplit(unittest.TestCase):
             split(24.0, 8.0, 0.5, 0.2, 26.0), split(24.0, 8.0, 5.0, 0.2, 28.0),
             split(24.0, 32.0, 0.5, 0.05, 26.0), split(24.0, 32.0, 5.0, 0.05, 38.0)))
         self.assertTrue(text.endswith(
-            "| blocker samples | filter samples | RMSE in penumbra 0.5° | RMSE in penumbra 5° | fetches 0.5° | fetches 5° |\n"
+            "| blocker samples | filter samples | RMSE in penumbra 0.5° | RMSE in penumbra 5° | fetches 0.5° | fetches"
+            " 5° |\n"
             "|--:|--:|--:|--:|--:|--:|\n"
             "| **8** | **16** | **0.200** | **0.100** | **11.0** | **12.0** |\n"
             "| 24 | 8 | 0.200 | 0.200 | 26.0 | 28.0 |\n"

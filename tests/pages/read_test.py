@@ -115,7 +115,8 @@ LINE = "half: {} | texels | 0.0625 | {} | 40000 cases, two directions of depth |
 
 class HalfPrecision(unittest.TestCase):
     def test_lines_are_read(self):
-        results = filters.figures_of_half("[ RUN ]\n" + LINE.format("Near", 0.01, "a") + LINE.format("Far, place", "inf", "a"))
+        results = filters.figures_of_half("[ RUN ]\n" + LINE.format("Near", 0.01, "a") +
+                                          LINE.format("Far, place", "inf", "a"))
         self.assertEqual([one["largest"] for one in results["functions"]], [0.01, None])
         text = filters.half_precision(results)
         self.assertIn("| `Near` | fit | texels | 0.01 | 0.062 |", text)

@@ -1,4 +1,5 @@
-"""What docs/command-line.md, docs/cpp-library.md and Documentation~/screen-passes.md say of the program, from its own help."""
+"""What docs/command-line.md, docs/cpp-library.md and Documentation~/screen-passes.md say of the program, from its own
+help."""
 import subprocess
 
 from figures import DOCS, DOCUMENTATION, code
@@ -58,7 +59,9 @@ def exit_codes(program):
 
 
 def parts(program):
-    described = "\n\n".join(f"## penumbra {name}\n\n{subcommand(output(program, 'help', name))}" for name in subcommands(program))
+    described = "\n\n".join(f"## penumbra {name}\n\n{subcommand(output(program, 'help', name))}"
+                            for name in subcommands(program))
     return {DOCS / "command-line.md": {"exit codes": exit_codes(program), "subcommands": described},
-            DOCUMENTATION / "screen-passes.md": {"noise mask": f"```\n{output(program, 'tables', '--noise-mask')}\n```"},
+            DOCUMENTATION / "screen-passes.md": {
+                "noise mask": f"```\n{output(program, 'tables', '--noise-mask')}\n```"},
             DOCS / "cpp-library.md": {"settings": output(program, "constants", "--list-settings")}}

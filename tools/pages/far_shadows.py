@@ -25,14 +25,16 @@ def far_distances(results):
     tables = []
     for (scene,), own in groups(results["records"], "scene"):
         rings = own[0]["by_distance"]
-        head = ["technique", *(f"{ring['from_metres']:g} to {ring['to_metres']:g} m" for ring in rings), "light leaks, %",
+        head = ["technique", *(f"{ring['from_metres']:g} to {ring['to_metres']:g} m" for ring in rings),
+                "light leaks, %",
                 "false shadow, %", "fetches per pixel", "bakes, MiB"]
         rows = [["pixels", *(ring["pixels"] for ring in rings), "", "", "", ""]]
         rows += [[record["title"], *(figure(ring["rmse_all"], 3) for ring in record["by_distance"]),
                   figure(record["leak_rate"], 1, 100.0), figure(record["false_shadow_rate"], 1, 100.0),
                   figure(all_fetches(record), 1), figure(record.get("baked_mebibytes"), 1)] for record in own]
         tables.append(f"`{scene}`, RMSE of all pixels by distance from the camera:\n\n{table(head, rows, 1)}")
-    return f"{results['device']}; one picture of each scene, one seed of the noise. {made(results)}.\n\n" + "\n\n".join(tables)
+    return f"{results['device']}; one picture of each scene, one seed of the noise. {made(results)}.\n\n" + "\n\n".join(
+        tables)
 
 
 def far_steps(results):
@@ -57,7 +59,8 @@ def far_seams(results):
 
 def far_sizes(results):
     """The error beyond the shadow distance by the number of texels, one row per number and technique."""
-    rows = [[size, own[0]["title"], *(figure(beyond(record), 3) for record in own), figure(own[0]["baked_mebibytes"], 2)]
+    rows = [[size, own[0]["title"], *(figure(beyond(record), 3) for record in own),
+             figure(own[0]["baked_mebibytes"], 2)]
             for size in SIZES for _, own in groups(results[size]["records"], "technique")]
     head = ["texels", "technique", *(f"`{scene}`" for scene in distinct(results[SIZES[-1]]["records"], "scene")), "MiB"]
     return f"{made(results[SIZES[0]])}, and so on.\n\n{table(head, rows, 2)}"
@@ -65,10 +68,12 @@ def far_sizes(results):
 
 def far_azimuths(results):
     """The error beyond the shadow distance by the sun's azimuth, one row per azimuth."""
-    rows = [[f"{azimuth:g}°", record["title"], figure(beyond(record), 3), sum(ring["pixels"] for ring in rings_beyond(record)),
+    rows = [[f"{azimuth:g}°", record["title"], figure(beyond(record), 3),
+             sum(ring["pixels"] for ring in rings_beyond(record)),
              figure(record["leak_rate"], 1, 100.0), figure(record["false_shadow_rate"], 1, 100.0), record["pixels"]]
             for azimuth in AZIMUTHS for record in results[azimuth]["records"]]
-    head = ["azimuth", "technique", "RMSE beyond the shadow distance", "its pixels", "light leaks, %", "false shadow, %",
+    head = ["azimuth", "technique", "RMSE beyond the shadow distance", "its pixels", "light leaks, %",
+            "false shadow, %",
             "pixels of the picture"]
     return f"{made(results[AZIMUTHS[0]])}, and so on.\n\n{table(head, rows, 2)}"
 

@@ -17,7 +17,8 @@ COMMAND = "scripts/pages"
 # Student's t, 97.5 %, by degrees of freedom; Abramowitz & Stegun, table 26.10.
 STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
            2.120, 2.110, 2.101, 2.093, 2.086)
-INTERVALS = ("± is half the width of the 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest"
+INTERVALS = ("± is half the width of the 95 % confidence interval over the scenes; where it is cut off at 0 or at the"
+             " largest"
              " possible value, [a, b] gives its ends")
 
 
@@ -56,8 +57,8 @@ def bound(value, digits):
 
 
 def mean_and_interval(values, digits, most=1.0):
-    """"0.081 ± 0.018", of the values that are there; the mean alone of one. Where the interval would go below 0 or above
-    `most`, which no figure of a scene is, "12.21 [0, 27.11]" has its ends."""
+    """"0.081 ± 0.018", of the values that are there; the mean alone of one. Where the interval would go below 0 or
+    above `most`, which no figure of a scene is, "12.21 [0, 27.11]" has its ends."""
     there = [value for value in values if value is not None]
     interval = with_interval(there)
     if interval is None:
@@ -74,7 +75,9 @@ def against(values, others, digits):
     pairs = [(value, other) for value, other in zip(values, others) if None not in (value, other)]
     shown = figure(mean(value for value, _ in pairs), digits)
     interval = with_interval([value - other for value, other in pairs])
-    return shown if values == others or interval is None else f"{shown} ({interval[0]:+.{digits}f} ± {interval[1]:.{digits}f})"
+    if values == others or interval is None:
+        return shown
+    return f"{shown} ({interval[0]:+.{digits}f} ± {interval[1]:.{digits}f})"
 
 
 def distinct(records, key):
@@ -82,7 +85,8 @@ def distinct(records, key):
 
 
 def groups(records, *keys):
-    """(values of the keys, their records), by the first key, then the next; combinations without records are left out."""
+    """(values of the keys, their records), by the first key, then the next; combinations without records are left
+    out."""
     if not keys:
         yield (), records
         return
@@ -137,7 +141,8 @@ ERROR = interval_of("rmse_penumbra", 3)
 ERROR_OF_ALL = interval_of("rmse_all", 3)
 FETCHES = interval_of(all_fetches, 1, math.inf)
 FETCHES_ALONE = mean_of(all_fetches, 1)
-PLAIN = {"RMSE in penumbra": ERROR, "RMSE of all pixels": ERROR_OF_ALL, "light leaks, %": interval_of("leak_rate", 2, 100.0, 100.0),
+PLAIN = {"RMSE in penumbra": ERROR, "RMSE of all pixels": ERROR_OF_ALL,
+         "light leaks, %": interval_of("leak_rate", 2, 100.0, 100.0),
          "false shadow, %": interval_of("false_shadow_rate", 2, 100.0, 100.0), "fetches per pixel": FETCHES}
 
 
@@ -145,7 +150,8 @@ def made(results):
     """The command of the results, and the commit that they were measured at."""
     commit = results.get("commit") or ""
     if not re.fullmatch("[0-9a-f]{40}", commit):
-        raise Problem(f"the results of '{results['command']}' are of commit '{commit}', which nobody can check out: measure"
+        raise Problem(f"the results of '{results['command']}' are of commit '{commit}', which nobody can check out:"
+                      f" measure"
                       " again from a commit without changes")
     return f"Command: `{results['command']}`, at commit {commit}"
 
@@ -173,5 +179,6 @@ def measured(results, head, rows, left, what=None, and_so_on=False):
 def techniques_by_light(results, head, cell, names=None, title=code):
     """One row per technique, one column per light."""
     records = results["records"]
-    rows = [[title(name), *by_light(own, cell)] for (name,), own in groups(records, "technique") if names is None or name in names]
+    rows = [[title(name), *by_light(own, cell)] for (name,), own in groups(records, "technique") if names is None
+            or name in names]
     return [head, *light_heads(records)], rows, 1

@@ -33,7 +33,8 @@ def half_precision(results):
     rows = [[f"`{one['function'].split(',')[0]}`" + "".join(one["function"].partition(",")[1:]),
              "fit" if is_fit(one) else "**unfit**", one["unit"], digits(one["largest"]), digits(one["accepted"])]
             for one in sorted(results["functions"], key=lambda one: not is_fit(one))]
-    return (f"{results['device']}; {results['cases']} for each function. Command: `build/release/penumbra_ShaderLibrary_tests"
+    return (f"{results['device']}; {results['cases']} for each function. Command:"
+            f" `build/release/penumbra_ShaderLibrary_tests"
             " --gtest_filter='*HalfPrecision*' > TEXT; scripts/pages --take half TEXT`\n\n"
             + table(["function", "in half", "the difference's unit", "largest difference", "accepted"], rows, 3))
 

@@ -10,7 +10,8 @@ from screen_passes import noise_pan
 def cycles_of_programs(cost, family, technique):
     """Cycles of 64 lanes by program, of the variant for a map in which near is 1."""
     return {row["entry"]: row["figures"]["inverse_throughput_cycles"] for row in cost["rows"]
-            if row["family"] == family and any(variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
+            if row["family"] == family
+            and any(variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
                                                for variant in row["variants"])}
 
 
@@ -19,7 +20,8 @@ def cycles_per_pixel(record, programs):
     passes = record.get("passes") or [{"pass": program, "invocations_per_pixel": 1.0} for program in programs]
     missing = [of["pass"] for of in passes if of["pass"] not in programs or "invocations_per_pixel" not in of]
     if missing or not programs:
-        raise Problem(f"the cost of {record['technique']} lacks {', '.join(missing) or 'a program'}; measure both again")
+        raise Problem(f"the cost of {record['technique']} lacks {', '.join(missing) or 'a program'}; measure both"
+                      f" again")
     return sum(of["invocations_per_pixel"] * programs[of["pass"]] / 64 for of in passes)
 
 
@@ -47,7 +49,8 @@ def figures_of_passes(results, technique, key, head):
     records = [record for record in results["records"] if record["technique"] == technique]
 
     def cell(name):
-        return lambda own: mean_and_interval([of[key] for record in own for of in record["passes"] if of["pass"] == name], 3, math.inf)
+        return lambda own: mean_and_interval([of[key] for record in own for of in record["passes"]
+                                              if of["pass"] == name], 3, math.inf)
 
     return table([head, *light_heads(records)],
                  [[code(name), *by_light(records, cell(name))] for name in distinct(records[0]["passes"], "pass")], 1)
@@ -64,13 +67,15 @@ def times_of_passes(results, technique):
 
 
 def relative_times(results, alternative):
-    """Times in terms of the alternative's, measured in the same run: one row per technique; mean over the scenes of the ratio."""
+    """Times in terms of the alternative's, measured in the same run: one row per technique; mean over the scenes of
+    the ratio."""
     records = results["records"]
     if any(record["time_ms_median"] is None for record in records):
         raise Problem("a record has no time: measure with --timing-repeats")
     others = {(record["light_degrees"], record["scene"]): record["time_ms_median"] for record in records
               if record["technique"] == alternative}
-    ratio = interval_of(lambda record: record["time_ms_median"] / others[record["light_degrees"], record["scene"]], 2, math.inf)
+    ratio = interval_of(lambda record: record["time_ms_median"] / others[record["light_degrees"], record["scene"]], 2,
+                        math.inf)
     return measured(results, *techniques_by_light(results, f"time, `{alternative}` = 1", ratio),
                     what=f"{', '.join(distinct(records, 'time_kind'))}, {sample(records)}")
 
@@ -101,12 +106,14 @@ TEXEL_ESTIMATORS = {
     "learned everywhere": "the same, from receivers outside of penumbrae, too"}
 TEXEL_FLOORS = ("disc", "shipped")  # of which the best smallest radius is looked for
 # What is compared, and with what; None: with the best smallest radius.
-TEXEL_GAINS = (("mean edge", None, "disc", None), ("revectorised 16 x 16", 0.5, "disc", None), ("learned of its kind", None, "disc", None),
+TEXEL_GAINS = (("mean edge", None, "disc", None), ("revectorised 16 x 16", 0.5, "disc", None),
+               ("learned of its kind", None, "disc", None),
                ("learned", None, "disc", None), ("shipped", 1.0, "shipped", 1.25), ("shipped", 1.125, "shipped", 1.25))
 
 
 class TexelErrors:
-    """(error, half its interval) by estimator and smallest radius, a column for each radius of the light's disc and kind of shapes."""
+    """(error, half its interval) by estimator and smallest radius, a column for each radius of the light's disc and
+    kind of shapes."""
 
     def __init__(self, results, figure):
         self.records = {}
@@ -134,7 +141,8 @@ def texel_title(estimator, floor):
 
 
 def texel_errors(results, figure):
-    """One row per estimator; of those with several smallest radii the least error of a column is bold. figure: penumbra or all."""
+    """One row per estimator; of those with several smallest radii the least error of a column is bold. figure:
+    penumbra or all."""
     errors = TexelErrors(results, figure)
 
     def shown(column, estimator, floor):
@@ -145,9 +153,12 @@ def texel_errors(results, figure):
     rows = [[texel_title(*one), *(shown(column, *one) for column in errors.columns)] for one in errors.estimators]
     widest = max(half for _, half in errors.records.values())
     fewest = min(record["receivers_penumbra"] for record in results["records"])
-    counts = f"at least {fewest} of them in each column" if figure == "penumbra" else f"{results['receivers']} of each kind"
-    return (f"Receivers: {counts}; learned from {results['trained']} others of each kind. Half the width of a 95 % confidence interval"
-            f" is {math.ceil(1e4 * widest) / 1e4:.4f} at most.  \n{made(results)}.\n\n{table(['estimator', *errors.head], rows, 1)}")
+    counts = (f"at least {fewest} of them in each column" if figure == "penumbra" else
+              f"{results['receivers']} of each kind")
+    return (f"Receivers: {counts}; learned from {results['trained']} others of each kind. Half the width of a 95 %"
+            f" confidence interval"
+            f" is {math.ceil(1e4 * widest) / 1e4:.4f} at most. "
+            f" \n{made(results)}.\n\n{table(['estimator', *errors.head], rows, 1)}")
 
 
 def texel_gains(results):
@@ -155,10 +166,12 @@ def texel_gains(results):
     errors = TexelErrors(results, "penumbra")
     rows = []
     for estimator, floor, other, other_floor in TEXEL_GAINS:
-        row = [texel_title(estimator, floor), "the best disc" if other_floor is None else texel_title(other, other_floor)]
+        row = [texel_title(estimator, floor), "the best disc" if other_floor is None
+               else texel_title(other, other_floor)]
         for column in errors.columns:
             one, half = errors.of(column, estimator, floor)
-            base, base_half = errors.best(column, other) if other_floor is None else errors.of(column, other, other_floor)
+            base, base_half = errors.best(column, other) if other_floor is None else errors.of(column, other,
+                                                                                               other_floor)
             ratio = one / base
             row.append(f"{100 * (ratio - 1):+.1f} ± {100 * ratio * math.hypot(half / one, base_half / base):.1f}")
         rows.append(row)

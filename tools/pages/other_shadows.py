@@ -1,12 +1,14 @@
 """Tables of Documentation~/other-shadows.md: volumes, rays through fog, distance fields."""
-from figures import (COMMAND, DOCUMENTATION, FETCHES_ALONE, PLAIN, RESULTS, code, distinct, groups, interval_of, made, mean, measured, read,
+from figures import (COMMAND, DOCUMENTATION, FETCHES_ALONE, PLAIN, RESULTS, code, distinct, groups, interval_of, made,
+                     mean, measured, read,
                      read_json, scenes)
 from markdown import Problem, table
 
 
 def volume_rows(results):
     """One row per light and technique: means over the scenes, with the smallest and the largest."""
-    columns = (("rmse_penumbra", 3, 1.0), ("rmse_all", 3, 1.0), ("leak_rate", 2, 100.0), ("false_shadow_rate", 2, 100.0))
+    columns = (("rmse_penumbra", 3, 1.0), ("rmse_all", 3, 1.0), ("leak_rate", 2, 100.0),
+               ("false_shadow_rate", 2, 100.0))
     rows = []
     for (light, name), own in groups(results["records"], "light_degrees", "technique"):
         def cell(key, digits, scale):
@@ -15,25 +17,30 @@ def volume_rows(results):
 
         rows.append([f"{light:g}°", code(name), *(cell(*column) for column in columns), FETCHES_ALONE(own)])
     count = len(distinct(results["records"], "scene"))
-    return measured(results, ["light", "technique", *PLAIN], rows, 2, f"means of {count} scenes, with the smallest and the largest")
+    return measured(results, ["light", "technique", *PLAIN], rows, 2,
+                    f"means of {count} scenes, with the smallest and the largest")
 
 
 def volumetric(results):
-    """One row per density of the fog and number of samples: the error of pixels and of blocks of them, with samples at the same
-    places of every ray and with places moved by noise."""
+    """One row per density of the fog and number of samples: the error of pixels and of blocks of them, with samples
+    at the same places of every ray and with places moved by noise."""
     records = results["records"]
     rows = []
     for (extinction, samples), own in groups(records, "extinction_per_metre", "samples"):
         ways = {jittered: some for (jittered,), some in groups(own, "jittered")}
-        rows.append([f"{extinction:g}", samples, *(interval_of(key, 3)(ways[jittered]) for key in ("rmse", "rmse_of_blocks")
+        rows.append([f"{extinction:g}", samples,
+                     *(interval_of(key, 3)(ways[jittered]) for key in ("rmse", "rmse_of_blocks")
                                                    for jittered in (False, True))])
     block = f"{results['block_pixels']} × {results['block_pixels']}"
     (width, height), (texels, more) = results["picture"], results["map"]
     head = ["extinction per metre", "samples", "RMSE of pixels, same places", "moved by noise",
             f"RMSE of means of {block} pixels, same places", "moved by noise"]
-    return (f"{results['device']}; scenes {', '.join(distinct(records, 'scene'))} at {width} × {height} pixels, {results['cascades']}"
-            f" cascades in a map of {texels} × {more} texels, view rays of up to {results['longest_ray_metres']:g} m; the answer"
-            f" is the mean over {results['places_of_the_exact_answer']} traced rays to the sun's centre from each view ray."
+    return (f"{results['device']}; scenes {', '.join(distinct(records, 'scene'))} at {width} × {height} pixels,"
+            f" {results['cascades']}"
+            f" cascades in a map of {texels} × {more} texels, view rays of up to {results['longest_ray_metres']:g} m;"
+            f" the answer"
+            f" is the mean over {results['places_of_the_exact_answer']} traced rays to the sun's centre from each view"
+            f" ray."
             f" {scenes(records).replace('mean of', 'Means of')}.  \n"
             f"{made({**results, 'command': results['command'] + '; ' + COMMAND})}.\n\n{table(head, rows, 0)}")
 
@@ -41,7 +48,8 @@ def volumetric(results):
 FIELDS = RESULTS / "distance-fields.json"
 MARCHES = {"Quilez": "Quilez 2010", "Aaltonen": "Aaltonen 2018", "QuilezInner": "Quilez, inner penumbra",
            "Cone": "`FieldConeVisibility`", "Soft": "`FieldSoftVisibility`"}
-WAYS = {"product": "product", "minimum": "minimum", "sum": "sum of what is covered", "product_of_parts": "product of each part",
+WAYS = {"product": "product", "minimum": "minimum", "sum": "sum of what is covered",
+        "product_of_parts": "product of each part",
         "minimum_of_parts": "minimum of each part", "sum_of_parts": "sum of each part"}
 
 
@@ -55,10 +63,13 @@ def only(records, **wanted):
 def march_errors(results):
     records = results["marches"]
     widths = distinct(records, "width_metres")
-    rows = [[shape, MARCHES[march], *(f"{only(records, shape=shape, march=march, width_metres=width)['rmse']:.3f}" for width in widths)]
+    rows = [[shape, MARCHES[march],
+             *(f"{only(records, shape=shape, march=march, width_metres=width)['rmse']:.3f}" for width in widths)]
             for shape in distinct(records, "shape") for march in MARCHES]
-    return (f"{results['device']}; {min(record['receivers'] for record in records)} receivers in the penumbra or more of each shape and"
-            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m.  \n{made(results)}.\n\n"
+    return (f"{results['device']}; {min(record['receivers'] for record in records)} receivers in the penumbra or more"
+            f" of each shape and"
+            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m. "
+            f" \n{made(results)}.\n\n"
             + table(["shape", "march", *(f"{width:g} m" for width in widths)], rows, 2))
 
 
@@ -66,22 +77,26 @@ def march_fetches(results):
     """Means over the shapes."""
     records = results["marches"]
     widths = distinct(records, "width_metres")
-    rows = [[MARCHES[march], *(f"{mean(one['fetches'] for one in records if (one['march'], one['width_metres']) == (march, width)):.0f}"
+    rows = [[MARCHES[march],
+             *(f"{mean(one['fetches'] for one in records if (one['march'], one['width_metres']) == (march, width)):.0f}"
                                for width in widths)] for march in MARCHES]
     return table(["march", *(f"{width:g} m" for width in widths)], rows, 1)
 
 
 def object_errors(results):
     records = results["objects"]
-    rows = [[record["scene"], f"{record['width_metres']:g} m", record["receivers"], *(f"{record[way]:.3f}" for way in WAYS)]
+    rows = [[record["scene"], f"{record['width_metres']:g} m", record["receivers"],
+             *(f"{record[way]:.3f}" for way in WAYS)]
             for record in records]
     rows.append(["mean of the rows", "", "", *(f"{mean(record[way] for record in records):.3f}" for way in WAYS)])
-    return (f"{results['device']}; fields of 32 voxels along each object's longest side; {results['rays']} rays for each receiver.  \n"
+    return (f"{results['device']}; fields of 32 voxels along each object's longest side; {results['rays']} rays for"
+            f" each receiver.  \n"
             f"{made(results)}.\n\n" + table(["scene", "width", "receivers", *WAYS.values()], rows, 1))
 
 
 def fields(results):
-    return {"march-errors": march_errors(results), "march-fetches": march_fetches(results), "object-errors": object_errors(results)}
+    return {"march-errors": march_errors(results), "march-fetches": march_fetches(results),
+            "object-errors": object_errors(results)}
 
 
 def parts(_):

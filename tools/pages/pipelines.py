@@ -1,12 +1,14 @@
 """Tables of Documentation~/pipelines.md."""
 import math
 
-from figures import (DOCUMENTATION, ERROR, FETCHES, against, groups, made, mean_and_interval, mean_of, measured, part_of, read, sample)
+from figures import (DOCUMENTATION, ERROR, FETCHES, against, groups, made, mean_and_interval, mean_of, measured,
+                     part_of, read, sample)
 from markdown import Problem, table
 
 
 def by_setting(records, setting):
-    """{(technique, value): its records in the order of the scenes}, of "pcss-24 light-fit=receivers", and the first value."""
+    """{(technique, value): its records in the order of the scenes}, of "pcss-24 light-fit=receivers", and the first
+    value."""
     found = {}
     for (title,), own in groups(records, "technique"):
         name, mark, value = title.partition(f" {setting}=")
@@ -34,7 +36,8 @@ def light_fits(results):
             rows.append([technique, fit, "1" if own is base else mean_and_interval(gains, 2, math.inf),
                          *(against([record[key] for record in own], [record[key] for record in base], 3)
                            for key in ("rmse_penumbra", "rmse_all", "leak_rate", "false_shadow_rate"))])
-        head = ["technique", "fit", "texels per metre, relative", "RMSE in penumbra", "RMSE of all pixels", "light leaks, share",
+        head = ["technique", "fit", "texels per metre, relative", "RMSE in penumbra", "RMSE of all pixels",
+                "light leaks, share",
                 "false shadow, share"]
         tables.append(f"{light:g}° light, {sample(records)}:\n\n{table(head, rows, 2)}")
     return f"{results['device']}.  \n{made(results)}.\n\n" + "\n\n".join(tables)
@@ -44,7 +47,8 @@ def cascade_blends(results):
     """One row per technique and blend."""
     records = results["records"]
     blends, _ = by_setting(records, "cascade-blend")
-    columns = {"step at the border": mean_of(part_of("seam", "step"), 4), "step elsewhere": mean_of(part_of("seam", "elsewhere"), 4),
+    columns = {"step at the border": mean_of(part_of("seam", "step"), 4),
+               "step elsewhere": mean_of(part_of("seam", "elsewhere"), 4),
                "RMSE in penumbra": ERROR, "RMSE of all pixels": mean_of("rmse_all", 3), "fetches per pixel": FETCHES}
     rows = [[*title, *(cell(own) for cell in columns.values())] for title, own in blends.items()]
     pairs = sum(record["seam"]["pairs"] for record in next(iter(blends.values())))
@@ -57,7 +61,8 @@ def map_ages(results):
     records = results["records"]
     ages, first = by_setting(records, "map-age")
     cascades = range(max(len(record["per_cascade"]) for record in records))
-    columns = [*(lambda record, i=i: record["per_cascade"][i]["rmse_penumbra"] for i in cascades), lambda record: record["rmse_penumbra"]]
+    columns = [*(lambda record, i=i: record["per_cascade"][i]["rmse_penumbra"] for i in cascades),
+               lambda record: record["rmse_penumbra"]]
     rows = [[technique, age, *(against(list(map(of, own)), list(map(of, ages[technique, first])), 3) for of in columns)]
             for (technique, age), own in ages.items()]
     head = ["technique", "age, degrees", *(f"RMSE in penumbra, cascade {i}" for i in cascades), "all cascades"]

@@ -4,8 +4,10 @@ import math
 import subprocess
 from pathlib import Path
 
-from figures import (COMMAND, DOCUMENTATION, RESULTS, ROOT, all_fetches, by_light, code, distinct, figure, groups, interval_of,
-                     light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes, techniques_by_light,
+from figures import (COMMAND, DOCUMENTATION, RESULTS, ROOT, all_fetches, by_light, code, distinct, figure, groups,
+                     interval_of,
+                     light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes,
+                     techniques_by_light,
                      with_interval)
 from markdown import Problem, table
 
@@ -30,7 +32,8 @@ def preset_steps(results):
         rows.append([" to ".join(name.removeprefix("preset-").capitalize() for name in (lower, higher)),
                      *by_light(presets[lower], cell)])
     return (f"Command: `{COMMAND}`. It reads `Documentation~/results/presets/results.tsv` in the repository, which the"
-            f" command below the first tables writes.\n\n{table(['from, to', *light_heads(results['records'])], rows, 1)}")
+            f" command below the first tables"
+            f" writes.\n\n{table(['from, to', *light_heads(results['records'])], rows, 1)}")
 
 
 def executed_operations(results):
@@ -38,36 +41,45 @@ def executed_operations(results):
     if "front_end" not in results:
         raise Problem("operations are those of optimised bytecode: measure with --front-end fxc")
     return measured({**results, "device": results["front_end"]}, *techniques_by_light(
-        results, "operations per pixel", interval_of("operations_per_pixel", 0, math.inf)), what=scenes(results["records"]))
+        results, "operations per pixel", interval_of("operations_per_pixel", 0, math.inf)),
+        what=scenes(results["records"]))
 
 
 def each_frame(record):
     """Fetches per pixel of all passes but those that run only for a cascade that is drawn anew."""
-    return all_fetches(record) - sum(one["fetches_per_pixel"] for one in record.get("passes", []) if one["runs"] == "cascade")
+    return all_fetches(record) - sum(one["fetches_per_pixel"] for one in record.get("passes", [])
+                                     if one["runs"] == "cascade")
 
 
 def masks(results):
-    """Fetches per pixel without a mask, with it and with the conservative one, and what each mask skips and misses: means."""
+    """Fetches per pixel without a mask, with it and with the conservative one, and what each mask skips and misses:
+    means."""
     records = results["records"]
     names = distinct(records, "technique")
     plain, *settings = names[0].split(" ")
     if names != [" ".join([plain + mask, *settings]) for mask in ("", "-masked", "-conservative")]:
-        raise Problem(f"results/masks/results.tsv holds {names}, not one technique without a mask, with it, and with the"
+        raise Problem(f"results/masks/results.tsv holds {names}, not one technique without a mask, with it, and with"
+                      f" the"
                       " conservative one")
     once = {sum(one["fetches_per_cascade"] for one in record["passes"] if one["runs"] == "cascade")
             for record in records if record["technique"] == names[2]}
     if len(once) != 1:
-        raise Problem(f"results/masks/results.tsv: the passes over a cascade fetch {sorted(once)} times, not as often everywhere")
+        raise Problem(f"results/masks/results.tsv: the passes over a cascade fetch {sorted(once)} times, not as often"
+                      f" everywhere")
 
     def cells(names, cell):
-        return by_light(records, lambda own: " → ".join(cell([one for one in own if one["technique"] == name]) for name in names))
+        return by_light(records,
+                        lambda own: " → ".join(cell([one for one in own if one["technique"] == name])
+                                               for name in names))
 
-    rows = [["fetches per pixel, without a mask → four taps → conservative mask", *cells(names, mean_of(each_frame, 1))],
+    rows = [["fetches per pixel, without a mask → four taps → conservative mask",
+             *cells(names, mean_of(each_frame, 1))],
             ["pixels that the mask skips, %: four taps → conservative mask",
              *cells(names[1:], mean_of(lambda record: record["mask"]["pixels_saved"], 0, 100))],
             ["penumbra pixels that it misses, %",
              *cells(names[1:], mean_of(lambda record: record["mask"]["penumbra_pixels_missed"], 2, 100))]]
-    return (f"{results['device']}. Not counted: {once.pop() / 1e6:.2f} million fetches for each cascade of 1024 x 1024 texels that is"
+    return (f"{results['device']}. Not counted: {once.pop() / 1e6:.2f} million fetches for each cascade of 1024 x 1024"
+            f" texels that is"
             f" drawn anew, for the conservative mask.  \n{made(results)}.\n\n"
             + table([f"mean of {len(distinct(records, 'scene'))} scenes", *light_heads(records)], rows, 1))
 
@@ -130,7 +142,8 @@ def sample_split(results):
         points.append((mean(fetches), mean(mean(record["rmse_penumbra"] for record in some) for some in per_light)))
         rows.append([*samples, *map(against_most_samples, per_light, most), *(figure(count, 1) for count in fetches)])
     rows = [[f"**{cell}**" for cell in row] if best else row for row, best in zip(rows, on_frontier(points))]
-    head = ["blocker samples", "filter samples", *light_heads(records, "RMSE in penumbra {}"), *light_heads(records, "fetches {}")]
+    head = ["blocker samples", "filter samples", *light_heads(records, "RMSE in penumbra {}"),
+            *light_heads(records, "fetches {}")]
     return measured(results, head, rows, 0)
 
 
@@ -154,11 +167,13 @@ def take_receivers(urp):
     """Counts anew; `urp` is the folder with URP's packages."""
     projects = {}
     for project in PROJECTS:
-        run = subprocess.run([ROOT / "build" / "release" / "penumbra", *receivers_command(project, urp), "--format", "json"],
+        run = subprocess.run([ROOT / "build" / "release" / "penumbra", *receivers_command(project, urp), "--format",
+                              "json"],
                              cwd=ROOT, capture_output=True, text=True)
         if run.returncode != 0:
             raise Problem(f"penumbra validate ended with {run.returncode}: {run.stderr.strip()}")
-        projects[project] = [{key: program[key] for key in ("shader", "pass", "stages")}  # without this machine's folders
+        projects[project] = [{key: program[key]
+                              for key in ("shader", "pass", "stages")}  # without this machine's folders
                              for program in json.loads(run.stdout)["programs"]]
     version = read_json(Path(urp) / URP / "package.json")["version"]
     RECEIVERS.write_text(json.dumps({"urp": version, "condition": CONDITION, "projects": projects}, indent=1) + "\n")
@@ -180,12 +195,14 @@ def receiver_variants(counts):
     rows = []
     for project, programs in counts["projects"].items():
         for (shader,), own in groups(programs, "shader"):
-            changed = [program for program in own if any(stage["variants"] != stage["what_if"] for stage in program["stages"])]
+            changed = [program for program in own
+                       if any(stage["variants"] != stage["what_if"] for stage in program["stages"])]
             figures = [f"{count:,}" for after, before in zip(sums(own, "variants"), sums(own, "what_if"))
                        for count in (before, after - before)]
             rows.append([project, shader.removeprefix("Universal Render Pipeline/"),
                          ", ".join(code(program["pass"]) for program in changed), *figures])
-    head = ["project", "shader", "passes that grow", "vertex programs before", "added", "fragment programs before", "added"]
+    head = ["project", "shader", "passes that grow", "vertex programs before", "added", "fragment programs before",
+            "added"]
     command = " ".join(["penumbra", *receivers_command("PROJECT", "DIR")])
     return f"URP {counts['urp']}, Direct3D 11.  \nCommand: `{command}`\n\n{table(head, rows, 3)}"
 

@@ -1,8 +1,10 @@
 """Tables of Documentation~/screen-passes.md, and the fetches of the fallbacks in Documentation~/installation.md."""
 import math
 
-from figures import (COMMAND, DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, all_fetches, by_light, code,
-                     distinct, figure, groups, interval_of, light_heads, made, mean, mean_of, measured, part_of, read, sample, with_interval)
+from figures import (COMMAND, DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, all_fetches,
+                     by_light, code,
+                     distinct, figure, groups, interval_of, light_heads, made, mean, mean_of, measured, part_of, read,
+                     sample, with_interval)
 from markdown import Problem, table
 from presets import FALLBACK
 
@@ -15,7 +17,8 @@ def screen_figures(results):
                "penumbra pixels missed by the mask, %": mean_of(part_of("mask", "penumbra_pixels_missed"), 2, 100.0),
                "shimmer, static noise": mean_of(part_of("shimmer", "static_noise"), 3),
                "shimmer, noise per frame": mean_of(part_of("shimmer", "per_frame_noise"), 3)}
-    rows = [[name, *(cell(own) for cell in columns.values())] for (name,), own in groups(results["records"], "technique")]
+    rows = [[name, *(cell(own) for cell in columns.values())] for (name,),
+            own in groups(results["records"], "technique")]
     return measured(results, ["technique", *columns], rows, 1)
 
 
@@ -37,12 +40,16 @@ def depth_fetches(presets, screen):
 
     lights = distinct(records, "light_degrees")
     names = ", ".join(name.removeprefix(FALLBACK).capitalize() for name in distinct(masked, "technique"))
-    rows = [["position and normal from the camera's depth, of the pass without a mask", *by_light(screen["records"], of_pass, lights)],
-            [f"fallbacks of {names}: the passes of the mask", *by_light(masked, mean_of("preprocess_fetches_per_pixel", 1), lights)],
+    rows = [["position and normal from the camera's depth, of the pass without a mask",
+             *by_light(screen["records"], of_pass, lights)],
+            [f"fallbacks of {names}: the passes of the mask",
+             *by_light(masked, mean_of("preprocess_fetches_per_pixel", 1), lights)],
             [f"fallbacks of {names}: pixels where the mask skips the filter, %",
              *by_light(masked, mean_of(part_of("mask", "pixels_saved"), 0, 100.0), lights)]]
-    return (f"Command: `{COMMAND}`. It reads `results.tsv` of [the screen passes' figures](screen-passes.md#figures) for the first"
-            " row and of [the presets'](presets.md) for the others, each written by the command named there; means over their"
+    return (f"Command: `{COMMAND}`. It reads `results.tsv` of [the screen passes' figures](screen-passes.md#figures)"
+            f" for the first"
+            " row and of [the presets'](presets.md) for the others, each written by the command named there; means"
+            " over their"
             f" scenes.\n\n{table(['fetches per pixel', *light_heads(records)], rows, 1)}")
 
 
@@ -51,7 +58,8 @@ EDGE_PASSES = ("MarkSamples", "MarkSurfaces", "ShadePixels", "ShadeSamples", "Me
 
 def pass_fetches(records, name):
     """Of that pass, per pixel of the picture; None where there is none."""
-    return mean(one["fetches_per_pixel"] for record in records for one in record.get("passes", []) if one["pass"] == name)
+    return mean(one["fetches_per_pixel"] for record in records for one in record.get("passes", [])
+                if one["pass"] == name)
 
 
 def edges(results):
@@ -60,7 +68,8 @@ def edges(results):
     records = results["records"]
     rows, passes = [], []
     for (degrees, name), own in groups(records, "light_degrees", "technique"):
-        rows.append([name, f"{degrees:g}°", ERROR_OF_ALL(own), ERROR(own), interval_of("fetches_mean", 1, math.inf)(own)])
+        rows.append([name, f"{degrees:g}°", ERROR_OF_ALL(own), ERROR(own),
+                     interval_of("fetches_mean", 1, math.inf)(own)])
         counts = [pass_fetches(own, one) for one in EDGE_PASSES]
         if any(count is not None for count in counts):
             passes.append([f"{degrees:g}°", *(figure(count, 1) for count in counts)])
@@ -77,7 +86,8 @@ def with_and_without(*runs):
     for results in runs:
         notes.append(f"{results['device']}, {sample(results['records'])}.  \n{made(results)}.")
         for (light, name), own in groups(results["records"], "light_degrees", "technique"):
-            rows.append([code(name), f"{own[0]['settings']['normal_bias']:g}", f"{light:g}°", *(cell(own) for cell in PLAIN.values())])
+            rows.append([code(name), f"{own[0]['settings']['normal_bias']:g}", f"{light:g}°",
+                         *(cell(own) for cell in PLAIN.values())])
     return "\n\n".join(notes) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
 
 
@@ -87,7 +97,8 @@ def trace_settings(results):
     rows = []
     for _, own in groups(results["records"], "technique"):
         values = own[0]["parameters"]
-        rows.append([*(f"{values[key][0]:g}" if key in values else "-" for key in keys), *(cell(own) for cell in PLAIN.values())])
+        rows.append([*(f"{values[key][0]:g}" if key in values else "-" for key in keys),
+                     *(cell(own) for cell in PLAIN.values())])
     return measured(results, ["length, m", "thickness, m", "steps", *PLAIN], rows, 0)
 
 
@@ -123,9 +134,11 @@ def noise_rows(results):
     for (light,), own in groups(results["records"], "light_degrees"):
         for name in names:
             one, many = of_history(own, name, 1.0), of_history(own, name, share)
-            rows.append([f"{light:g}°", plain_title(one[0]), ERROR(one), ERROR_OF_ALL(one), ERROR(many), ERROR_OF_ALL(many),
+            rows.append([f"{light:g}°", plain_title(one[0]), ERROR(one), ERROR_OF_ALL(one), ERROR(many),
+                         ERROR_OF_ALL(many),
                          interval_of(flicker, 4)(many), FETCHES_ALONE(one)])
-    return measured(results, ["light", "technique", "RMSE in penumbra", "RMSE of all pixels", "RMSE in penumbra, history",
+    return measured(results,
+                    ["light", "technique", "RMSE in penumbra", "RMSE of all pixels", "RMSE in penumbra, history",
                               "RMSE of all pixels, history", "flicker, history", "fetches per pixel"], rows, 2)
 
 
@@ -135,7 +148,8 @@ def paired_difference(before, after, digits):
     if step is None:
         return "-"
     centre = round(step[0], digits)
-    return f"{centre:{'+' if centre else ''}.{digits}f} ± {step[1]:.{digits}f}".removeprefix("-" if centre == 0.0 else "")
+    return f"{centre:{'+' if centre else ''}.{digits}f} ± {step[1]:.{digits}f}".removeprefix("-" if centre == 0.0
+                                                                                             else "")
 
 
 def noise_differences(results):
@@ -155,7 +169,8 @@ def noise_differences(results):
 
             title = plain_title(of_history(records, name, 1.0)[0]).replace(", gradient noise", "")
             rows.append([title, what, *by_light(records, cell)])
-    return f"Command: `{COMMAND}`. It reads the file of the table above.\n\n{table(['technique', 'figure', *light_heads(records)], rows, 2)}"
+    return (f"Command: `{COMMAND}`. It reads the file of the table above.\n\n"
+            + table(["technique", "figure", *light_heads(records)], rows, 2))
 
 
 FLAGSHIP_MAPS = (1024, 2048, 4096)
@@ -163,8 +178,10 @@ FLAGSHIP_MAPS = (1024, 2048, 4096)
 
 def flagship_noise(results):
     """By the map's size, one row per technique and light."""
-    rows = [[f"{size}", f"{light:g}°", own[0]["title"], ERROR(own), ERROR_OF_ALL(own), interval_of(flicker, 4)(own), FETCHES_ALONE(own)]
-            for size in FLAGSHIP_MAPS for (light, name), own in groups(results[size]["records"], "light_degrees", "technique")
+    rows = [[f"{size}", f"{light:g}°", own[0]["title"], ERROR(own), ERROR_OF_ALL(own), interval_of(flicker, 4)(own),
+             FETCHES_ALONE(own)]
+            for size in FLAGSHIP_MAPS for (light, name),
+            own in groups(results[size]["records"], "light_degrees", "technique")
             if not name.endswith("-denoised")]
     head = ["map", "light", "technique", "RMSE in penumbra", "RMSE of all pixels", "flicker", "fetches per pixel"]
     return measured(results[FLAGSHIP_MAPS[0]], head, rows, 3, and_so_on=True)
@@ -175,7 +192,9 @@ def denoise_radii(results):
     records = results["records"]
     rows = [[f"{own[0]['parameters']['denoiseRadius'][0]:g}", *by_light(own, ERROR), FETCHES_ALONE(own)]
             for _, own in groups(records, "technique")]
-    return measured(results, ["radius, pixels", *light_heads(records, "RMSE in penumbra, {} light"), "fetches per pixel"], rows, 1)
+    return measured(results,
+                    ["radius, pixels", *light_heads(records, "RMSE in penumbra, {} light"), "fetches per pixel"], rows,
+                    1)
 
 
 def noise_pan(results):
@@ -201,13 +220,16 @@ def ring_cells(results):
     rows = []
     for sun in RING_SUNS:
         for record in results[sun]["records"]:
-            rows.append([f"{sun}°", f"{record['light_degrees']:g}°", record["scene"], *record["technique"].split("-")[1:3],
-                         *(of_one_scene(record, key, 4) for key in ("rmse_penumbra", "rmse_all")), record["penumbra_pixels"],
+            rows.append([f"{sun}°", f"{record['light_degrees']:g}°", record["scene"],
+                         *record["technique"].split("-")[1:3],
+                         *(of_one_scene(record, key, 4) for key in ("rmse_penumbra", "rmse_all")),
+                         record["penumbra_pixels"],
                          figure(pass_fetches([record], "ResolveTiles"), 2)])
     head = ["sun's height", "light", "scene", "cells", "cells of the search", "RMSE in penumbra", "RMSE of all pixels",
             "penumbra pixels", "fetches per pixel of the windows"]
     notes = "\n".join(f"{made(results[sun])}.\n" for sun in RING_SUNS)
-    return (f"{results[RING_SUNS[0]]['device']}; ± is half the width of the 95 % confidence interval over blocks of the picture.\n\n"
+    return (f"{results[RING_SUNS[0]]['device']}; ± is half the width of the 95 % confidence interval over blocks of"
+            f" the picture.\n\n"
             f"{notes}\n{table(head, rows, 5)}")
 
 

@@ -41,7 +41,8 @@ SCENES = "--scene " + BUILT_IN
 
 
 def urp_rows():
-    """(rows at URP's default bias, the same without a normal bias): much of the error is the bias's, so the headline has both."""
+    """(rows at URP's default bias, the same without a normal bias): much of the error is the bias's, so the headline
+    has both."""
     if not URP_PACKAGES:
         return "", ""
     packages = [f"com.unity.render-pipelines.{name}" for name in ("core", "universal", "universal-config")]
@@ -50,12 +51,15 @@ def urp_rows():
         rows[ending] = " ".join(
             f"--adapter 'urp-{quality}{ending}=tools/measurement/resolve/adapters/UrpSoftShadows.hlsl;_SHADOWS_SOFT;"
             f"_SHADOWS_SOFT_{quality.upper()};@soft-quality={quality}{setting}'"
-            f" --title 'urp-{quality}{ending}=URP {quality.capitalize()}{title}'" for quality in ("low", "medium", "high"))
-    return " ".join(f"--package-root {name}={URP_PACKAGES}/{name}" for name in packages) + " " + rows[""], rows["-normal-bias-0"]
+            f" --title 'urp-{quality}{ending}=URP {quality.capitalize()}{title}'"
+            for quality in ("low", "medium", "high"))
+    return " ".join(f"--package-root {name}={URP_PACKAGES}/{name}"
+                    for name in packages) + " " + rows[""], rows["-normal-bias-0"]
 
 
 def hdrp_rows():
-    """HDRP before 17 has another PCSS, and none of the data that the adapter fills. It moves the receiver, not the casters."""
+    """HDRP before 17 has another PCSS, and none of the data that the adapter fills. It moves the receiver, not the
+    casters."""
     package = Path(URP_PACKAGES) / "com.unity.render-pipelines.high-definition"
     constants = package / "Runtime/Lighting/Shadow/HDShadowManager.cs.hlsl"
     if not URP_PACKAGES or not constants.exists() or "dirLightPCSSParams0" not in constants.read_text():
@@ -63,12 +67,14 @@ def hdrp_rows():
     adapter = "tools/measurement/resolve/adapters/HdrpPcss.hlsl;@depth-bias=0;@normal-bias=0"
     return (f"--package-root com.unity.render-pipelines.high-definition={package}"
             f" --adapter 'hdrp-pcss={adapter};@light-scale=0.5' --title \"hdrp-pcss=HDRP's own PCSS\""
-            f" --adapter 'hdrp-pcss-full-diameter={adapter}' --title \"hdrp-pcss-full-diameter=HDRP's own PCSS, full diameter\"")
+            f" --adapter 'hdrp-pcss-full-diameter={adapter}' --title \"hdrp-pcss-full-diameter=HDRP's own PCSS, full"
+            f" diameter\"")
 
 
 URP, URP_UNBIASED = urp_rows()
 HDRP = hdrp_rows()
-KEPT = ([] if URP else [f"urp-{quality}{ending}" for ending in ("", "-normal-bias-0") for quality in ("low", "medium", "high")]) + (
+KEPT = ([] if URP else [f"urp-{quality}{ending}" for ending in ("", "-normal-bias-0")
+                        for quality in ("low", "medium", "high")]) + (
     [] if HDRP else ["hdrp-pcss", "hdrp-pcss-full-diameter"])
 EARLIER = f"--earlier Documentation~/results/presets/results.tsv --earlier-rows {','.join(KEPT)}" if KEPT else ""
 
@@ -77,10 +83,12 @@ TECHNIQUES = " ".join("--technique " + name for name in (
     "hard bilinear four-tap box-3 box-5 box-7 tent-3 tent-5 tent-7 tent-5-plane tent-5-adaptive"
     " pcss-poisson-25 pcss-poisson-32 pcss-poisson-64 pcss-poisson-100 pcss-poisson-128"
     " pcss-angular-24-16 pcss-angular-64-64 pcss-angular-24-16-hdrp"
-    " variance-32 variance-16 exponential-32 exponential-16 log-exponential-16 exponential-variance-32 exponential-variance-16"
+    " variance-32 variance-16 exponential-32 exponential-16 log-exponential-16 exponential-variance-32"
+    " exponential-variance-16"
     " moments-32 moments-16 unreal-smrt-7-8 godot-pcss-8 godot-pcss-8-half-diameter godot-pcss-32"
     " filament-pcss-16-16 filament-pcss-16-16-bulb filament-dpcf-12 filament-dpcf-12-bulb"
-    " variance-quarter single-loop-32 single-loop-32-equal-width single-loop-32-wide single-loop-32-minmax single-loop-32-mips"
+    " variance-quarter single-loop-32 single-loop-32-equal-width single-loop-32-wide single-loop-32-minmax"
+    " single-loop-32-mips"
     " single-loop-32-planes vssm-sat-32 vssm-mip-16 vssm-mip-32 mssm-sat-32 mssm-mip-16 evsm-mip").split())
 
 PRESETS = " ".join(f"--technique {prefix}{preset} --title '{prefix}{preset}={title} {preset.capitalize()}'"
@@ -100,8 +108,10 @@ run("cost", f"{PENUMBRA} cost --format json --output Documentation~/results/cost
 measure("presets", COMMON, LIGHTS, PRESETS, URP, URP_UNBIASED, HDRP, EARLIER)
 
 # The operations of the presets, from the bytecode of Unity's compiler.
-measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --timing-repeats 0 --no-split", LIGHTS, SCENES,
-        "--size 960x540 --reference-samples 32 --seeds 1 --technique preset-low,preset-medium,preset-high,preset-ultra,preset-reference,"
+measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --timing-repeats 0 --no-split", LIGHTS,
+        SCENES,
+        "--size 960x540 --reference-samples 32 --seeds 1 --technique preset-low,preset-medium,preset-high,preset-ultra,"
+        "preset-reference,"
         "fallback-low,fallback-medium,fallback-high,fallback-ultra")
 
 # The cost and the savings of the masks, with the samples of High.
@@ -121,15 +131,19 @@ for name, bias in (("equal-bias", 0), ("equal-bias-urp", 1)):
     measure(name, COMMON, FEW, TECHNIQUES, URP, f"--depth-bias 1 --normal-bias {bias} --soft-quality medium")
 
 # With low float precision: 100 km from the world's origin.
-measure("far-origin", COMMON, FEW, "--technique bilinear --technique tent-5 --technique pcss-angular-24-16 --origin 100000 0 100000")
+measure("far-origin", COMMON, FEW,
+        "--technique bilinear --technique tent-5 --technique pcss-angular-24-16 --origin 100000 0 100000")
 
 # Fits, blends and ages of the cascades, under the sun, where the texels' size decides the error.
 for name, map_size, values in (("light-fit", 2048, "sphere,casters,receivers,turned-receivers,turned-receivers-range"),
-                               ("cascade-blend", 1024, "none,dither,mix"), ("map-age", 2048, "0,0.01,0.02,0.05,0.1,0.2,0.5")):
-    measure(name, PICTURES, f"--map-size {map_size} --light 0.53", SCENES, f"--technique tent-5-plane,pcss-angular-24-16 --{name} {values}")
+                               ("cascade-blend", 1024, "none,dither,mix"),
+                               ("map-age", 2048, "0,0.01,0.02,0.05,0.1,0.2,0.5")):
+    measure(name, PICTURES, f"--map-size {map_size} --light 0.53", SCENES,
+            f"--technique tent-5-plane,pcss-angular-24-16 --{name} {values}")
 
 # Beyond the cascades.
-FAR = "--size 960x540 --cascades 4 --map-size 2048 --light 0.53 --reference-samples 256 --seeds 1 --timing-repeats 0 --no-split"
+FAR = ("--size 960x540 --cascades 4 --map-size 2048 --light 0.53 --reference-samples 256 --seeds 1 --timing-repeats 0"
+       " --no-split")
 VALLEYS = "--scene valley-5,valley-20,valley-45"
 GROUND = "--technique far-horizon --technique far-heights-8 --technique far-heights-64"
 STEPS = "--technique far-heights-64 --set heightSteps=8,16,32,64,128,256"
@@ -155,12 +169,14 @@ measure("planar-and-blob", "--technique hard,tent-5,pcss-angular-24-16,planar,bl
 
 # The share of light along rays.
 run("volumetric", "scripts/build penumbra_resolve_tests")
-run("volumetric", "env PENUMBRA_VOLUMETRIC_RESULTS=Documentation~/results/volumetric.json build/release/penumbra_resolve_tests"
+run("volumetric", "env PENUMBRA_VOLUMETRIC_RESULTS=Documentation~/results/volumetric.json"
+                  " build/release/penumbra_resolve_tests"
     " --gtest_filter='RayVisibility.*'")
 
 # Whole scenes from distance fields.
 measure("distance-field-scenes", COMMON, LIGHTS, "--scene contact-boxes,slabs,colonnade,street --technique hard"
-        " --technique pcss-angular-24-16 --technique distance-field-hard --technique distance-field-cone --technique distance-field-soft")
+        " --technique pcss-angular-24-16 --technique distance-field-hard --technique distance-field-cone --technique"
+        " distance-field-soft")
 
 # The cost and the error of each screen pass.
 measure("screen-passes", COMMON, "--pan-frames 3 --light 2", SCENES, "--technique pcss-angular-24-16", *(
@@ -171,7 +187,8 @@ measure("screen-passes", COMMON, "--pan-frames 3 --light 2", SCENES, "--techniqu
 
 # Noise that turns disks, the denoiser, and the flagship's grain and numbers of cells.
 def measure_noise(name, *options):
-    measure(name, "--technique-list tests/study/noise/NoiseStudy.technique.json --timing-repeats 0 --no-split", *options)
+    measure(name, "--technique-list tests/study/noise/NoiseStudy.technique.json --timing-repeats 0 --no-split",
+            *options)
 
 
 NOISES = ("gradient", "mask", "gradient-denoised", "mask-denoised")
@@ -179,13 +196,17 @@ IN_SMALL = "--scene trees,poles-and-fence,street,colonnade --light 0.53,2,5 --se
 HIGH, MEDIUM = (",".join(f"pcss-{samples}-{noise}" for noise in NOISES) for samples in ("24-16", "8-16"))
 measure_noise("noise", f"--technique {HIGH} --technique {MEDIUM}", IN_SMALL, "--history 1,0.1")
 measure_noise("denoise-radius", "--technique pcss-24-16-gradient-denoised --set denoiseRadius=0,1,2,4,8", IN_SMALL)
-measure_noise("noise-pan", f"--technique {HIGH} --scene trees,street --light 2,5 --seeds 1 --pan-frames 4 --reference-samples 256")
+measure_noise("noise-pan",
+              f"--technique {HIGH} --scene trees,street --light 2,5 --seeds 1 --pan-frames 4 --reference-samples 256")
 for size in (1024, 2048, 4096):
-    measure_noise(f"flagship-noise/{size}", "--technique pcss-24-16-gradient,pcss-24-16-gradient-denoised,rings-5-3,rings-5-3-denoised"
-                  " --scene trees,street,poles-and-fence --light 0.53,2,5 --size 960x540 --seeds 4 --reference-samples 128"
+    measure_noise(f"flagship-noise/{size}",
+                  "--technique pcss-24-16-gradient,pcss-24-16-gradient-denoised,rings-5-3,rings-5-3-denoised"
+                  " --scene trees,street,poles-and-fence --light 0.53,2,5 --size 960x540 --seeds 4 --reference-samples"
+                  " 128"
                   f" --map-size {size}")
 for height, scenes in ((42, "trees,street"), (8, "trees")):
-    measure_noise(f"rings/{height}", f"--technique rings-3-3,rings-4-3,rings-5-3,rings-6-3,rings-5-2,rings-5-4 --scene {scenes}"
+    measure_noise(f"rings/{height}",
+                  f"--technique rings-3-3,rings-4-3,rings-5-3,rings-6-3,rings-5-2,rings-5-4 --scene {scenes}"
                   f" --sun {height} 40 --light 2,5 --size 1920x1080 --seeds 1 --reference-samples 64")
 
 # Shading each sample where a pixel of a multisampled picture sees several surfaces.
@@ -195,10 +216,14 @@ measure("edges", PICTURES, "--map-size 2048 --light 0.53 --light 2", SCENES, "--
 # Contact shadows: alone and after the preset High, after Tent 5x5 at URP's normal bias, and for which lengths and
 # thicknesses.
 CONTACTS = "--scene contact-boxes,poles-and-fence,trees,colonnade,street"
-measure("contact-shadows", COMMON, LIGHTS, CONTACTS, "--technique screen-trace-12,screen-tent-5,preset-high,screen-high-trace")
-measure("contact-shadows-urp-bias", COMMON, LIGHTS, CONTACTS, "--normal-bias 1 --technique screen-tent-5,screen-tent-5-trace")
-measure("contact-shadow-settings", COMMON, "--light 0.53", CONTACTS, "--normal-bias 1 --technique screen-tent-5,screen-tent-5-trace"
-        " --set screen-tent-5-trace:traceLengthMetres=0.1,0.5,2 --set screen-tent-5-trace:traceThicknessMetres=0.02,0.05,0.15,0.5"
+measure("contact-shadows", COMMON, LIGHTS, CONTACTS,
+        "--technique screen-trace-12,screen-tent-5,preset-high,screen-high-trace")
+measure("contact-shadows-urp-bias", COMMON, LIGHTS, CONTACTS,
+        "--normal-bias 1 --technique screen-tent-5,screen-tent-5-trace")
+measure("contact-shadow-settings", COMMON, "--light 0.53", CONTACTS,
+        "--normal-bias 1 --technique screen-tent-5,screen-tent-5-trace"
+        " --set screen-tent-5-trace:traceLengthMetres=0.1,0.5,2 --set screen-tent-5-trace:traceThicknessMetres=0.02,"
+        "0.05,0.15,0.5"
         " --set screen-tent-5-trace:traceSteps=12,24")
 
 # The flagship's programs, and those that it is compared with, on five families of GPUs.
@@ -207,14 +232,20 @@ run("flagship-cost", f"{PENUMBRA} cost --technique flagship,screen-pcss-angular-
 
 # Techniques of each kind from FXC's bytecode, which Unity runs, beside glslang's modules.
 for front_end in ("glslang", "fxc"):
-    measure(f"front-ends/{front_end}", f"--front-end {front_end} --cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 2", SCENES,
-            "--size 240x135 --reference-samples 64 --seeds 1 --technique hard,tent-3,tent-5,tent-7,pcss-poisson-25,pcss-angular-24-16,"
-            "pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,unreal-smrt-7-8,single-loop-32,variance-32,exponential-32,"
-            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,flagship,flagship-half,flagship-pixel,preset-low,preset-medium,preset-high,"
+    measure(f"front-ends/{front_end}",
+            f"--front-end {front_end} --cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 2", SCENES,
+            "--size 240x135 --reference-samples 64 --seeds 1 --technique hard,tent-3,tent-5,tent-7,pcss-poisson-25,"
+            "pcss-angular-24-16,"
+            "pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,unreal-smrt-7-8,single-loop-32,variance-32,"
+            "exponential-32,"
+            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,flagship,flagship-half,flagship-pixel,preset-low,"
+            "preset-medium,preset-high,"
             "preset-ultra,preset-reference")
 
 # How much the flagship changes from frame to frame.
-measure("flagship-pan", "--cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 0.53,2 --size 480x270 --reference-samples 64"
+measure("flagship-pan",
+        "--cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 0.53,2 --size 480x270 --reference-samples"
+        " 64"
         " --seeds 1 --pan-frames 8 --scene street,trees,contact-boxes,colonnade"
         " --technique flagship,flagship-pixel,preset-reference,pcss-angular-64-64,screen-pcss-angular-24-16")
 
@@ -229,9 +260,11 @@ measure("wires", COMMON, LIGHTS, "--scene wires-and-smoke"
         " --technique pcss-angular-24-16,pcss-angular-24-16-opacity,single-loop-32,single-loop-32-opacity")
 
 # One lit view by all techniques, each with at most 32 fetches per pixel, passes over the shadow map included.
-VIEW = "--scene garden --light 2 --size 1280x720 --cascades 4 --reference-samples 256 --seeds 1 --timing-repeats 0 --no-split"
+VIEW = ("--scene garden --light 2 --size 1280x720 --cascades 4 --reference-samples 256 --seeds 1 --timing-repeats 0"
+        " --no-split")
 measure("equal-fetches", VIEW, "--map-size 2048 --technique tent-7-plane,box-5-plane,pcss-angular-24-16"
-        " --technique pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,filament-dpcf-12,unreal-smrt-7-8,single-loop-32"
+        " --technique pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,filament-dpcf-12,unreal-smrt-7-8,"
+        "single-loop-32"
         " --technique single-loop-32-planes,vssm-mip-32,mssm-sat-32,mssm-mip-16,evsm-mip"
         " --set pcss-angular-24-16-hdrp:blockerSamples=16 --set pcss-angular-24-16-hdrp:filterSamples=16"
         " --set godot-pcss-8:samples=16 --set unreal-smrt-7-8:rays=4")
@@ -244,7 +277,8 @@ MAPS = "--cascades 4 --map-size 2048"
 FLAGSHIP = f"{MAPS} --timing-repeats 0 --no-split {LIGHTS}"
 PEERS = "--technique flagship,flagship-pixel,pcss-angular-24-16,pcss-angular-64-64,tent-7"
 FULL_HD_PEERS = "--technique flagship,screen-pcss-angular-24-16,pcss-angular-64-64,tent-7"
-ALL_SCENES = SCENES + ",package:glmark2/horse,package:glmark2/bunny,package:glmark2/cat,package:assimp/milk-truck,package:assimp/engine"
+ALL_SCENES = SCENES + (",package:glmark2/horse,package:glmark2/bunny,package:glmark2/cat,package:assimp/milk-truck,"
+                       "package:assimp/engine")
 measure("flagship", FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 16", ALL_SCENES, PEERS)
 measure("flagship-low-sun", FLAGSHIP, "--size 960x540 --reference-samples 128 --seeds 16 --sun 8 40", ALL_SCENES, PEERS)
 for name, sun in (("flagship-full-hd", ""), ("flagship-full-hd-low-sun", "--sun 8 40")):
@@ -258,20 +292,26 @@ measure("flagship-half", FLAGSHIP, "--size 960x540 --reference-samples 256 --see
 
 # The operations of FXC's bytecode, and the threads that run it.
 measure("flagship-operations", "--front-end fxc", FLAGSHIP,
-        "--size 1920x1080 --reference-samples 32 --seeds 1", SCENES, "--technique flagship,screen-pcss-angular-24-16,tent-7")
+        "--size 1920x1080 --reference-samples 32 --seeds 1", SCENES,
+        "--technique flagship,screen-pcss-angular-24-16,tent-7")
 TIMED_SCENES = "--scene street,trees,contact-boxes,colonnade"
-measure("flagship-times", MAPS, "--timing-repeats 5 --no-split --light 0.53,2,5 --size 960x540 --reference-samples 64 --seeds 1",
+measure("flagship-times", MAPS,
+        "--timing-repeats 5 --no-split --light 0.53,2,5 --size 960x540 --reference-samples 64 --seeds 1",
         TIMED_SCENES, "--technique flagship,flagship-half,flagship-pixel,screen-pcss-angular-24-16,"
         "screen-pcss-angular-24-16-conservative,screen-tent-5")
 
 # On a GPU, PENUMBRA_GPU=NVIDIA for example: times, and the pictures of 1920 x 1080 with 16 seeds.
 ON_GPU = f"--device '{GPU}' {MAPS} --no-split"
-measure("flagship-gpu-times/1920x1080", ON_GPU, "--timing-repeats 20 --light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
+measure("flagship-gpu-times/1920x1080", ON_GPU,
+        "--timing-repeats 20 --light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
         TIMED_SCENES, "--technique flagship,flagship-half,flagship-pixel,pcss-angular-24-16,pcss-angular-64-64,"
         "pcss-angular-24-16-hdrp,tent-7", is_wanted=bool(GPU))
-measure("flagship-gpu-times/3840x2160", ON_GPU, "--timing-repeats 20 --light 0.53,2,5 --size 3840x2160 --reference-samples 32 --seeds 1",
-        "--scene street --technique flagship,pcss-angular-24-16,pcss-angular-64-64,pcss-angular-24-16-hdrp,tent-7", is_wanted=bool(GPU))
-measure("flagship-gpu-full-hd", ON_GPU, "--timing-repeats 0", LIGHTS, "--size 1920x1080 --reference-samples 64 --seeds 16", ALL_SCENES,
+measure("flagship-gpu-times/3840x2160", ON_GPU,
+        "--timing-repeats 20 --light 0.53,2,5 --size 3840x2160 --reference-samples 32 --seeds 1",
+        "--scene street --technique flagship,pcss-angular-24-16,pcss-angular-64-64,pcss-angular-24-16-hdrp,tent-7",
+        is_wanted=bool(GPU))
+measure("flagship-gpu-full-hd", ON_GPU, "--timing-repeats 0", LIGHTS,
+        "--size 1920x1080 --reference-samples 64 --seeds 16", ALL_SCENES,
         FULL_HD_PEERS, is_wanted=bool(GPU))
 
 # The pictures, each by the command below it on its page.
@@ -285,12 +325,15 @@ class Shown(NamedTuple):
 
 def without_urp(study):
     """The rows but URP's own filters, which stand there as four-tap, tent-5 and tent-7, too."""
-    return "--rows " + ",".join(name for name in distinct(read(study)["records"], "technique") if not name.startswith("urp-"))
+    return "--rows " + ",".join(name for name in distinct(read(study)["records"], "technique")
+                                if not name.startswith("urp-"))
 
 
 FULL = {"presets": "presets.md", "techniques": "filters.md", "flagship": "flagship.md"}  # with a chart
-BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetches": "filters.md", "equal-fetches-small-map": "filters.md",
-         "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md", "distance-field-scenes": "other-shadows.md",
+BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetches": "filters.md",
+         "equal-fetches-small-map": "filters.md",
+         "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md",
+         "distance-field-scenes": "other-shadows.md",
          "wires": "other-shadows.md", "flagship-low-sun": "flagship.md", "flagship-full-hd": "flagship.md",
          "flagship-full-hd-low-sun": "flagship.md", "flagship-kept": "flagship.md", "flagship-half": "flagship.md"}
 

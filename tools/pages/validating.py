@@ -32,13 +32,16 @@ def of_first_run(entry):
     """Blocks to SPIR-V and blocks that count. The very first run found fewer includes through its own fault, so those
     that were missing count in it."""
     blocks = entry["blocks"]
-    return blocks["spirv"], blocks["counted"] if entry.get("found_includes") else blocks["total"] - blocks["editor_only"]
+    return blocks["spirv"], blocks["counted"] if entry.get("found_includes") else blocks["total"] - blocks[
+        "editor_only"]
 
 
 def third_party(first, last):
     before = {entry["repository"]: of_first_run(entry) for entry in first["results"]}
-    rows = [[entry["repository"], share(*before[entry["repository"]]), *of_blocks(entry["blocks"])] for entry in last["third_party"]]
-    rows.append(["**all**", share(*map(sum, zip(*before.values()))), *of_blocks(total([one["blocks"] for one in last["third_party"]]))])
+    rows = [[entry["repository"], share(*before[entry["repository"]]), *of_blocks(entry["blocks"])]
+            for entry in last["third_party"]]
+    rows.append(["**all**", share(*map(sum, zip(*before.values()))),
+                 *of_blocks(total([one["blocks"] for one in last["third_party"]]))])
     return table(["repository", "SPIR-V, first run", *BLOCKS], rows, 1)
 
 
@@ -47,22 +50,26 @@ def urp(last):
 
 
 def lighting(last):
-    rows = [[entry["version"], entry["keyword_sets"], *(share(entry[key], entry["keyword_sets"]) for key in ("spirv", "all_targets"))]
+    rows = [[entry["version"], entry["keyword_sets"],
+             *(share(entry[key], entry["keyword_sets"]) for key in ("spirv", "all_targets"))]
             for entry in last["lighting"]]
     return table(["version", "keyword sets", "SPIR-V", "all targets"], rows, 1)
 
 
 def named_causes(last):
     places = {"third_party": "{repository}", "urp": "URP {version}", "lighting": "lighting.hlsl, URP {version}"}
-    return [(place.format(**entry), cause) for part, place in places.items() for entry in last[part] for cause in entry["causes"]]
+    return [(place.format(**entry), cause) for part, place in places.items() for entry in last[part]
+            for cause in entry["causes"]]
 
 
 def causes(last, explanations):
     found = [[] for _ in explanations]
     for where, cause in named_causes(last):
-        matching = [i for i, one in enumerate(explanations) if one["message"] in cause["message"] and one.get("where", "") in where]
+        matching = [i for i, one in enumerate(explanations) if one["message"] in cause["message"]
+                    and one.get("where", "") in where]
         if len(matching) != 1:
-            raise Problem(f"{len(matching)} explanations fit '{cause['message']}' of {where}; explanations.json needs one")
+            raise Problem(f"{len(matching)} explanations fit '{cause['message']}' of {where}; explanations.json needs"
+                          f" one")
         found[matching[0]].append((where, cause))
     rows = []
     for explanation, of in zip(explanations, found):
@@ -87,12 +94,15 @@ def of_front_ends(data):
 
 def front_ends(data):
     counts = [(name, {**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
-                      **{kind: sum(cause["variants"] for cause in entry[kind]) for kind in ("false_passes", "false_refusals")}})
+                      **{kind: sum(cause["variants"] for cause in entry[kind])
+                         for kind in ("false_passes", "false_refusals")}})
               for name, entry in of_front_ends(data)]
     counts.append(("**all**", total([one for _, one in counts])))
-    rows = [[name, one["variants"], share(one["accepted_by_fxc"], one["variants"]), share(one["passed_by_us"], one["variants"]),
+    rows = [[name, one["variants"], share(one["accepted_by_fxc"], one["variants"]),
+             share(one["passed_by_us"], one["variants"]),
              one["false_passes"], one["false_refusals"]] for name, one in counts]
-    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes", "false refusals"], rows, 1)
+    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes",
+                                          "false refusals"], rows, 1)
 
 
 def most_frequent(data, kind, count=10):
@@ -133,8 +143,10 @@ def figures_of_speed(raw):
             for run in raw["benchmarks"] if run.get("aggregate_name") == "median"]
     if not sets:
         raise Problem("no medians in it: give the benchmark --benchmark_repetitions=3")
-    return {"command": "penumbra_validation_benchmark --benchmark_repetitions=3 --benchmark_filter='variants:(72|288|1000)'",
-            "processor": processor(), "threads": raw["context"]["num_cpus"], "date": raw["context"]["date"][:10], "sets": sets}
+    return {"command": "penumbra_validation_benchmark --benchmark_repetitions=3"
+                       " --benchmark_filter='variants:(72|288|1000)'",
+            "processor": processor(), "threads": raw["context"]["num_cpus"], "date": raw["context"]["date"][:10],
+            "sets": sets}
 
 
 def ratio(value):
@@ -159,15 +171,19 @@ def title(of):
 
 def speed(results):
     sets = results["sets"]
-    head = ["", *(f"{title(of)}: ms per variant" for of in sets), *(f"{of['variants']:.0f} variants: speed-up" for of in sets),
+    head = ["", *(f"{title(of)}: ms per variant" for of in sets),
+            *(f"{of['variants']:.0f} variants: speed-up" for of in sets),
             *(f"{of['variants']:.0f} variants: speed-up in CPU time" for of in sets)]
-    rows = [["the shell pipeline", *(f"{of['shell_ms']:.1f}" for of in sets), *("1" for _ in sets), *("1" for _ in sets)]]
-    rows += [[f"*{way}*: {words}", *(of_way(of, way, 1, more) for more in ("_ms", "_ratio", "_cpu_ratio") for of in sets)]
+    rows = [["the shell pipeline", *(f"{of['shell_ms']:.1f}" for of in sets), *("1" for _ in sets),
+             *("1" for _ in sets)]]
+    rows += [[f"*{way}*: {words}",
+              *(of_way(of, way, 1, more) for more in ("_ms", "_ratio", "_cpu_ratio") for of in sets)]
              for way, words in WAYS.items()]
     counts = ("variants", "texts", "modules", "every_api_texts", "every_api_modules")
     equal = [[SETS[of["name"]], *(f"{of[key]:.0f}" if key in of else "–" for key in counts)] for of in sets]
     return (f"{machine(results)}\n\n{table(head, rows, 1)}\n\n"
-            + table(["", "variants", "distinct sources", "distinct SPIR-V modules", "sources for every API", "SPIR-V modules of them"],
+            + table(["", "variants", "distinct sources", "distinct SPIR-V modules", "sources for every API",
+                     "SPIR-V modules of them"],
                     equal, 1))
 
 
@@ -199,11 +215,14 @@ def figures_of_programs(text):
 
 
 def random_programs(results):
-    row = [f"{results['programs']:,}", results["input_sets"], results["not_run"], results["differences"], f"{results['most_ulps']} ULP"]
+    row = [f"{results['programs']:,}", results["input_sets"], results["not_run"], results["differences"],
+           f"{results['most_ulps']} ULP"]
     return (f"{results['device']}, seeds from {' and '.join(map(str, results['first_seeds']))} on. Command:"
-            f" `PENUMBRA_RANDOM_PROGRAMS={results['programs']} build/release/penumbra_programs_tests --gtest_filter='*Half*' > TEXT;"
+            f" `PENUMBRA_RANDOM_PROGRAMS={results['programs']} build/release/penumbra_programs_tests"
+            f" --gtest_filter='*Half*' > TEXT;"
             " scripts/pages --take programs TEXT`\n\n"
-            + table(["programs", "sets of inputs each", "left out", "differences", "largest distance of two floats"], [row], 0))
+            + table(["programs", "sets of inputs each", "left out", "differences", "largest distance of two floats"],
+                    [row], 0))
 
 
 def take_speed(file):
@@ -224,7 +243,8 @@ def parts(_):
                                        for name in ("first_run", "last_run", "explanations", "front_ends"))
     measured = read_json(SPEED)
     return {PAGE: {"front-ends": front_ends(both), "false-passes": most_frequent(both, "false_passes"),
-                   "false-refusals": most_frequent(both, "false_refusals"), "third-party": third_party(first, last), "urp": urp(last),
+                   "false-refusals": most_frequent(both, "false_refusals"), "third-party": third_party(first, last),
+                   "urp": urp(last),
                    "lighting": lighting(last), "causes": causes(last, explanations),
                    "speed": speed(measured), "validation-speed": speed_summary(measured),
                    "programs": random_programs(read_json(PROGRAMS))}}

@@ -37,11 +37,15 @@ if (document.getElementById("figures-data")) {
   const bodyOf = (row, place) => {
     const about = make("button", { type: "button", class: "about", "aria-label": `Parameters of ${row.shown}` }, "i");
     tooltip.attach(about, () => [...groupOf(row.groups[0]).children]);
-    const button = make("button", { type: "button", class: "unfold", "aria-expanded": "false", "aria-controls": `detail-${place}` }, "More");
-    const detail = make("tr", { class: "detail", id: `detail-${place}` }, make("td", { colspan: data.columns.length + 3 }));
+    const button = make("button",
+      { type: "button", class: "unfold", "aria-expanded": "false", "aria-controls": `detail-${place}` }, "More");
+    const detail = make("tr", { class: "detail", id: `detail-${place}` },
+      make("td", { colspan: data.columns.length + 3 }));
     button.addEventListener("click", () => unfold(button, detail, row));
-    const links = row.pictures === undefined ? [] : [make("a", { class: "to-pictures", href: `#picture-${row.pictures}` }, "Pictures"), " "];
-    return make("tbody", { "data-technique": row.technique, "data-shown": row.shown, "data-scene": sceneValue(row.scene), "data-light": row.light },
+    const links = row.pictures === undefined ? []
+      : [make("a", { class: "to-pictures", href: `#picture-${row.pictures}` }, "Pictures"), " "];
+    const names = { technique: row.technique, shown: row.shown, scene: sceneValue(row.scene), light: row.light };
+    return make("tbody", Object.fromEntries(Object.entries(names).map(([name, value]) => [`data-${name}`, value])),
       make("tr", { class: row.scene === null ? "record mean" : "record" },
         make("th", { scope: "row", class: "name technique", "data-value": row.shown },
           make("span", { class: "label", title: row.technique }, row.shown), about),
@@ -83,7 +87,8 @@ if (document.getElementById("figures-data")) {
     }
     filters.querySelector("output").textContent = `${shown} ${shown === 1 ? "row" : "rows"}`;
   };
-  const choose = (name, options) => filters.elements[name].append(...options.map(([value, text]) => new Option(text, value)));
+  const choose = (name, options) =>
+    filters.elements[name].append(...options.map(([value, text]) => new Option(text, value)));
 
   data.columns.forEach((column, place) => {
     column.wide = data.rows.some(row => row.cells[place][1].includes(" "));
@@ -93,7 +98,8 @@ if (document.getElementById("figures-data")) {
     ...data.columns.map(column => headOf(column.wide ? "figure wide" : "figure", column.title, column.unit)),
     make("th", { scope: "col", class: "links" }, make("span", { class: "hidden" }, "Pictures and details")));
   table.append(make("thead", {}, head), ...data.rows.map(bodyOf));
-  [...head.cells].forEach((cell, column) => cell.querySelector("button")?.addEventListener("click", () => sortBy(cell, column)));
+  [...head.cells].forEach((cell, column) =>
+    cell.querySelector("button")?.addEventListener("click", () => sortBy(cell, column)));
   choose("technique", [["", "all"], ...new Map(data.rows.map(row => [row.technique, row.shown]))]);
   choose("scene", [...(data.scenes.length > 1 ? [["mean", meanOf]] : []), ["", "every scene"],
     ...data.scenes.map(scene => [sceneValue(scene), scene])]);
