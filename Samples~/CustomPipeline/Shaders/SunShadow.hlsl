@@ -13,7 +13,7 @@
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Core/CascadeSelection.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Core/Noise.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Core/ReceiverPlane.hlsl"
-#include "Packages/com.penumbra.shadows/ShaderLibrary/Filters/PcssAngular.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Filters/Pcss/PcssAngular.hlsl"
 
 TEXTURE2D_SHADOW(_SunShadowMap);
 

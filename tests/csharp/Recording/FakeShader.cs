@@ -66,13 +66,16 @@ namespace Penumbra.Tests
             return shader;
         }
 
-        // The count may be a macro of the file, or of one that it includes from its folder.
+        // The count may be a macro of the file, or of one that it includes.
         private static uint Number(string file, string count)
         {
             if (uint.TryParse(count, out uint number)) return number;
             Match macro = Regex.Match(Text(file), "#define " + count + " (\\d+)");
             if (macro.Success) return uint.Parse(macro.Groups[1].Value);
-            return Regex.Matches(Text(file), "#include \"(\\w+.hlsl)\"").Select(include => Number(include.Groups[1].Value, count))
+            return Regex.Matches(Text(file), "#include \"([^\"]+.hlsl)\"")
+                .Select(include => include.Groups[1].Value)
+                .Where(path => !path.StartsWith("Packages/"))
+                .Select(path => Number(Path.Combine(Path.GetDirectoryName(file), path), count))
                 .FirstOrDefault(found => found > 0);
         }
 
