@@ -58,6 +58,13 @@ class Script(unittest.TestCase):
         self.program = self.root / "program"
         self.program.write_text('#!/bin/sh\nprintf "<%s>" "$@"\necho\n[ "$2" != --broken ] || exit 7\n')
         self.program.chmod(0o755)
+        (self.root / "bin").mkdir()
+        for tool in ("jpegtran", "optipng"):
+            (self.root / "bin" / tool).write_text(f'#!/bin/sh\necho {tool} "$@" >>"{self.root}/shrunk"\n')
+            (self.root / "bin" / tool).chmod(0o755)
+
+    def shrunk(self):
+        return (self.root / "shrunk").read_text()
 
     def page(self, *commands, name="page.md"):
         text = "".join(f"Text.\n\n```sh\n{command}\n```\n" for command in commands)
@@ -65,6 +72,7 @@ class Script(unittest.TestCase):
 
     def run_script(self, *arguments, packages=None):
         environment = {key: value for key, value in os.environ.items() if key != PACKAGES}
+        environment["PATH"] = f"{self.root / 'bin'}:{environment['PATH']}"
         if packages:
             environment[PACKAGES] = packages
         return subprocess.run([self.root / SCRIPT, "--program", self.program, *arguments], env=environment,
@@ -80,6 +88,7 @@ class Script(unittest.TestCase):
     def test_names_choose(self):
         self.page(*(f"penumbra render --sheet Documentation~/images/{name}.png" for name in ("one", "two")))
         self.assertEqual(self.run_script("two").stdout, "<render><--sheet><Documentation~/images/two.png><--max-width><1600>\n")
+        self.assertEqual(self.shrunk(), "optipng -quiet -o2 Documentation~/images/two.png\n")
         unknown = self.run_script("three")
         self.assertEqual(unknown.returncode, 2)
         self.assertIn("no page draws a picture Documentation~/images/three; there are: one two", unknown.stderr)
@@ -87,6 +96,8 @@ class Script(unittest.TestCase):
     def test_a_picture_is_a_png_or_a_jpeg(self):
         self.page("penumbra render --sheet Documentation~/images/one.jpg")
         self.assertEqual(self.run_script().stdout, "<render><--sheet><Documentation~/images/one.jpg><--max-width><1600>\n")
+        file = "Documentation~/images/one.jpg"
+        self.assertEqual(self.shrunk(), f"jpegtran -copy none -optimize -progressive -outfile {file} {file}\n")
 
     def test_packages_stand_for_dir(self):
         self.page("penumbra render --package-root com.unity.a-b=DIR --sheet Documentation~/images/one.png")

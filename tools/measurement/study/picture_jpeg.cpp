@@ -10,7 +10,7 @@
 namespace penumbra::study {
 
 std::vector<std::byte> encode_jpeg(const Picture& picture) {
-  constexpr int kQuality = 90;
+  constexpr int kQuality = 75;
   const std::size_t samples = static_cast<std::size_t>(picture.width) *
                               static_cast<std::size_t>(picture.height) *
                               static_cast<std::size_t>(picture.channels);
