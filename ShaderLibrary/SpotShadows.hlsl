@@ -33,8 +33,8 @@
 
 // This condition is that of Pipelines/TechniqueByKeyword.hlsl.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
-    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
-     defined(SHADER_API_WEBGPU))
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || \
+     defined(SHADER_API_WEBGL) || defined(SHADER_API_WEBGPU))
 #define PENUMBRA_SPOT_WITHOUT_GATHER
 #include "Filters/Fixed/TentPcf.hlsl"
 #endif

@@ -6,8 +6,8 @@
 // Source:     a filtered map is a mean of depths' functions, which samples of a texel join as neighbouring texels do:
 //             Lauritzen and McCool, "Layered Variance Shadow Maps", 2008, section 3.
 // Inputs:     those of MapPasses.hlsl; _PenumbraSampleDepths: of CasterDepth; of ValueRows _PenumbraSourceTexture: of
-//             MeanOfDepths; _PenumbraMapSampleParameters0, of Filters/Prefiltered/Parameters/MapSampleParameters.hlsl; of CasterDepth URP's
-//             _ShadowBias and _LightDirection, _BaseMap, _BaseColor and _Cutoff.
+//             MeanOfDepths; _PenumbraMapSampleParameters0, of Filters/Prefiltered/Parameters/MapSampleParameters.hlsl;
+//             of CasterDepth URP's _ShadowBias and _LightDirection, _BaseMap, _BaseColor and _Cutoff.
 // Cost:       a draw of the casters for each cascade; as many fetches as samples; of the rows 1 + 2 ceil(2.5
 //             deviation).
 // Guarantees: finite for any depth; nothing outside of the tile is read.

@@ -3,8 +3,9 @@
 // Computes:   Screen/ScreenTrace.hlsl towards the main light at this pixel, multiplied into the source.
 // Source:     see there.
 // Inputs:     those of ScreenPass.hlsl; source: visibility with the shadow strength, of the screen's size;
-//             _PenumbraScreenTraceParameters0 and so on, of Screen/Parameters/ScreenTraceParameters.hlsl; URP's _MainLightPosition
-//             and _MainLightShadowParams; _PenumbraMainLightParams of Pipelines/Urp.hlsl, z: the frame's index.
+//             _PenumbraScreenTraceParameters0 and so on, of Screen/Parameters/ScreenTraceParameters.hlsl; URP's
+//             _MainLightPosition and _MainLightShadowParams; _PenumbraMainLightParams of Pipelines/Urp.hlsl, z: the
+//             frame's index.
 // Cost:       1 fetch of the source, and where it is not dark those of the trace.
 // Guarantees: [0, 1], 1 on the sky if the source is. Never lighter than the source, and no darker than the shadow
 //             strength allows.

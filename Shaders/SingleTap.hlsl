@@ -1,8 +1,8 @@
 // Penumbra: one comparison of the main light's shadow map, for pixels outside penumbrae.
 //
 // Computes:   the share of the four nearest texels, by bilinear weight, that do not block the receiver.
-// Source:     Filters/Fixed/FixedPcf.hlsl; Filters/Taps/TexelQuad.hlsl beside a filter that reads raw depths, because a comparison
-//             texture must not be read raw in the same program.
+// Source:     Filters/Fixed/FixedPcf.hlsl; Filters/Taps/TexelQuad.hlsl beside a filter that reads raw depths, because a
+//             comparison texture must not be read raw in the same program.
 // Inputs:     PenumbraMainLight.
 // Cost:       1 fetch.
 // Guarantees: [0, 1]; 1 where no map covers the receiver. The shadow strength is not applied.

@@ -18,8 +18,8 @@
 //             1 the second; box: BoundedFieldBox(float4(corner_metres, distances_metres[1]), float4(size_metres,
 //             edge)), with the numbers of the bake's JSON file and edge = size_metres[0] / voxels[0]; the ray in the
 //             field's own space, in metres: where it begins, its unit direction, how far it goes; tan of half the
-//             light's angular diameter; how many steps each ray and each cone goes at the most. Documentation~/far-shadows.md
-//             has an example.
+//             light's angular diameter; how many steps each ray and each cone goes at the most.
+//             Documentation~/far-shadows.md has an example.
 // Cost:       a filtered fetch of a 3D texture for each step; none for a ray or cone that misses the box. The six cones
 //             begin where the one about them is touched, and only if it is neither free nor covered.
 // Guarantees: [0, 1] for any input; at most 256 steps of each cone; texels of other parts of the texture have no

@@ -31,8 +31,8 @@
 //               _PENUMBRA_FLAGSHIP_PIXEL       FilterDepthRings           Filters/Cells/CellFilter.hlsl
 //               none of them                   FilterTent5x5Plane         Filters/Fixed/TentPcf.hlsl
 // Source:     see each filter's file.
-// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
-//             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
+// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the
+//             C# structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
 //             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
@@ -50,8 +50,8 @@
 // instead; on WebGPU too, where no frame was seen yet. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without
 // comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
-    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
-     defined(SHADER_API_WEBGPU))
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || \
+     defined(SHADER_API_WEBGL) || defined(SHADER_API_WEBGPU))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 
@@ -422,16 +422,16 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
     return FilterSingleLoop(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
                             PenumbraSingleLoop());
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_MIN_MAX)
-    return FilterSingleLoopMinMax(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthRangesTexture,
-                                  receiver, tile,
+    return FilterSingleLoopMinMax(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
+                                  _PenumbraDepthRangesTexture, receiver, tile,
                                   PenumbraSingleLoop());
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_MIPS)
-    return FilterSingleLoopMips(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthRangesTexture,
-                                receiver, tile,
+    return FilterSingleLoopMips(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
+                                _PenumbraDepthRangesTexture, receiver, tile,
                                 PenumbraSingleLoop());
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
-    return FilterSingleLoopPlanes(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthPlanesTexture,
-                                  receiver, tile,
+    return FilterSingleLoopPlanes(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
+                                  _PenumbraDepthPlanesTexture, receiver, tile,
                                   PenumbraSingleLoop());
 #elif defined(PENUMBRA_USES_VSSM)
     return FilterVssmSums(_PenumbraSumsTexture, receiver, tile,
@@ -449,9 +449,9 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
     return FilterExponentialLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
                                    PenumbraExponentialVariance());
 #elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
-    return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthPlanesTexture,
-                            _PenumbraDepthSpreadsTexture, _PenumbraCoarsePlanesTexture, _PenumbraCoarseSpreadsTexture,
-                            receiver, tile,
+    return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
+                            _PenumbraDepthPlanesTexture, _PenumbraDepthSpreadsTexture, _PenumbraCoarsePlanesTexture,
+                            _PenumbraCoarseSpreadsTexture, receiver, tile,
                             PenumbraPcssAngular());
 #else
     return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);

@@ -1,13 +1,14 @@
 // How finely the flagship filters what it does not decide for tiles.
 // Written by `penumbra emit` from Shaders/PenumbraFlagship.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_FLAGSHIP_PARAMETERS_HLSL
 #define PENUMBRA_FLAGSHIP_PARAMETERS_HLSL
 
 struct FlagshipParameters
 {
-    int filterCells; // cells: cells of the shadow map, or fewer, from the middle of a wide penumbra's filter to its edge, 3 to 5
+    // cells: cells of the shadow map, or fewer, from the middle of a wide penumbra's filter to its edge, 3 to 5
+    int filterCells;
 };
 
 // Unpacks the uniforms _PenumbraFlagshipParameters0, which the package's C# struct of the same name sets.

@@ -1,14 +1,16 @@
 // Shadows flattened onto a plane.
 // Written by `penumbra emit` from Shaders/PenumbraPlanar.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PLANAR_PARAMETERS_HLSL
 #define PENUMBRA_PLANAR_PARAMETERS_HLSL
 
 struct PlanarParameters
 {
-    float planarFadeMetres; // m: height over the plane of what casts no shadow any more; 0: no shadow fades
-    float planarToleranceMetres; // m: how far from the plane a surface may lie that receives its shadows
+    // m: height over the plane of what casts no shadow any more; 0: no shadow fades
+    float planarFadeMetres;
+    // m: how far from the plane a surface may lie that receives its shadows
+    float planarToleranceMetres;
 };
 
 // Unpacks the uniforms _PenumbraPlanarParameters0, which the package's C# struct of the same name sets.

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,23 @@ TEST(ShaderSources, ReachTexturesThroughMacrosOnly) {
   const std::string method =
       R"(\.\s*(Sample|SampleLevel|SampleCmp\w*|SampleGrad|SampleBias|Load|Gather\w*)\s*\()";
   EXPECT_EQ(files_with(method), Names{"Platform/Platform.hlsl"});
+}
+
+TEST(ShaderSources, HaveLinesOfAtMost120Columns) {
+  for (const char* folder : {"ShaderLibrary", "Shaders"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PENUMBRA_SOURCE_DIR) / folder)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".hlsl" && extension != ".compute" && extension != ".shader") continue;
+      std::istringstream lines(read(entry.path()));
+      int number = 0;
+      for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const bool is_directive =
+            line.find_first_not_of(' ') == line.find('#');  // not all of them can be broken
+        EXPECT_TRUE(line.size() <= 120 || is_directive) << entry.path() << ":" << number;
+      }
+    }
+  }
 }
 
 TEST(ShaderSources, KeepCorePure) {

@@ -48,14 +48,17 @@ TEST(CascadeRules, AreBranchesOfTheirKeywordAlone) {
   EXPECT_THAT(text, HasSubstr("#if defined(PENUMBRA_USES_PCSS)\n"
                               "float4 _PenumbraPcssAngularParameters0From1;\n"
                               "float4 _PenumbraPcssAngularParameters1From1;\n#endif\n"));
-  EXPECT_THAT(text,
-              HasSubstr("#include \"../Filters/Pcss/PcssAngular.hlsl\"\n#include \"../Filters/Fixed/TentPcf.hlsl\"\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "#include \"../Filters/Pcss/PcssAngular.hlsl\"\n#include \"../Filters/Fixed/TentPcf.hlsl\"\n"));
   EXPECT_THAT(text,
               HasSubstr("#elif defined(PENUMBRA_USES_PCSS)\n"
                         "    if (cascade >= 3) return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, "
                         "sampler_shadowMap), receiver, tile);\n"
                         "    if (cascade >= 1) return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(shadowMap, "
-                        "sampler_shadowMap), sampler_point, receiver, tile,\n"
+                        "sampler_shadowMap), sampler_point,\n"
+                        "                                               receiver, tile,\n"
                         "                                               UnpackPcssAngularParameters("
                         "_PenumbraPcssAngularParameters0From1, _PenumbraPcssAngularParameters1From1));\n"
                         "    return FilterPcssAngular("));

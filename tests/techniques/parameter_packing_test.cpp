@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "techniques/parameter_emit.h"
 
 namespace penumbra::techniques {
@@ -49,7 +51,8 @@ TEST(ParameterPacking, TheHlslUnpacksIt) {
   const EmittedFile hlsl = emit_hlsl(mixed());
   EXPECT_EQ(hlsl.file, "ShaderLibrary/Filters/Parameters/MixedParameters.hlsl");
   EXPECT_THAT(hlsl.text, HasSubstr("#ifndef PENUMBRA_MIXED_PARAMETERS_HLSL\n"));
-  EXPECT_THAT(hlsl.text, HasSubstr("    int count; // fetches: number of taps\n    float2 offset;"));
+  EXPECT_THAT(hlsl.text, HasSubstr("    // fetches: number of taps\n    int count;\n    // texels: of the "
+                                   "kernel\n    float2 offset;\n"));
   EXPECT_THAT(hlsl.text, HasSubstr("MixedParameters UnpackMixedParameters(float4 packed0, float4 packed1, "
                                    "float4 packed2, float4 packed3)\n"));
   EXPECT_THAT(hlsl.text, HasSubstr("    parameters.count = int(packed0.x);\n"
@@ -58,6 +61,16 @@ TEST(ParameterPacking, TheHlslUnpacksIt) {
                                    "    parameters.width = packed2.x;\n"
                                    "    parameters.centre = packed2.yz;\n"
                                    "    parameters.bias = packed3.xy;\n"));
+}
+
+TEST(ParameterPacking, TheHlslsCommentsAreWrapped) {
+  ParameterStruct many = mixed();
+  for (int i = 0; i < 40; ++i) many.fields.front().doc += " word" + std::to_string(i);
+  std::istringstream lines(emit_hlsl(many).text);
+  int comments = 0;
+  for (std::string line; std::getline(lines, line); comments += line.starts_with("    // ") ? 1 : 0)
+    EXPECT_LE(line.size(), 120U) << line;
+  EXPECT_EQ(comments, static_cast<int>(many.fields.size()) + 2) << "the first has three";
 }
 
 TEST(ParameterPacking, TheCSharpPacksItWithinTheRanges) {

@@ -117,8 +117,9 @@ TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
   EXPECT_THAT(text, HasSubstr("TEXTURE2D(_PenumbraNearestOfAllTexelsTexture);\n"
                               "TYPED_TEXTURE2D(uint4, _PenumbraFarthestOfAllTexelsTexture);\n"));
   EXPECT_THAT(text, HasSubstr("    return FilterRing(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
-                              "sampler_point, _PenumbraNearestOfAllTexelsTexture,\n"
-                              "                      _PenumbraFarthestOfAllTexelsTexture, receiver, tile,\n"
+                              "sampler_point,\n"
+                              "                      _PenumbraNearestOfAllTexelsTexture, "
+                              "_PenumbraFarthestOfAllTexelsTexture, receiver, tile,\n"
                               "                      PenumbraRing());\n"));
 }
 

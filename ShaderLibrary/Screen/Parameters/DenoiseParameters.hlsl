@@ -1,15 +1,18 @@
 // Smoothing of visibility in penumbrae.
 // Written by `penumbra emit` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_DENOISE_PARAMETERS_HLSL
 #define PENUMBRA_DENOISE_PARAMETERS_HLSL
 
 struct DenoiseParameters
 {
-    int denoiseRadius; // pixels: radius of the neighbourhood, 0 to 8
-    float planeTolerance; // pixels: plane distance threshold, in pixel footprints: a neighbour farther away counts as another surface
-    float noiseAmplitude; // 1: bilateral range threshold: a larger difference of visibility counts as an edge, not as noise
+    // pixels: radius of the neighbourhood, 0 to 8
+    int denoiseRadius;
+    // pixels: plane distance threshold, in pixel footprints: a neighbour farther away counts as another surface
+    float planeTolerance;
+    // 1: bilateral range threshold: a larger difference of visibility counts as an edge, not as noise
+    float noiseAmplitude;
 };
 
 // Unpacks the uniforms _PenumbraDenoiseParameters0, which the package's C# struct of the same name sets.

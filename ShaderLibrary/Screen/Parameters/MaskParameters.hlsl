@@ -1,15 +1,18 @@
 // How far the penumbra mask extends beyond the edges that it found.
 // Written by `penumbra emit` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MASK_PARAMETERS_HLSL
 #define PENUMBRA_MASK_PARAMETERS_HLSL
 
 struct MaskParameters
 {
-    float maskPenumbraMetres; // m: largest penumbra width, from visibility 0 to 1, that the mask must cover; 0 for fixed filters
-    float maskFilterTexels; // texels: smallest filter radius that the mask must cover, in texels of the shadow map
-    int maskLargestRadius; // texels: largest radius of the dilation, in texels of the mask
+    // m: largest penumbra width, from visibility 0 to 1, that the mask must cover; 0 for fixed filters
+    float maskPenumbraMetres;
+    // texels: smallest filter radius that the mask must cover, in texels of the shadow map
+    float maskFilterTexels;
+    // texels: largest radius of the dilation, in texels of the mask
+    int maskLargestRadius;
 };
 
 // Unpacks the uniforms _PenumbraMaskParameters0, which the package's C# struct of the same name sets.

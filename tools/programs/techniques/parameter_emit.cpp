@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <sstream>
 
 #include "techniques/csharp_literal.h"
 #include "techniques/parameter_packing.h"
@@ -13,10 +14,9 @@ namespace {
 
 constexpr std::string_view kComponents = "xyzw";
 
-constexpr const char* kHlsl = R"(// {doc}
-// Written by `penumbra emit` from {manifest}; do not edit.
+constexpr const char* kHlsl = R"({doc}// Written by `penumbra emit` from {manifest}; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef {guard}
 #define {guard}
 
@@ -24,8 +24,7 @@ struct {name}
 {{
 {fields}}};
 
-// Unpacks the uniforms {uniforms}, which the package's C# struct of the same name sets.
-{name} Unpack{name}({vectors})
+{unpacks}{name} Unpack{name}({vectors})
 {{
     {name} parameters;
 {unpacked}    return parameters;
@@ -34,7 +33,7 @@ struct {name}
 #endif
 )";
 
-constexpr const char* kHlslField = R"(    {type} {name}; // {unit}: {doc}
+constexpr const char* kHlslField = R"({comment}    {type} {name};
 )";
 
 constexpr const char* kHlslUnpacked = R"(    parameters.{name} = {value};
@@ -136,11 +135,24 @@ std::string csharp_bounded(const ParameterField& field, const std::string& expre
          ")";
 }
 
+// Returns a comment whose lines have at most 120 columns, where no word is longer.
+std::string comment(const std::string& text, const std::string& indent = "") {
+  constexpr std::size_t columns = 120;
+  std::string lines, line = indent + "//";
+  std::istringstream words(text);
+  for (std::string word; words >> word; line += " " + word) {
+    if (line.size() + 1 + word.size() <= columns) continue;
+    lines += line + "\n";
+    line = indent + "//";
+  }
+  return lines + line + "\n";
+}
+
 std::string hlsl_fields(const ParameterStruct& parameters) {
   std::string text;
   for (const ParameterField& field : parameters.fields)
     text += fmt::format(kHlslField, fmt::arg("type", field.type), fmt::arg("name", field.name),
-                        fmt::arg("unit", field.unit), fmt::arg("doc", field.doc));
+                        fmt::arg("comment", comment(field.unit + ": " + field.doc, "    ")));
   return text;
 }
 
@@ -212,10 +224,12 @@ EmittedFile emit_hlsl(const ParameterStruct& parameters) {
   const auto uniform = [&](std::size_t i) { return uniform_name(parameters, i); };
   const auto argument = [](std::size_t i) { return "float4 packed" + std::to_string(i); };
   return {(folder / "Parameters" / (parameters.name + ".hlsl")).generic_string(),
-          fmt::format(kHlsl, fmt::arg("doc", parameters.doc), fmt::arg("manifest", parameters.manifest),
-                      fmt::arg("guard", guard(parameters.name)), fmt::arg("name", parameters.name),
-                      fmt::arg("fields", hlsl_fields(parameters)),
-                      fmt::arg("uniforms", of_each_vector(parameters, ", ", uniform)),
+          fmt::format(kHlsl, fmt::arg("doc", comment(parameters.doc)),
+                      fmt::arg("manifest", parameters.manifest), fmt::arg("guard", guard(parameters.name)),
+                      fmt::arg("name", parameters.name), fmt::arg("fields", hlsl_fields(parameters)),
+                      fmt::arg("unpacks",
+                               comment("Unpacks the uniforms " + of_each_vector(parameters, ", ", uniform) +
+                                       ", which the package's C# struct of the same name sets.")),
                       fmt::arg("vectors", of_each_vector(parameters, ", ", argument)),
                       fmt::arg("unpacked", hlsl_unpacked(parameters)))};
 }

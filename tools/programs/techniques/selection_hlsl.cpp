@@ -19,8 +19,8 @@ constexpr const char* kTechniqueByKeyword = R"(// Penumbra: the technique that a
 //
 // Computes:   visibility with the filter of the enabled keyword:
 {filters}// Source:     see each filter's file.
-// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
-//             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
+// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the
+//             C# structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
 //             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
 //             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
 //             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
@@ -38,8 +38,8 @@ constexpr const char* kTechniqueByKeyword = R"(// Penumbra: the technique that a
 // instead; on WebGPU too, where no frame was seen yet. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without
 // comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
-    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL) || \
-     defined(SHADER_API_WEBGPU))
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || \
+     defined(SHADER_API_WEBGL) || defined(SHADER_API_WEBGPU))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 
@@ -89,7 +89,7 @@ constexpr const char* kRules = R"(
 constexpr const char* linear_sampler = "linearSampler";
 constexpr const char* linear_sampler_name = "sampler_PenumbraLinearClamp";  // Unity makes it from the words
 constexpr std::size_t kWidest = 100;  // characters of a condition in a line
-constexpr std::size_t kWidestCall = 130;
+constexpr std::size_t kWidestCall = 119;
 
 // Returns "PENUMBRA_USES_PCSS" for "_PENUMBRA_PCSS".
 std::string macro_of(const Selection& selection) {

@@ -1,13 +1,14 @@
 // Kernel of N x N bilinear comparisons with equal weights.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Fixed/FixedPcf.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_BOX_PARAMETERS_HLSL
 #define PENUMBRA_BOX_PARAMETERS_HLSL
 
 struct BoxParameters
 {
-    int tapsPerSide; // taps: N, odd, 1 to 9
+    // taps: N, odd, 1 to 9
+    int tapsPerSide;
 };
 
 // Unpacks the uniforms _PenumbraBoxParameters0, which the package's C# struct of the same name sets.

@@ -1,15 +1,18 @@
 // PCSS (Poisson): as many blocker samples as filter samples, on Poisson disks.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Pcss/PcssClassic.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_CLASSIC_PARAMETERS_HLSL
 #define PENUMBRA_PCSS_CLASSIC_PARAMETERS_HLSL
 
 struct PcssClassicParameters
 {
-    int samples; // fetches: number of blocker samples and of filter samples: 25, 32, 64, 100 or 128
-    float searchRadiusMetres; // m: radius of the blocker search, across the light
-    float minFilterTexels; // texels: smallest filter radius
+    // fetches: number of blocker samples and of filter samples: 25, 32, 64, 100 or 128
+    int samples;
+    // m: radius of the blocker search, across the light
+    float searchRadiusMetres;
+    // texels: smallest filter radius
+    float minFilterTexels;
 };
 
 // Unpacks the uniforms _PenumbraPcssClassicParameters0, which the package's C# struct of the same name sets.

@@ -1,16 +1,20 @@
 // PCSS of a spot light: penumbra widths follow from the radius of its source.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Pcss/PcssSpot.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_PCSS_SPOT_PARAMETERS_HLSL
 #define PENUMBRA_PCSS_SPOT_PARAMETERS_HLSL
 
 struct PcssSpotParameters
 {
-    int blockerSamples; // fetches: samples of the blocker search, 1 to 64
-    int filterSamples; // fetches: samples of the filter, 1 to 64
-    float minFilterTexels; // texels: smallest filter and search radius
-    float maxPenumbraMetres; // m: largest penumbra width, from visibility 0 to 1; caps both radii
+    // fetches: samples of the blocker search, 1 to 64
+    int blockerSamples;
+    // fetches: samples of the filter, 1 to 64
+    int filterSamples;
+    // texels: smallest filter and search radius
+    float minFilterTexels;
+    // m: largest penumbra width, from visibility 0 to 1; caps both radii
+    float maxPenumbraMetres;
 };
 
 // Unpacks the uniforms _PenumbraPcssSpotParameters0, which the package's C# struct of the same name sets.

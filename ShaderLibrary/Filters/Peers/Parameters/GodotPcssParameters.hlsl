@@ -1,16 +1,20 @@
 // PCSS (Godot): with the rules and parameters of Godot 4.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Peers/GodotPcss.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_GODOT_PCSS_PARAMETERS_HLSL
 #define PENUMBRA_GODOT_PCSS_PARAMETERS_HLSL
 
 struct GodotPcssParameters
 {
-    int samples; // fetches: number of blocker samples and of filter samples, 1 to 64: 4, 8, 12, 24 or 32 by quality
-    float diameterShare; // 1: angular size of the light, as a share of its diameter
-    float depthBias; // 1: by which the receiver moves toward the light, as a share of the depth range
-    float normalBias; // texels: by which the receiver moves along its normal, across the light alone
+    // fetches: number of blocker samples and of filter samples, 1 to 64: 4, 8, 12, 24 or 32 by quality
+    int samples;
+    // 1: angular size of the light, as a share of its diameter
+    float diameterShare;
+    // 1: by which the receiver moves toward the light, as a share of the depth range
+    float depthBias;
+    // texels: by which the receiver moves along its normal, across the light alone
+    float normalBias;
 };
 
 // Unpacks the uniforms _PenumbraGodotPcssParameters0, which the package's C# struct of the same name sets.

@@ -1,14 +1,16 @@
 // Exponential shadow maps.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Exponential.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_EXPONENTIAL_PARAMETERS_HLSL
 #define PENUMBRA_EXPONENTIAL_PARAMETERS_HLSL
 
 struct ExponentialParameters
 {
-    float exponent; // 1: c of exp(c z), for depths z over the range of the map: at most 172 with 32 bits, 19 with 16
-    float bleeding; // 1: visibility up to which all is dark, which reduces light bleeding
+    // 1: c of exp(c z), for depths z over the range of the map: at most 172 with 32 bits, 19 with 16
+    float exponent;
+    // 1: visibility up to which all is dark, which reduces light bleeding
+    float bleeding;
 };
 
 // Unpacks the uniforms _PenumbraExponentialParameters0, which the package's C# struct of the same name sets.

@@ -1,16 +1,20 @@
 // Exponential variance shadow maps.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/ExponentialVariance.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_EXPONENTIAL_VARIANCE_PARAMETERS_HLSL
 #define PENUMBRA_EXPONENTIAL_VARIANCE_PARAMETERS_HLSL
 
 struct ExponentialVarianceParameters
 {
-    float positiveExponent; // 1: c of exp(c z), for depths z over the range of the map: at most 86 with 32 bits, 9 with 16
-    float negativeExponent; // 1: d of -exp(-d z), with the same limits
-    float bleeding; // 1: visibility up to which all is dark, which reduces light bleeding
-    float precision; // 1: unit roundoff of the map's format: 2^-24 with 32 bits, 2^-11 with 16
+    // 1: c of exp(c z), for depths z over the range of the map: at most 86 with 32 bits, 9 with 16
+    float positiveExponent;
+    // 1: d of -exp(-d z), with the same limits
+    float negativeExponent;
+    // 1: visibility up to which all is dark, which reduces light bleeding
+    float bleeding;
+    // 1: unit roundoff of the map's format: 2^-24 with 32 bits, 2^-11 with 16
+    float precision;
 };
 
 // Unpacks the uniforms _PenumbraExponentialVarianceParameters0, which the package's C# struct of the same name sets.

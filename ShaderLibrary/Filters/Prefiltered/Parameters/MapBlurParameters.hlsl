@@ -1,13 +1,14 @@
 // Blur of a filtered shadow map.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Variance.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MAP_BLUR_PARAMETERS_HLSL
 #define PENUMBRA_MAP_BLUR_PARAMETERS_HLSL
 
 struct MapBlurParameters
 {
-    float deviation; // texels: standard deviation of the Gaussian
+    // texels: standard deviation of the Gaussian
+    float deviation;
 };
 
 // Unpacks the uniforms _PenumbraMapBlurParameters0, which the package's C# struct of the same name sets.

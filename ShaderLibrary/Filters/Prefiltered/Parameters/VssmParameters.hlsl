@@ -1,20 +1,26 @@
 // Variance soft shadow mapping.
 // Written by `penumbra emit` from ShaderLibrary/Filters/Prefiltered/Vssm.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_VSSM_PARAMETERS_HLSL
 #define PENUMBRA_VSSM_PARAMETERS_HLSL
 
 struct VssmParameters
 {
-    float minFilterTexels; // texels: smallest filter and search radius
-    float maxPenumbraMetres; // m: largest penumbra width, from visibility 0 to 1; caps both radii
-    float bleeding; // 1: visibility up to which all is dark, which reduces light bleeding
-    float smallestVariance; // 1: variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2]
-    int searches; // 1: searches for blockers, each within the penumbra that the one before found; the paper has one
+    // texels: smallest filter and search radius
+    float minFilterTexels;
+    // m: largest penumbra width, from visibility 0 to 1; caps both radii
+    float maxPenumbraMetres;
+    // 1: visibility up to which all is dark, which reduces light bleeding
+    float bleeding;
+    // 1: variance that rounding may leave of a flat surface, of depths in [-1/2, 1/2]
+    float smallestVariance;
+    // 1: searches for blockers, each within the penumbra that the one before found; the paper has one
+    int searches;
 };
 
-// Unpacks the uniforms _PenumbraVssmParameters0, _PenumbraVssmParameters1, which the package's C# struct of the same name sets.
+// Unpacks the uniforms _PenumbraVssmParameters0, _PenumbraVssmParameters1, which the package's C# struct of the same
+// name sets.
 VssmParameters UnpackVssmParameters(float4 packed0, float4 packed1)
 {
     VssmParameters parameters;

@@ -1,16 +1,20 @@
 // Radii of the map of nearest and farthest depths around each texel.
 // Written by `penumbra emit` from ShaderLibrary/Filters/SingleLoop/SingleLoop.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_DEPTH_RANGE_PARAMETERS_HLSL
 #define PENUMBRA_DEPTH_RANGE_PARAMETERS_HLSL
 
 struct DepthRangeParameters
 {
-    int dilation0; // texels: radius in cascade 0, in texels of the quarter-resolution map: 8 are 32 texels of the shadow map
-    int dilation1; // texels: the same in cascade 1
-    int dilation2; // texels: the same in cascade 2
-    int dilation3; // texels: the same in cascade 3
+    // texels: radius in cascade 0, in texels of the quarter-resolution map: 8 are 32 texels of the shadow map
+    int dilation0;
+    // texels: the same in cascade 1
+    int dilation1;
+    // texels: the same in cascade 2
+    int dilation2;
+    // texels: the same in cascade 3
+    int dilation3;
 };
 
 // Unpacks the uniforms _PenumbraDepthRangeParameters0, which the package's C# struct of the same name sets.

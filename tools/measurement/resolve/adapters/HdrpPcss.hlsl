@@ -7,8 +7,8 @@
 // Computes:   GetDirectionalShadowAttenuation of the HDRP whose package root is given: cascade selection, biases,
 //             shadow coordinate, blocker search and filter, nothing of ours. HDRP's C# is not run: its shader data is
 //             made here from the map's matrices and the light's diameter.
-// Source:     the packing of HDRP 17 (HDShadowManager, HDShadowRequest), as Documentation~/pipelines.md lists it; the light
-//             component's defaults.
+// Source:     the packing of HDRP 17 (HDShadowManager, HDShadowRequest), as Documentation~/pipelines.md lists it; the
+//             light component's defaults.
 // Inputs:     HDRP 17 (Unity 6). Version 14 is refused by the names of the fields it lacks: its softness comes from the
 //             planes of the light's view, which the map's matrices do not tell.
 //             The receiver moves along its normal by HDRP's default of 0.75 diagonals of a texel, and against the light

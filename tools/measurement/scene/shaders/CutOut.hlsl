@@ -1,7 +1,8 @@
 // Penumbra tools: where a cut-out surface is open.
 //
 // Computes:   whether a triangle is open at texture coordinates: the formulas of AlphaPattern and CutOut
-//             (tools/measurement/scene/material.h), step by step as tools/measurement/scene/cut_out.cpp computes them for rays.
+//             (tools/measurement/scene/material.h), step by step as tools/measurement/scene/cut_out.cpp computes them
+//             for rays.
 // Inputs:     _TexCoords: two floats per vertex; _CutOutOfTriangle: 1 + the number of its cut-out, 0 for none; _CutOuts:
 //             eight words each (CutOuts::Entry); _CutOutTexels: four texels of 8 bits a word, the first in the lowest.
 //             The cutoff of blended surfaces is infinite: nothing of them is drawn.

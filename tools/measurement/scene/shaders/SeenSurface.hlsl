@@ -5,7 +5,8 @@
 //             tangents, clip y = -1 at the top; _NearPlane: metres, x.
 // Cost:       no texture fetches; with PENUMBRA_CUT_OUTS CutOut.hlsl's.
 // Guarantees: w of the result is 0 only where nothing is seen (the clear value): triangle t is written as the float
-//             whose bits are 0x40000000 + t, never a NaN or denormal for t < 2^29. Where a surface is cut out, what is behind it is seen.
+//             whose bits are 0x40000000 + t, never a NaN or denormal for t < 2^29. Where a surface is cut out, what is
+//             behind it is seen.
 // Use it:     by the rasteriser (tools/measurement/scene).
 #include "SceneMesh.hlsl"
 #if PENUMBRA_CUT_OUTS

@@ -1,5 +1,5 @@
-// Stands in for the core package's UnityInstancing.hlsl: both eyes in one draw, by instances that choose the layer of the
-// target or by multiview, which the graphics API repeats the draw for. Names are Unity's interface (core 14 to 17).
+// Stands in for the core package's UnityInstancing.hlsl: both eyes in one draw, by instances that choose the layer of
+// the target or by multiview, which the graphics API repeats the draw for. Names are Unity's interface (core 14 to 17).
 #ifndef UNITY_INSTANCING_INCLUDED
 #define UNITY_INSTANCING_INCLUDED
 

@@ -1,5 +1,6 @@
-// The globals of Unity's URP that Pipelines/Urp.hlsl and UrpSpotLights.hlsl read, declared so that the library's URP side compiles and runs
-// without Unity. Names, types and array lengths are URP's interface (14 to 17); include it after the platform macros.
+// The globals of Unity's URP that Pipelines/Urp.hlsl and UrpSpotLights.hlsl read, declared so that the library's URP
+// side compiles and runs without Unity. Names, types and array lengths are URP's interface (14 to 17); include it after
+// the platform macros.
 #ifndef UNIVERSAL_SHADOWS_INCLUDED
 #define UNIVERSAL_SHADOWS_INCLUDED
 
