@@ -121,7 +121,7 @@ def technique_list():
     texts = [*raw_strings('techniques/caster_graph_test.cpp', 'techniques/pass_graph_test.cpp',
                           'techniques/technique_list_test.cpp'),
              *(file.read_bytes() for file in sorted(tests.glob('techniques/added/*.technique.json')))]
-    for name in ('ShaderLibrary/Filters/FixedPcf', 'ShaderLibrary/Filters/PcssAngular', 'Shaders/PenumbraShadows'):
+    for name in ('ShaderLibrary/Filters/Fixed/FixedPcf', 'ShaderLibrary/Filters/Pcss/PcssAngular', 'Shaders/PenumbraShadows'):
         document = json.loads((root / f'{name}.technique.json').read_text())
         for key, longest in (('techniques', 2), ('graphs', 3), ('looks', 1)):
             document[key] = document.get(key, [])[:longest]
