@@ -48,6 +48,22 @@ TEST_F(Emit, WhatIsCheckedInIsUpToDate) {
   }
 }
 
+TEST_F(Emit, OfAManifestWithALibraryOnlyItsOwnHlslIsWritten) {
+  write("package.json", "{}");
+  write("Shaders/Box.hlsl", "// box\n");
+  write("Shaders/Box.technique.json", R"({"techniques": [{"name": "box", "title": "Box", "family": "box",
+    "source": "Nobody 1900", "filter": {"file": "Box.hlsl", "function": "F"}}]})");
+  const std::string manifest = write("study/Ring.technique.json", R"({"library": "..",
+    "structs": [{"name": "RingParameters", "doc": "d", "fields": [
+      {"name": "taps", "type": "int", "unit": "1", "doc": "d", "default": 3}]}],
+    "techniques": [{"name": "ring", "title": "Ring", "like": "box",
+      "filter": {"file": "../Shaders/Box.hlsl", "function": "F", "parameters": "RingParameters"}}]})")
+                                   .string();
+  const auto written = run({"emit", "--technique-list", manifest});
+  EXPECT_EQ(written.exit_code, 0) << written.errors;
+  EXPECT_EQ(written.output, path("study/Parameters/RingParameters.hlsl").lexically_normal().string() + "\n");
+}
+
 TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
   const std::string manifest = write_means();
   const auto file = [&](const std::string& name) { return path(name).lexically_normal().string(); };
@@ -221,14 +237,17 @@ float4 Main(float3 shadowCoord : TEXCOORD0, float4 more : TEXCOORD1) : SV_Target
 // Techniques that differ in values alone have one program.
 TEST_F(Emit, FxcTakesEveryCopy) {
   PENUMBRA_NEEDS_FXC();
-  const techniques::TechniqueList list = techniques::read_technique_list(root);
+  const std::string variants = (root / "tests/study/StudyVariants.technique.json").string();
+  const techniques::TechniqueList list = techniques::read_technique_list(variants);
   std::set<std::string> programs;
   std::vector<std::string> validate{"validate", "--target", "d3d11", "--no-lint", "--no-cache"};
   for (const techniques::Technique& technique : list.techniques) {
     if (technique.graph.filter_pass() == nullptr) continue;
     if (!programs.insert(techniques::emit_technique_call(list, technique).source()).second) continue;
     const std::string copy = technique.name + ".copy.hlsl";
-    ASSERT_EQ(run({"emit", "--single-file", technique.name, "-o", path(copy).string()}).exit_code, 0);
+    const auto emitted = run(
+        {"emit", "--technique-list", variants, "--single-file", technique.name, "-o", path(copy).string()});
+    ASSERT_EQ(emitted.exit_code, 0) << emitted.errors;
     validate.push_back(
         write(technique.name + ".hlsl", "#pragma target 5.0\n#include \"" + copy + "\"\n" + kCaller)
             .string());

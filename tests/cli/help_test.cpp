@@ -105,6 +105,10 @@ TEST(Help, NamesAreListed) {
     EXPECT_THAT(lines_of({command, "--list-techniques", "--technique-list", manifest}),
                 testing::ElementsAre(testing::StartsWith("means ")))
         << command;
+  const std::string variants = PENUMBRA_SOURCE_DIR "/tests/study/StudyVariants.technique.json";
+  EXPECT_THAT(lines_of({"measure", "--list-techniques", "--technique-list", variants}),
+              AllOf(testing::Contains(testing::StartsWith("tent-5 ")),
+                    testing::Contains(testing::StartsWith("box-9 "))));
   const auto absent =
       ProgramTest::run({"cost", "--technique-list", "absent.technique.json", "--list-techniques"});
   EXPECT_EQ(absent.exit_code, 2);

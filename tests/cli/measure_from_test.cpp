@@ -45,8 +45,8 @@ TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
   };
   for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
     refused("hard", option);
-  refused("far-heights-8", "--horizon-texels");
-  refused("far-horizon", "--field-voxels");
+  refused("pcss-angular-24-16-far-heights", "--horizon-texels");
+  refused("pcss-angular-24-16-far-horizon", "--field-voxels");
   // The test shows what a technique reads, and what its bake is made of. The run ends at a device that is not
   // there.
   const auto taken = [&](const std::string& technique, const std::string& option) {
@@ -56,9 +56,9 @@ TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
     EXPECT_THAT(result.errors, testing::AllOf(HasSubstr("no device has this name"),
                                               testing::Not(HasSubstr("has no effect"))));
   };
-  taken("hard,far-heights-8", "--ground-samples");
-  taken("far-horizon", "--ground-samples");
-  taken("far-horizon,far-heights-8", "--horizon-texels");
+  taken("hard,pcss-angular-24-16-far-heights", "--ground-samples");
+  taken("pcss-angular-24-16-far-horizon", "--ground-samples");
+  taken("pcss-angular-24-16-far-horizon,pcss-angular-24-16-far-heights", "--horizon-texels");
   taken("distance-field-soft", "--field-voxels");
 }
 

@@ -68,16 +68,16 @@ TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
   };
   for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
     refused("hard", option);
-  refused("far-heights-8", "--horizon-texels");
-  refused("far-horizon", "--field-voxels");
+  refused("pcss-angular-24-16-far-heights", "--horizon-texels");
+  refused("pcss-angular-24-16-far-horizon", "--field-voxels");
   // Both runs end at a device that is not there.
   const auto taken = [&](const std::string& technique, const std::string& option) {
     const auto result =
         run(small({"--technique", technique, option, "64", "--device", "no device has this name"}));
     EXPECT_THAT(result.errors, AllOf(HasSubstr("no device has this name"), Not(HasSubstr("has no effect"))));
   };
-  taken("hard,far-horizon", "--ground-samples");
-  taken("far-horizon", "--horizon-texels");
+  taken("hard,pcss-angular-24-16-far-horizon", "--ground-samples");
+  taken("pcss-angular-24-16-far-horizon", "--horizon-texels");
   taken("distance-field-soft", "--field-voxels");
 }
 
@@ -205,9 +205,9 @@ TEST_F(Render, OptionsOfASheetNeedOne) {
 
 // The sheet has the reference and two values with a mask each: five cells in three rows of two.
 TEST_F(Render, OneCommandMakesASheet) {
-  const auto result = run(small({"--technique", "screen-pcss-angular-24-16-masked", "--set",
-                                 "blockerSamples=1,64", "--show", "result,mask", "--crop", "8,4,48,24",
-                                 "--zoom", "8", "--columns", "2", "--sheet", path("sheet.png").string()}));
+  const auto result = run(
+      small({"--technique", "fallback-high", "--set", "blockerSamples=1,64", "--show", "result,mask",
+             "--crop", "8,4,48,24", "--zoom", "8", "--columns", "2", "--sheet", path("sheet.png").string()}));
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output, path("sheet.png").string() + "\n");
   EXPECT_THAT(listing(), testing::UnorderedElementsAre("cache", "sheet.png"));

@@ -48,7 +48,7 @@ void expect_order(const CostReport& report) {
     return figures_of_technique(report, technique).instructions.value_or(0);
   };
   EXPECT_LT(instructions("hard"), instructions("bilinear"));
-  EXPECT_LT(instructions("bilinear"), instructions("four-tap"));
+  EXPECT_LT(instructions("bilinear"), instructions("four-tap-plane"));
   EXPECT_LT(instructions("hard"), instructions("tent-3"));
   EXPECT_LT(instructions("tent-3"), instructions("tent-5"));
   EXPECT_LT(instructions("tent-5"), instructions("tent-7"));
@@ -121,21 +121,22 @@ TEST(LibraryCost, BytecodeIsTheCommittedOneAndGroupsHaveTheirMemory) {
 
 TEST(LibraryCost, TwoRunsGiveTheSameBytesWhateverTheThreads) {
   CostRequest request = library_request();
-  keep(request, {"hard", "four-tap", "box-3", "box-5", "pcss-angular-24-16"});
+  keep(request, {"hard", "four-tap-plane", "box-5", "pcss-angular-24-16", "pcss-angular-64-64"});
   const std::string once = cost_json(measure_cost(request).report);
   request.jobs = 5;
   EXPECT_EQ(cost_json(measure_cost(request).report), once);
 }
 
-// box-3 and box-5 differ in a uniform alone, so their figures are one row; keywords make rows of their own.
+// PCSS 24+16 and 64+64 differ in uniforms alone, so their figures are one row; keywords make rows of their
+// own.
 TEST(LibraryCost, PresetsThatAreUniformsShareARow) {
   CostRequest request = library_request();
-  keep(request, {"hard", "box-3", "box-5"});
+  keep(request, {"hard", "pcss-angular-24-16", "pcss-angular-64-64"});
   const CostReport report = measure_cost(request).report;
-  ASSERT_EQ(report.rows.size(), 4U);
+  ASSERT_EQ(report.rows.size(), 6U);
   EXPECT_EQ(row_name(report.rows[0]), "hard");
   EXPECT_EQ(row_name(report.rows[1]), "hard +UNITY_REVERSED_Z");
-  const std::vector<CostVariant> both{{"box-3", {}}, {"box-5", {}}};
+  const std::vector<CostVariant> both{{"pcss-angular-24-16", {}}, {"pcss-angular-64-64", {}}};
   EXPECT_EQ(report.rows[2].variants, both);
 }
 

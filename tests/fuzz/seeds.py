@@ -117,10 +117,11 @@ def bakes():
 
 
 def technique_list():
-    """The library's manifests, shortened, and those of the tests; the files that they name are the target's own."""
+    """The library's manifests, shortened, and those of the tests and studies; what they name is the target's own."""
     texts = [*raw_strings('techniques/caster_graph_test.cpp', 'techniques/pass_graph_test.cpp',
                           'techniques/technique_list_test.cpp'),
-             *(file.read_bytes() for file in sorted(tests.glob('techniques/added/*.technique.json')))]
+             *(file.read_bytes() for file in sorted([
+                 *tests.glob('techniques/added/*.technique.json'), *tests.glob('study/**/*.technique.json')]))]
     for name in ('ShaderLibrary/Filters/Fixed/FixedPcf', 'ShaderLibrary/Filters/Pcss/PcssAngular', 'Shaders/PenumbraShadows'):
         document = json.loads((root / f'{name}.technique.json').read_text())
         for key, longest in (('techniques', 2), ('graphs', 3), ('looks', 1)):
@@ -129,7 +130,8 @@ def technique_list():
     for text in texts:
         for ending in (b'hlsl', b'shader', b'compute'):
             text = re.sub(rb'"[^"]*[.]' + ending + b'"', b'"a.' + ending + b'"', text)
-        yield text
+        text = re.sub(rb'"library": "[^"]*"', b'"library": "."', text)
+        yield re.sub(rb'"like": "[^"]*"', b'"like": "box"', text)
 
 
 SHADERS = ['tests/cli/seeds/*', 'tests/validation/broken/**/*.hlsl', 'ShaderLibrary/**/*.hlsl']

@@ -68,8 +68,10 @@ class KeptOnDevice {
   std::optional<Values> values_{std::in_place};
 };
 
+// The library's techniques, and the variants of them that studies measure.
 inline const techniques::TechniqueList& library_techniques() {
-  static const techniques::TechniqueList list = techniques::read_own_techniques();
+  static const techniques::TechniqueList list = techniques::read_technique_list(
+      std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/study/StudyVariants.technique.json");
   return list;
 }
 

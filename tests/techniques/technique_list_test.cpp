@@ -343,6 +343,140 @@ TEST_F(TechniqueListTest, APackagesManifestsComeInTheirOrderAndShareStructs) {
   EXPECT_EQ(list.techniques[1].file(), "ShaderLibrary/Filters/Box.hlsl");
 }
 
+// A package of one technique and one graph, and manifests beside it that build on it.
+class AdditionTest : public TechniqueListTest {
+ protected:
+  AdditionTest() {
+    files_.write("package/package.json", R"({"name": "com.nobody.shadows"})");
+    files_.write("package/Shaders/Box.hlsl", "// box\n");
+    files_.write("package/Shaders/Box.technique.json", R"({"order": 2,
+      "structs": [{"name": "P", "doc": "d", "fields": [
+        {"name": "taps", "type": "int", "unit": "1", "doc": "d", "range": [1, 9]},
+        {"name": "width", "type": "float", "unit": "m", "doc": "d", "default": 1}]}],
+      "graphs": [{"name": "blur", "passes": [{"name": "F", "kind": "filter",
+        "filter": {"file": "Box.hlsl", "function": "Blurred", "parameters": "P"}}]}],
+      "techniques": [{"name": "box", "title": "Box", "family": "box", "source": "Nobody 1900",
+        "use_when": "always", "bias": {"depth": 2, "normal": 1}, "lights": ["directional", "spot"],
+        "filter": {"file": "Box.hlsl", "function": "F", "parameters": "P"}, "keywords": ["_WIDE"],
+        "values": {"taps": 3, "width": 2}, "unlimited": {"taps": 4096}, "targets_absent": {"hlsl50": "too long"}}]})");
+  }
+
+  TechniqueList added(const std::string& text) const {
+    return read_technique_list(files_.write("package/tests/Study.technique.json", text));
+  }
+  std::string refusal_of_addition(const std::string& text) const {
+    try {
+      added(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  static std::string like_box(const std::string& more) {
+    return R"({"order": 3, "library": "..", "techniques": [{"name": "a", "title": "A", "like": "box")" +
+           more + "}]}";
+  }
+};
+
+TEST_F(AdditionTest, KnowsWhatTheLibraryHas) {
+  const TechniqueList list = added(R"({"library": "..", "techniques": [
+    {"name": "a", "title": "A", "family": "f", "source": "s", "graph": "blur", "values": {"taps": 5}}]})");
+  ASSERT_EQ(list.techniques.size(), 2U);
+  EXPECT_EQ(list.techniques[0].name, "a") << "its order is below the library's";
+  EXPECT_EQ(added(like_box("")).techniques[0].name, "box");
+  EXPECT_EQ(added(like_box("")).first().name, "a") << "measured when no technique is named";
+  EXPECT_EQ(list.find("a").graph.filter()->function, "Blurred");
+  EXPECT_EQ(list.find("a").file(), "Shaders/Box.hlsl");
+  EXPECT_EQ(list.find("a").manifest, "tests/Study.technique.json");
+  EXPECT_EQ(list.find("box").file(), "Shaders/Box.hlsl");
+}
+
+TEST_F(AdditionTest, AnEntrySaysOnlyWhatDiffersFromAnother) {
+  const TechniqueList list = added(like_box(R"(, "values": {"taps": 5})"));
+  const Technique& box = list.find("box");
+  const Technique& a = list.find("a");
+  EXPECT_EQ(a.title, "A");
+  EXPECT_EQ(a.use_when, "") << "advice is no other technique's";
+  EXPECT_EQ(a.family, "box");
+  EXPECT_EQ(a.source, box.source);
+  EXPECT_EQ(a.bias, box.bias);
+  EXPECT_EQ(a.lights, box.lights);
+  EXPECT_EQ(a.keywords, box.keywords);
+  EXPECT_EQ(a.unlimited, box.unlimited);
+  EXPECT_EQ(a.keyword_sets, box.keyword_sets);
+  EXPECT_EQ(a.targets_absent, box.targets_absent);
+  EXPECT_EQ(a.graph.filter()->function, "F");
+  EXPECT_EQ(a.values, (std::map<std::string, std::vector<double>>{{"taps", {5.0}}, {"width", {2.0}}}));
+
+  const Technique other = added(like_box(R"(, "graph": "blur", "keywords": [], "unlimited": {}, "family": "g",
+      "lights": ["directional"], "bias": {"depth": 1, "normal": 0}, "targets_absent": {})"))
+                              .find("a");
+  EXPECT_EQ(other.graph_name, "blur");
+  EXPECT_EQ(other.graph.filter()->function, "Blurred");
+  EXPECT_EQ(other.family, "g");
+  EXPECT_EQ(other.lights, std::vector<LightKind>{LightKind::directional});
+  EXPECT_EQ(other.bias, (TechniqueBias{1.0, 0.0}));
+  EXPECT_TRUE(other.keywords.empty());
+  EXPECT_TRUE(other.unlimited.empty());
+  EXPECT_TRUE(other.targets_absent.empty());
+  EXPECT_EQ(other.keyword_sets.size(), 2U) << "none for samples without limit";
+  EXPECT_EQ(other.values, box.values);
+}
+
+TEST_F(AdditionTest, WrongOnesAreNamedWithTheirPlaceAndAWayOut) {
+  const auto with_library = [](const std::string& value) {
+    return "{\n  \"library\": " + value + R"(, "techniques": [{"name": "a", "title": "A", "like": "box"}]})";
+  };
+  const std::string place = "Study.technique.json:2:";
+  EXPECT_EQ(refusal_of_addition(with_library("\"..\"")), "no error");
+  for (const char* outside : {"\"../..\"", "\"/etc\"", "\"/\""})
+    EXPECT_THAT(
+        refusal_of_addition(with_library(outside)),
+        AllOf(HasSubstr(place), HasSubstr("lies outside of '"), HasSubstr("name a package in the folder")));
+  for (const char* missing : {"\".\"", "\"../Shaders\"", "\"../gone\"", "\"Study.technique.json\""})
+    EXPECT_THAT(refusal_of_addition(with_library(missing)),
+                AllOf(HasSubstr(place), HasSubstr("there is no package in '"),
+                      HasSubstr("name the folder that holds a package.json")));
+  EXPECT_THAT(refusal_of_addition(with_library("\"\"")), HasSubstr("'library' is missing or empty"));
+  EXPECT_THAT(refusal_of_addition(with_library("1")), HasSubstr(place));
+  EXPECT_THAT(refusal_of_addition(with_library("\"..\\u000a\"")), HasSubstr("'library' is one line"));
+  EXPECT_THAT(refusal_of_addition(like_box(R"(, "after": "box")")), HasSubstr("leave out one of the two"));
+  EXPECT_THAT(
+      refusal_of_addition(R"({"library": "..", "techniques": [{"name": "a", "title": "A", "like": "bix"}]})"),
+      AllOf(HasSubstr("unknown technique 'bix'"), HasSubstr("did you mean 'box'?")));
+  EXPECT_THAT(refusal_of_addition(
+                  R"({"library": "..", "techniques": [{"name": "box", "title": "A", "like": "box"}]})"),
+              AllOf(HasSubstr("two techniques 'box'"), HasSubstr("the other one is at ")));
+  EXPECT_THAT(refusal_of_addition(R"({"library": "..", "graphs": [{"name": "blur"}]})"),
+              AllOf(HasSubstr("two graphs 'blur'"), HasSubstr("choose another name")));
+}
+
+TEST_F(AdditionTest, APackageIsNotItsOwnLibrary) {
+  const std::filesystem::path own = files_.write("package/Shaders/Own.technique.json", like_box(""));
+  for (const std::filesystem::path& given : {own, files_.path("package/tests/Study.technique.json")}) {
+    files_.write("package/tests/Study.technique.json", like_box(""));
+    try {
+      read_technique_list(given);
+      ADD_FAILURE() << given;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), AllOf(HasSubstr("Own.technique.json:1:"), HasSubstr("has no library itself"),
+                                      HasSubstr("know each other")));
+    }
+  }
+}
+
+TEST_F(AdditionTest, LinksDoNotLeadOutOfItsTree) {
+  files_.write("elsewhere/package.json", "{}");
+  files_.write("elsewhere/Shaders/Secret.technique.json", "not a manifest");
+  std::filesystem::create_directory_symlink(files_.path("elsewhere"), files_.path("package/linked"));
+  EXPECT_THAT(refusal_of_addition(R"({"library": "../linked", "techniques": []})"),
+              HasSubstr("lies outside of '"));
+  std::filesystem::create_symlink(files_.path("elsewhere/Shaders/Secret.technique.json"),
+                                  files_.path("package/Shaders/Link.technique.json"));
+  EXPECT_THAT(refusal_of_addition(like_box("")),
+              AllOf(HasSubstr("is a symbolic link to outside"), testing::Not(HasSubstr("not a manifest"))));
+}
+
 class LookListTest : public TechniqueListTest {
  protected:
   static std::string look(const std::string& name, const std::string& degrees, const std::string& metres) {
@@ -478,6 +612,10 @@ TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {
 
 TechniqueList library() {
   return read_technique_list(PENUMBRA_SOURCE_DIR);
+}
+
+TEST(LibraryTechniques, AreThoseThatSomebodyWouldChoose) {
+  EXPECT_LE(library().techniques.size(), 60U) << "what proves a point belongs to tests/study";
 }
 
 TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {

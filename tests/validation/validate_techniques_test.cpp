@@ -18,9 +18,11 @@ namespace {
 
 using testing::HasSubstr;
 
+// The library, and the variants of its techniques that studies measure.
 ValidationRequest library_request() {
   ValidationRequest request;
-  request.techniques = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
+  request.techniques =
+      techniques::read_technique_list(PENUMBRA_SOURCE_DIR "/tests/study/StudyVariants.technique.json");
   request.engine.jobs = 2;
   return request;
 }

@@ -214,11 +214,10 @@ study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   study::FactsOfTechniques facts = study::facts_of(list);
   std::error_code ignored;
-  if (!options.costs.empty()) {
-    add_cycles(facts, list, cost::read_cost_report(options.costs));
-  } else if (options.technique_list.empty() && std::filesystem::exists(own_costs(), ignored)) {
+  const bool has_library = std::filesystem::equivalent(list.package, platform::data_directory(), ignored);
+  if (has_library && std::filesystem::exists(own_costs(), ignored))
     add_cycles(facts, list, cost::read_cost_report(own_costs()));
-  }
+  if (!options.costs.empty()) add_cycles(facts, list, cost::read_cost_report(options.costs));
   return facts;
 }
 
@@ -410,8 +409,8 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
        {"penumbra measure --from report/results.json -o again", "the same report again, without measuring"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(
-        *command, {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--cost", "--output"});
+    refuse_beside_from(*command, {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--cost",
+                                  "--technique-list", "--output"});
     run(*command, *options, context);
   });
 }

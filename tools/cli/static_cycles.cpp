@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace penumbra::cli {
 namespace {
@@ -59,9 +60,12 @@ void add_cycles(study::FactsOfTechniques& facts, const techniques::TechniqueList
   std::string family = report.families.front().name;
   for (const cost::RadvFamily& each : report.families)
     if (each.name == "navi21") family = each.name;
-  facts.cycles_of = "RADV, " + family;
+  const std::string earlier = std::exchange(facts.cycles_of, "RADV, " + family);
+  if (earlier != facts.cycles_of)
+    for (auto& [name, of_technique] : facts.techniques) of_technique.cycles.reset();
   for (const techniques::Technique& technique : list.techniques)
-    facts.techniques[technique.name].cycles = cycles_of(technique, report, family);
+    if (const auto cycles = cycles_of(technique, report, family))
+      facts.techniques[technique.name].cycles = cycles;
 }
 
 }  // namespace penumbra::cli

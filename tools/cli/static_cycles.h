@@ -7,8 +7,8 @@
 
 namespace penumbra::cli {
 
-// The cycles are those of one GPU family of the report, navi21 if it has that. A technique without rows has
-// none.
+// The cycles are those of one GPU family of the report, navi21 if it has that. A technique without rows keeps
+// what an earlier report gave it, if that was of the same family.
 void add_cycles(study::FactsOfTechniques& facts, const techniques::TechniqueList& list,
                 const cost::CostReport& report);
 

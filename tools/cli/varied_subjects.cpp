@@ -321,7 +321,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);
   if (names.empty() && options.adapters.empty())
-    names.push_back(!options.technique_list.empty()        ? known.given().techniques.front().name
+    names.push_back(!options.technique_list.empty()        ? known.given().first().name
                     : light == techniques::LightKind::spot ? kDefaultSpotTechnique
                                                            : kDefaultTechnique);
   if (names.empty() && !varied.set.empty()) {

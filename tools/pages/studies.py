@@ -1,4 +1,5 @@
 """The studies that scripts/publish measures, in this order, and what the program itself writes of them into pages."""
+import json
 import os
 import shlex
 import tempfile
@@ -35,6 +36,7 @@ def measure(name, *options, is_wanted=True):
 PICTURES = ("--size 480x270 --penumbra-pixels 2000 --cascades 4 --reference-samples 256 --seeds 1 --timing-repeats 0"
             " --no-split")
 COMMON = PICTURES + " --map-size 2048"
+VARIANTS = "--technique-list tests/study/StudyVariants.technique.json"  # besides the library's techniques
 LIGHTS = "--light 0.53 --light 2 --light 5"
 BUILT_IN = "contact-boxes,poles-and-fence,trees,slabs,colonnade,street,garden"
 SCENES = "--scene " + BUILT_IN
@@ -79,7 +81,7 @@ KEPT = ([] if URP else [f"urp-{quality}{ending}" for ending in ("", "-normal-bia
 EARLIER = f"--earlier Documentation~/results/presets/results.tsv --earlier-rows {','.join(KEPT)}" if KEPT else ""
 
 # The tents and four taps represent URP's qualities, which are the same filters.
-TECHNIQUES = " ".join("--technique " + name for name in (
+NAMES = (
     "hard bilinear four-tap box-3 box-5 box-7 tent-3 tent-5 tent-7 tent-5-plane tent-5-adaptive"
     " pcss-poisson-25 pcss-poisson-32 pcss-poisson-64 pcss-poisson-100 pcss-poisson-128"
     " pcss-angular-24-16 pcss-angular-64-64 pcss-angular-24-16-hdrp"
@@ -89,7 +91,8 @@ TECHNIQUES = " ".join("--technique " + name for name in (
     " filament-pcss-16-16 filament-pcss-16-16-bulb filament-dpcf-12 filament-dpcf-12-bulb"
     " variance-quarter single-loop-32 single-loop-32-equal-width single-loop-32-wide single-loop-32-minmax"
     " single-loop-32-mips"
-    " single-loop-32-planes vssm-sat-32 vssm-mip-16 vssm-mip-32 mssm-sat-32 mssm-mip-16 evsm-mip").split())
+    " single-loop-32-planes vssm-sat-32 vssm-mip-16 vssm-mip-32 mssm-sat-32 mssm-mip-16 evsm-mip").split()
+TECHNIQUES = " ".join([VARIANTS, *(f"--technique {name}" for name in NAMES)])
 
 PRESETS = " ".join(f"--technique {prefix}{preset} --title '{prefix}{preset}={title} {preset.capitalize()}'"
                    for prefix, title, presets in (("preset-", "Penumbra", "low medium high ultra reference"),
@@ -102,6 +105,10 @@ run("emit", f"{PENUMBRA} emit")
 
 # The cost of the techniques on three families of AMD GPUs, without the hardware.
 run("cost", f"{PENUMBRA} cost --format json --output Documentation~/results/cost.json")
+MANIFEST = json.loads((ROOT / "tests" / "study" / "StudyVariants.technique.json").read_text())
+MEASURED_VARIANTS = ",".join(entry["name"] for entry in MANIFEST["techniques"] if entry["name"] in NAMES)
+run("variants-cost", f"{PENUMBRA} cost {VARIANTS} --technique {MEASURED_VARIANTS} --family navi21 --format json"
+    " --output Documentation~/results/variants-cost.json")
 
 # The headline: the presets through the package's own shader, and what URP and HDRP do themselves, each at its own
 # recommended settings, on all scenes and models that the program knows.
@@ -115,7 +122,7 @@ measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --tim
         "fallback-low,fallback-medium,fallback-high,fallback-ultra")
 
 # The cost and the savings of the masks, with the samples of High.
-measure("masks", COMMON, LIGHTS, "--set blockerSamples=12 --set filterSamples=24 --technique screen-pcss-angular-24-16"
+measure("masks", VARIANTS, COMMON, LIGHTS, "--set blockerSamples=12 --set filterSamples=24 --technique screen-pcss-angular-24-16"
         " --technique screen-pcss-angular-24-16-masked --technique screen-pcss-angular-24-16-conservative")
 
 # The cost and the error of each split of samples, from which the presets were chosen.
@@ -142,7 +149,7 @@ for name, map_size, values in (("light-fit", 2048, "sphere,casters,receivers,tur
             f"--technique tent-5-plane,pcss-angular-24-16 --{name} {values}")
 
 # Beyond the cascades.
-FAR = ("--size 960x540 --cascades 4 --map-size 2048 --light 0.53 --reference-samples 256 --seeds 1 --timing-repeats 0"
+FAR = (VARIANTS + " --size 960x540 --cascades 4 --map-size 2048 --light 0.53 --reference-samples 256 --seeds 1 --timing-repeats 0"
        " --no-split")
 VALLEYS = "--scene valley-5,valley-20,valley-45"
 GROUND = "--technique far-horizon --technique far-heights-8 --technique far-heights-64"
@@ -174,12 +181,12 @@ run("volumetric", "env PENUMBRA_VOLUMETRIC_RESULTS=Documentation~/results/volume
     " --gtest_filter='RayVisibility.*'")
 
 # Whole scenes from distance fields.
-measure("distance-field-scenes", COMMON, LIGHTS, "--scene contact-boxes,slabs,colonnade,street --technique hard"
+measure("distance-field-scenes", VARIANTS, COMMON, LIGHTS, "--scene contact-boxes,slabs,colonnade,street --technique hard"
         " --technique pcss-angular-24-16 --technique distance-field-hard --technique distance-field-cone --technique"
         " distance-field-soft")
 
 # The cost and the error of each screen pass.
-measure("screen-passes", COMMON, "--pan-frames 3 --light 2", SCENES, "--technique pcss-angular-24-16", *(
+measure("screen-passes", VARIANTS, COMMON, "--pan-frames 3 --light 2", SCENES, "--technique pcss-angular-24-16", *(
     f"--technique screen-{name}" for name in (
         "tent-5", "tent-5-masked", "pcss-angular-24-16", "pcss-angular-24-16-masked", "pcss-angular-24-16-conservative",
         "pcss-angular-24-16-denoised", "pcss-angular-24-16-half", "pcss-angular-24-16-half-masked-denoised")))
@@ -215,7 +222,7 @@ measure("edges", PICTURES, "--map-size 2048 --light 0.53 --light 2", SCENES, "--
 
 # Contact shadows: alone and after the preset High, after Tent 5x5 at URP's normal bias, and for which lengths and
 # thicknesses.
-CONTACTS = "--scene contact-boxes,poles-and-fence,trees,colonnade,street"
+CONTACTS = VARIANTS + " --scene contact-boxes,poles-and-fence,trees,colonnade,street"
 measure("contact-shadows", COMMON, LIGHTS, CONTACTS,
         "--technique screen-trace-12,screen-tent-5,preset-high,screen-high-trace")
 measure("contact-shadows-urp-bias", COMMON, LIGHTS, CONTACTS,
@@ -256,13 +263,13 @@ for program, file in (("penumbra_texel_errors", "texel-edges.json"), ("penumbra_
     run(file.removesuffix(".json"), f"build/release/{program} Documentation~/results/{file}")
 
 # Wires and smoke, which blend: with the opacity mask and without.
-measure("wires", COMMON, LIGHTS, "--scene wires-and-smoke"
+measure("wires", VARIANTS, COMMON, LIGHTS, "--scene wires-and-smoke"
         " --technique pcss-angular-24-16,pcss-angular-24-16-opacity,single-loop-32,single-loop-32-opacity")
 
 # One lit view by all techniques, each with at most 32 fetches per pixel, passes over the shadow map included.
 VIEW = ("--scene garden --light 2 --size 1280x720 --cascades 4 --reference-samples 256 --seeds 1 --timing-repeats 0"
         " --no-split")
-measure("equal-fetches", VIEW, "--map-size 2048 --technique tent-7-plane,box-5-plane,pcss-angular-24-16"
+measure("equal-fetches", VARIANTS, VIEW, "--map-size 2048 --technique tent-7-plane,box-5-plane,pcss-angular-24-16"
         " --technique pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,filament-dpcf-12,unreal-smrt-7-8,"
         "single-loop-32"
         " --technique single-loop-32-planes,vssm-mip-32,mssm-sat-32,mssm-mip-16,evsm-mip"
@@ -287,7 +294,7 @@ measure("flagship-kept", FLAGSHIP, "--size 960x540 --reference-samples 256 --see
         " /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
         "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds"
         " --technique flagship,pcss-angular-24-16,pcss-angular-64-64,tent-7")
-measure("flagship-half", FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 1", SCENES,
+measure("flagship-half", VARIANTS, FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 1", SCENES,
         "--technique flagship,flagship-half,screen-pcss-angular-24-16-half")
 
 # The operations of FXC's bytecode, and the threads that run it.
@@ -295,7 +302,7 @@ measure("flagship-operations", "--front-end fxc", FLAGSHIP,
         "--size 1920x1080 --reference-samples 32 --seeds 1", SCENES,
         "--technique flagship,screen-pcss-angular-24-16,tent-7")
 TIMED_SCENES = "--scene street,trees,contact-boxes,colonnade"
-measure("flagship-times", MAPS,
+measure("flagship-times", VARIANTS, MAPS,
         "--timing-repeats 5 --no-split --light 0.53,2,5 --size 960x540 --reference-samples 64 --seeds 1",
         TIMED_SCENES, "--technique flagship,flagship-half,flagship-pixel,screen-pcss-angular-24-16,"
         "screen-pcss-angular-24-16-conservative,screen-tent-5")
@@ -341,7 +348,9 @@ BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetc
 def shown():
     of = "measure --from Documentation~/results/{study}/results.tsv".format
     readme = " --readme {page} --block "
-    full = [Shown(DOCUMENTATION / page, of(study=study) + readme + study) for study, page in FULL.items()]
+    # The advice and the cycles of the variants stand in files of their own.
+    more = {"techniques": f" --technique-list {ROOT}/{VARIANTS.split()[1]} --cost Documentation~/results/variants-cost.json"}
+    full = [Shown(DOCUMENTATION / page, of(study=study) + readme + study + more.get(study, "")) for study, page in FULL.items()]
     brief = [Shown(DOCUMENTATION / page, f"{of(study=study)}{readme}{study} --brief"
                    f" {without_urp(study) if study.startswith('equal-bias') else ''}") for study, page in BRIEF.items()]
     return [Shown(ROOT / "README.md", of(study="presets") + readme + "line --line"

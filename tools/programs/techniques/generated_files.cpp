@@ -24,9 +24,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFeatureShader = "Shaders/PenumbraShadows.shader";
+constexpr const char* kStudyVariants = "tests/study/StudyVariants.technique.json";
 
 std::string programs_json(const TechniqueList& list) {
   return preset_programs_json(list, shaders::PackageShader(list.package / kFeatureShader));
+}
+
+// C# is of the package that Unity runs. An addition has only the HLSL that its own filters include.
+std::vector<EmittedFile> files_of_addition(const TechniqueList& list) {
+  std::vector<EmittedFile> files;
+  for (const ParameterStruct& parameters : list.structs)
+    if (parameters.manifest == list.addition) files.push_back(emit_hlsl(parameters));
+  return files;
+}
+
+// The tests of C# know the variants of studies, too.
+std::string studied_techniques_json(const TechniqueList& list) {
+  const fs::path variants = list.package / kStudyVariants;
+  std::error_code error;
+  return techniques_json(fs::exists(variants, error) ? read_technique_list(variants) : list);
 }
 
 struct PackageFile {
@@ -62,11 +78,12 @@ constexpr std::array<PackageFile, 9> kPackageFiles{
      {"ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl", emit_keywords_hlsl},
      {"Documentation~/variants/presets.json", programs_json, false},
      {"tests/golden/parameter_packing.json", packing_cases_json, false},
-     {"tests/golden/techniques.json", techniques_json, false}}};
+     {"tests/golden/techniques.json", studied_techniques_json, false}}};
 
 }  // namespace
 
 std::vector<EmittedFile> generated_files(const TechniqueList& list) {
+  if (!list.addition.empty()) return files_of_addition(list);
   std::vector<EmittedFile> files;
   std::error_code error;
   const bool has_feature = fs::exists(list.package / kFeatureShader, error);

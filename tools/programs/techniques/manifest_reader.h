@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,14 @@ struct Manifest {
 // Throws InputError with file:line:column, as all of this file does.
 Manifest open_manifest(const std::filesystem::path& file);
 
+using Graphs = std::map<std::string, PassGraph>;
+
 // Adds what the manifest has to the list. All manifests' structs and options come before the first's
-// techniques.
+// techniques. add_techniques() adds its looks and selections, too; it returns the graphs of its library and
+// of its own.
 void add_structs(const Manifest& manifest, TechniqueList& list);
 void add_options(const Manifest& manifest, TechniqueList& list);
-void add_techniques(const Manifest& manifest, TechniqueList& list);  // adds its looks and selections, too
+Graphs add_techniques(const Manifest& manifest, TechniqueList& list, Graphs of_library);
 
 // The largest number of techniques in a list: beyond it the checks, which compare each entry with the others,
 // take minutes.

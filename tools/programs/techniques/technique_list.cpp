@@ -7,6 +7,7 @@
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
 #include "project/include_bounds.h"
+#include "techniques/graph_reader.h"
 #include "techniques/manifest_reader.h"
 
 namespace penumbra::techniques {
@@ -43,6 +44,65 @@ std::string titled(const std::string& given, const std::vector<Technique>& techn
   }
   if (names.empty()) return {};
   return "did you mean " + names + (count > kMostListed ? " or others of that title?" : "?");
+}
+
+// Adds the manifests in their order, and returns their graphs by name; of two with one name, the first.
+Graphs add_package(std::vector<Manifest> manifests, TechniqueList& list) {
+  std::stable_sort(manifests.begin(), manifests.end(),
+                   [](const Manifest& a, const Manifest& b) { return a.order < b.order; });
+  for (const Manifest& manifest : manifests) add_structs(manifest, list);
+  for (const Manifest& manifest : manifests) add_options(manifest, list);
+  Graphs graphs;
+  for (const Manifest& manifest : manifests) graphs.merge(add_techniques(manifest, list, {}));
+  return graphs;
+}
+
+// Returns the folder of the package. A manifest may come from an untrusted source, and messages quote lines
+// of the files that it leads to: they lie in the manifest's own tree.
+fs::path library_of(const Manifest& manifest, const project::IncludeBounds& tree) {
+  JsonObject root(manifest.document);
+  const std::string name = required_line(root, "library");
+  const fs::path folder =
+      (fs::absolute(manifest.file).parent_path() / name / "").lexically_normal().parent_path();
+  if (!tree.contain_package(folder))
+    root.fail("library",
+              "'" + name + "' lies outside of '" + project::own_tree(manifest.file).string() +
+                  "', to which the manifest belongs",
+              "name a package in the folder of the manifest, its package or its git repository");
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "package.json", error))
+    root.fail("library", "there is no package in '" + folder.string() + "'",
+              "name the folder that holds a package.json, relative to the manifest");
+  return folder;
+}
+
+// Adds the manifest to those of its library, at the place that its order has among them.
+void add_with_library(const Manifest& manifest, TechniqueList& list) {
+  project::IncludeBounds tree;
+  tree.add(project::own_tree(manifest.file));
+  list.package = library_of(manifest, tree);
+  list.addition = ManifestFiles(manifest.file, list.package).named(manifest.file);
+  std::vector<Manifest> manifests;
+  for (const fs::path& file : manifests_in(list.package)) {
+    tree.require(file);
+    manifests.push_back(open_manifest(file));
+    if (JsonObject root(manifests.back().document); root.has("library"))
+      root.fail("library", "a manifest of the package '" + list.package.string() + "' has no library itself",
+                "leave it out: manifests in ShaderLibrary and Shaders know each other");
+  }
+  std::map<std::string, int> orders;
+  for (const Manifest& each : manifests)
+    orders[ManifestFiles(each.file, list.package).named(each.file)] = each.order;
+  Graphs graphs = add_package(std::move(manifests), list);
+  const auto of_library = static_cast<std::ptrdiff_t>(list.techniques.size());
+  add_structs(manifest, list);
+  add_options(manifest, list);
+  add_techniques(manifest, list, std::move(graphs));
+  const auto begin = list.techniques.begin();
+  const auto later = std::find_if(begin, begin + of_library, [&](const Technique& technique) {
+    return orders.at(technique.manifest) > manifest.order;
+  });
+  std::rotate(later, begin + of_library, list.techniques.end());
 }
 
 }  // namespace
@@ -82,6 +142,12 @@ const Technique& TechniqueList::find(const std::string& name) const {
   throw InputError("", "unknown technique '" + name + "'", way_out);
 }
 
+const Technique& TechniqueList::first() const {
+  const auto is_of_it = [&](const Technique& technique) { return technique.manifest == addition; };
+  const auto found = std::find_if(techniques.begin(), techniques.end(), is_of_it);
+  return found == techniques.end() ? techniques.front() : *found;
+}
+
 const ParameterStruct* TechniqueList::find_struct(const std::string& name) const {
   const auto found = std::find_if(structs.begin(), structs.end(),
                                   [&](const ParameterStruct& parameters) { return parameters.name == name; });
@@ -119,21 +185,20 @@ std::vector<ParameterField> TechniqueList::fields_of(const Technique& technique)
 
 TechniqueList read_technique_list(const fs::path& package_or_manifest) {
   TechniqueList list;
-  std::vector<fs::path> files{package_or_manifest};
   std::error_code error;
   if (fs::is_directory(package_or_manifest, error)) {
     list.package = package_or_manifest;
-    files = manifests_in(package_or_manifest);
+    std::vector<Manifest> manifests;
+    for (const fs::path& file : manifests_in(list.package)) manifests.push_back(open_manifest(file));
+    add_package(std::move(manifests), list);
   } else {
+    const Manifest manifest = open_manifest(package_or_manifest);
     list.package = fs::absolute(package_or_manifest).parent_path();
+    if (JsonObject(manifest.document).has("library"))
+      add_with_library(manifest, list);
+    else
+      add_package({manifest}, list);
   }
-  std::vector<Manifest> manifests;
-  for (const fs::path& file : files) manifests.push_back(open_manifest(file));
-  std::stable_sort(manifests.begin(), manifests.end(),
-                   [](const Manifest& a, const Manifest& b) { return a.order < b.order; });
-  for (const Manifest& manifest : manifests) add_structs(manifest, list);
-  for (const Manifest& manifest : manifests) add_options(manifest, list);
-  for (const Manifest& manifest : manifests) add_techniques(manifest, list);
   if (list.techniques.empty())
     throw InputError(package_or_manifest.string(), "there are no techniques",
                      std::string("a manifest, NAME") + manifest_ending + ", lists them under \"techniques\"");

@@ -91,6 +91,7 @@ struct Look {
 
 struct TechniqueList {
   std::filesystem::path package;  // its folder; files that lie in it are named relative to it
+  std::string addition{};         // a manifest that adds to the package's, as in NamedGraph; or empty
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
   std::vector<NamedGraph> graphs;  // all graphs but those that are parts of others
@@ -100,6 +101,7 @@ struct TechniqueList {
   std::vector<PresetChoice> presets;  // choices of presets that draw passes of a selection
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
+  const Technique& first() const;                        // of the addition, or of all without one
   const ParameterStruct* find_struct(const std::string& name) const;
   // Returns the folders for the includes of technique_call.h.
   std::vector<std::filesystem::path> include_directories() const;
@@ -111,7 +113,8 @@ struct TechniqueList {
 inline constexpr const char* manifest_ending = ".technique.json";
 
 // Reads every manifest in ShaderLibrary/ and Shaders/ of a package's folder, in the order that they give, and
-// its looks; or one manifest alone. Throws InputError with file:line:column.
+// its looks; or one manifest alone, or with those of the package that its "library" names. Throws InputError
+// with file:line:column.
 TechniqueList read_technique_list(const std::filesystem::path& package_or_manifest);
 
 // Reads those of this program's own package.

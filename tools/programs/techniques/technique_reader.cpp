@@ -51,8 +51,7 @@ std::size_t item_count(const PassGraph& graph) {
 // Reads entries over the defaults of their manifest, which supply what an entry leaves out.
 class TechniqueReader {
  public:
-  TechniqueReader(const Manifest& manifest, const TechniqueList& list,
-                  std::map<std::string, PassGraph> graphs)
+  TechniqueReader(const Manifest& manifest, const TechniqueList& list, Graphs graphs)
       : document_(manifest.document),
         list_(list),
         files_(manifest.file, list.package),
@@ -68,49 +67,35 @@ class TechniqueReader {
   }
 
   Technique read(JsonObject object, const LocatedJson::Pointer& at) {
-    const auto of = [&](const std::string& key) -> JsonObject& {
-      return object.has(key) ? object : defaults_;
-    };
+    const auto of = [&](const std::string& key) -> JsonObject& { return giver(object, key); };
     const auto place = [&](const std::string& key) {
       return (object.has(key) ? at : LocatedJson::Pointer("/defaults")) / key;
     };
-    Technique technique;
-    technique.name = required_name(object);
-    technique.where = object.where("name");
-    technique.title = required_line(object, "title");
-    technique.family = required_line(of("family"), "family");
-    technique.source = required_line(of("source"), "source");
-    technique.use_when = optional_line(of("use_when"), "use_when");
-    technique.not_when = optional_line(of("not_when"), "not_when");
-    if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
-    if (object.has("graph") && object.has("filter"))
-      object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
-    technique.manifest = manifest_;
+    const Technique* model = object.has("like") ? &model_of(object) : nullptr;
     const Technique* earlier = object.has("after") ? &over_screen(object) : nullptr;
-    technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_, earlier,
-                            technique.graph_name);
-    if (earlier != nullptr) {
-      technique.keywords = earlier->keywords;
-      technique.unlimited = earlier->unlimited;
-      if (!of("bias").has("bias")) technique.bias = earlier->bias;
-    }
-    for (const std::string& keyword : read_keywords(of("keywords"), "keywords"))
-      technique.keywords.push_back(keyword);
+    Technique technique = model != nullptr ? *model : Technique{};
+    read_description(object, model != nullptr, technique);
+    read_passes(object, model != nullptr, earlier, technique);
+    if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
     if (of("lights").has("lights")) technique.lights = read_lights(of("lights"));
     const std::vector<ParameterField> fields = list_.fields_of(technique);
-    read_values(object.object("values"), fields, earlier, technique);
+    read_values(object.object("values"), fields, model != nullptr ? model : earlier, technique);
+    if (model != nullptr) keep_models_unlimited(of("unlimited"), technique);
     if (of("unlimited").has("unlimited"))
       read_unlimited(of("unlimited").object("unlimited"), fields, technique);
     if (!technique.unlimited.empty() && technique.graph.filter() == nullptr)
       of("unlimited")
           .fail("unlimited", "no pass of '" + technique.name + "' calls a filter",
                 "say which one a pass calls: \"filter\": {...}");
+    if (object.has("cascades")) technique.cascades.clear();
     for (JsonObject& rule : object.objects("cascades"))
       technique.cascades.push_back(read_rule(rule, technique));
     require_fitting_lights(of("lights"), technique);
-    technique.keyword_sets = usual_keyword_sets(technique);
+    if (model == nullptr || model->keyword_sets == usual_keyword_sets(*model))
+      technique.keyword_sets = usual_keyword_sets(technique);
     if (of("keyword_sets").has("keyword_sets"))
       technique.keyword_sets = keyword_sets(of("keyword_sets"), document_.at(place("keyword_sets")));
+    if (of("targets_absent").has("targets_absent")) technique.targets_absent.clear();
     read_targets_absent(of("targets_absent").object("targets_absent"), technique);
     object.finish();
     return technique;
@@ -120,6 +105,47 @@ class TechniqueReader {
   void finish() const { shared_values_.finish(); }
 
  private:
+  // The defaults give what an entry leaves out; an entry that is like another technique has the rest from
+  // that.
+  JsonObject& giver(JsonObject& object, const std::string& key) {
+    return object.has(key) ? object : defaults_;
+  }
+
+  void read_description(JsonObject& object, bool has_model, Technique& technique) {
+    const auto has = [&](const std::string& key) { return !has_model || giver(object, key).has(key); };
+    technique.name = required_name(object);
+    technique.where = object.where("name");
+    technique.manifest = manifest_;
+    technique.title = required_line(object, "title");
+    if (has("family")) technique.family = required_line(giver(object, "family"), "family");
+    if (has("source")) technique.source = required_line(giver(object, "source"), "source");
+    technique.use_when = optional_line(giver(object, "use_when"), "use_when");
+    technique.not_when = optional_line(giver(object, "not_when"), "not_when");
+  }
+
+  // Reads the graph and the keywords, and with an earlier technique what its passes need.
+  void read_passes(JsonObject& object, bool has_model, const Technique* earlier, Technique& technique) {
+    if (object.has("graph") && object.has("filter"))
+      object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
+    JsonObject& from = object.has("graph") || object.has("filter") ? object : defaults_;
+    if (!has_model || from.has("graph") || from.has("filter")) {
+      technique.cascades.clear();
+      technique.graph_name.clear();
+      technique.graph = graph(from, earlier, technique.graph_name);
+    } else {
+      count(object, "like", technique.graph);
+    }
+    if (earlier != nullptr) {
+      technique.keywords = earlier->keywords;
+      technique.unlimited = earlier->unlimited;
+      technique.bias = earlier->bias;
+    }
+    JsonObject& keywords = giver(object, "keywords");
+    if (has_model && keywords.has("keywords")) technique.keywords.clear();
+    for (const std::string& keyword : read_keywords(keywords, "keywords"))
+      technique.keywords.push_back(keyword);
+  }
+
   static std::vector<LightKind> read_lights(JsonObject& object) {
     const std::vector<std::string> names = object.texts("lights");
     if (names.empty()) object.fail("lights", "'lights' is empty", "leave it out, or name a kind of light");
@@ -146,6 +172,28 @@ class TechniqueReader {
       object.fail("lights",
                   "the filter of '" + technique.name + "' takes the spot light, which the sun is not",
                   "write \"lights\": [\"spot\"]");
+  }
+
+  // Returns an earlier technique that the entry differs from in what it gives itself.
+  const Technique& model_of(JsonObject& object) const {
+    const std::string name = required_text(object, "like");
+    if (object.has("after"))
+      object.fail("after", "'like' and 'after' both name a technique whose passes the entry has",
+                  "leave out one of the two");
+    const auto is_named = [&name](const Technique& other) { return other.name == name; };
+    const auto found = std::find_if(list_.techniques.begin(), list_.techniques.end(), is_named);
+    if (found != list_.techniques.end()) return *found;
+    std::vector<std::string> known;
+    for (const Technique& other : list_.techniques) known.push_back(other.name);
+    require_known(object, "like", "technique", name, known);
+    return list_.find(name);
+  }
+
+  // The model's values without limit stand where none are given, and where the passes have their fields.
+  static void keep_models_unlimited(JsonObject& given, Technique& technique) {
+    if (given.has("unlimited")) technique.unlimited.clear();
+    std::erase_if(technique.unlimited,
+                  [&technique](const auto& value) { return !technique.values.contains(value.first); });
   }
 
   // Returns an earlier technique whose visibility is a texture, which another graph can read.
@@ -249,6 +297,7 @@ class TechniqueReader {
   // Every field has a value, and every value is a field's.
   void read_values(JsonObject own, const std::vector<ParameterField>& fields, const Technique* earlier,
                    Technique& technique) {
+    technique.values.clear();
     for (const ParameterField& field : fields) {
       JsonObject& from = own.has(field.name) ? own : shared_values_;
       if (from.has(field.name)) {
@@ -324,21 +373,20 @@ class TechniqueReader {
   const TechniqueList& list_;
   ManifestFiles files_;
   std::string manifest_;
-  std::map<std::string, PassGraph> graphs_;
+  Graphs graphs_;
   std::set<std::string> checked_;  // names of these graphs
   std::size_t graph_items_ = 0;
   JsonObject defaults_;
   JsonObject shared_values_;
 };
 
-std::map<std::string, PassGraph> read_graphs(JsonObject& root, const TechniqueList& list,
-                                             const ManifestFiles& files) {
-  std::map<std::string, PassGraph> graphs;
+Graphs read_graphs(JsonObject& root, const TechniqueList& list, const ManifestFiles& files, Graphs graphs) {
   std::size_t items = 0;
   for (JsonObject& object : entries(root, "graphs", list.graphs.size(), most_graphs)) {
     const std::string name = required_text(object, "name");
     if (!graphs.emplace(name, read_graph(object, list, files, graphs)).second)
-      object.fail("name", "there are two graphs '" + name + "'");
+      object.fail("name", "there are two graphs '" + name + "'",
+                  "choose another name; the graphs of a manifest's library are known in it, too");
     items += item_count(graphs.at(name));
     require_at_most(object, "name", items, most_graph_items, "passes, textures and buffers of all graphs");
   }
@@ -346,8 +394,7 @@ std::map<std::string, PassGraph> read_graphs(JsonObject& root, const TechniqueLi
 }
 
 // Graphs that are parts of others may be incomplete; all others are checked.
-void add_graphs(JsonObject& root, const std::map<std::string, PassGraph>& graphs, const std::string& manifest,
-                TechniqueList& list) {
+void add_graphs(JsonObject& root, const Graphs& graphs, const std::string& manifest, TechniqueList& list) {
   std::set<std::string> parts;
   for (JsonObject& object : root.objects("graphs"))
     for (const std::string& part : object.texts("parts")) parts.insert(part);
@@ -360,13 +407,14 @@ void add_graphs(JsonObject& root, const std::map<std::string, PassGraph>& graphs
 
 }  // namespace
 
-void add_techniques(const Manifest& manifest, TechniqueList& list) {
+Graphs add_techniques(const Manifest& manifest, TechniqueList& list, Graphs of_library) {
   JsonObject root(manifest.document);
-  for (const char* key : {"order", "structs", "options", "defaults"}) root.has(key);  // read elsewhere
+  for (const char* key : {"order", "library", "structs", "options", "defaults"})
+    root.has(key);  // read elsewhere
   const ManifestFiles files(manifest.file, list.package);
-  std::map<std::string, PassGraph> graphs = read_graphs(root, list, files);
+  const Graphs graphs = read_graphs(root, list, files, std::move(of_library));
   add_graphs(root, graphs, files.named(manifest.file), list);
-  TechniqueReader reader(manifest, list, std::move(graphs));
+  TechniqueReader reader(manifest, list, graphs);
   std::size_t index = 0;
   for (JsonObject& object : entries(root, "techniques", list.techniques.size(), most_techniques)) {
     Technique technique = reader.read(object, LocatedJson::Pointer("/techniques") / index++);
@@ -381,6 +429,7 @@ void add_techniques(const Manifest& manifest, TechniqueList& list) {
   add_presets(root, list);
   add_looks(root, list);
   root.finish();
+  return graphs;
 }
 
 }  // namespace penumbra::techniques
