@@ -182,7 +182,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Stores references to the shaders and the file of techniques in the renderer asset, because a player contains only referenced assets.
+        /// Stores references to the shaders and the file of techniques in the renderer asset, because a player contains
+        /// only referenced assets.
         /// </summary>
         internal void FindShaders()
         {

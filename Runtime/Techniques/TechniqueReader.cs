@@ -46,7 +46,9 @@ namespace Penumbra
             var entries = new TechniqueEntry[Enum.GetValues(typeof(ShadowTechnique)).Length];
             foreach (KeyValuePair<ShadowTechnique, TechniqueEntry> one in techniques) entries[(int)one.Key] = one.Value;
             int missing = Array.IndexOf(entries, null);
-            return missing < 0 ? entries : throw Wrong("there is no technique " + (ShadowTechnique)missing);
+            if (missing >= 0) throw Wrong("there is no technique " + (ShadowTechnique)missing);
+            missing = Array.FindIndex(entries, entry => entry.formats.Length == 0);
+            return missing < 0 ? entries : throw Wrong("no row 'format' follows technique " + (ShadowTechnique)missing);
         }
 
         private void ReadRow(string kind)

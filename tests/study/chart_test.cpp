@@ -48,6 +48,15 @@ TEST(Chart, IsAnSvgThatParsesAndHoldsEveryLabel) {
     EXPECT_EQ(count(svg, text), 2) << text << ": also <title>";
 }
 
+TEST(Chart, AFrontMayHoldPointsThatHaveNoPlace) {
+  Chart chart = small_chart();
+  const std::string without = render_svg(chart);
+  chart.panels[0].points.push_back({"free", 0.0, 0.05});
+  chart.panels[0].points.push_back({"broken", 3.0, std::nan("")});
+  chart.panels[0].front = {2, 0, 3, 1};
+  EXPECT_EQ(render_svg(chart), without);
+}
+
 TEST(Chart, EvilLabelsStayText) {
   Chart chart = small_chart();
   chart.title = "<script>alert('&')</script>";
@@ -153,7 +162,8 @@ double length_to(const Box& box, const LabelRequest& r) {
   return std::hypot(x - r.x, y - r.y);
 }
 
-// As fronts really come: dense at the cheap end, points at the frame's own corners, presets close together.
+// The points lie as those of real fronts do: dense at the cheap end, in the frame's corners, presets close
+// together.
 TEST(Labels, StayInTheFrameAndOffEachOtherAndSayTheirOwnPoint) {
   std::vector<LabelRequest> requests{{80.0, 30.0, "in the corner"}, {800.0, 280.0, "in the other"},
                                      {250.0, 225.0, "Preset Low"},  {268.0, 227.0, "Preset Medium"},

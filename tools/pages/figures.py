@@ -18,8 +18,7 @@ COMMAND = "scripts/pages"
 STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
            2.120, 2.110, 2.101, 2.093, 2.086)
 INTERVALS = ("± is half the width of the 95 % confidence interval over the scenes; where it is cut off at 0 or at the"
-             " largest"
-             " possible value, [a, b] gives its ends")
+             " largest possible value, [a, b] gives its ends")
 
 
 @functools.cache
@@ -151,8 +150,7 @@ def made(results):
     commit = results.get("commit") or ""
     if not re.fullmatch("[0-9a-f]{40}", commit):
         raise Problem(f"the results of '{results['command']}' are of commit '{commit}', which nobody can check out:"
-                      f" measure"
-                      " again from a commit without changes")
+                      " measure again from a commit without changes")
     return f"Command: `{results['command']}`, at commit {commit}"
 
 

@@ -12,7 +12,7 @@ def cycles_of_programs(cost, family, technique):
     return {row["entry"]: row["figures"]["inverse_throughput_cycles"] for row in cost["rows"]
             if row["family"] == family
             and any(variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
-                                               for variant in row["variants"])}
+                    for variant in row["variants"])}
 
 
 def cycles_per_pixel(record, programs):
@@ -105,7 +105,7 @@ TEXEL_ESTIMATORS = {
     "learned": "learned for each pattern of 4 x 4, from all shapes",
     "learned everywhere": "the same, from receivers outside of penumbrae, too"}
 TEXEL_FLOORS = ("disc", "shipped")  # of which the best smallest radius is looked for
-# What is compared, and with what; None: with the best smallest radius.
+# Each row names what is compared and with what, each with its smallest radius; None stands for the best one.
 TEXEL_GAINS = (("mean edge", None, "disc", None), ("revectorised 16 x 16", 0.5, "disc", None),
                ("learned of its kind", None, "disc", None),
                ("learned", None, "disc", None), ("shipped", 1.0, "shipped", 1.25), ("shipped", 1.125, "shipped", 1.25))

@@ -59,8 +59,7 @@ def masks(results):
     plain, *settings = names[0].split(" ")
     if names != [" ".join([plain + mask, *settings]) for mask in ("", "-masked", "-conservative")]:
         raise Problem(f"results/masks/results.tsv holds {names}, not one technique without a mask, with it, and with"
-                      f" the"
-                      " conservative one")
+                      " the conservative one")
     once = {sum(one["fetches_per_cascade"] for one in record["passes"] if one["runs"] == "cascade")
             for record in records if record["technique"] == names[2]}
     if len(once) != 1:

@@ -263,6 +263,8 @@ namespace Penumbra.Tests
         [TestCase("graph\tpcss\n", "graph\tpcs\n", "has no graph 'pcss'")]
         [TestCase("technique\tPcss\t", "technique\tPcs\t", "LINE: unknown ShadowTechnique 'Pcs'")]
         [TestCase("technique\tTent7x7\t", "technique\tTent5x5\t", "there is no technique Tent7x7")]
+        [TestCase("technique\tTent5x5\tTent5x5\nformat\n", "technique\tTent5x5\tTent5x5\n",
+                  "no row 'format' follows technique Tent5x5")]
         [TestCase("option\tblockerSamples", "option\tblockersamples", "LINE: unknown NumberOption 'blockersamples'")]
         [TestCase("format\tgraph=variance-32", "format\tgraph=variance", "LINE: there is no graph 'variance'")]
         [TestCase("lightBleeding:0:0.95", "lightBleeding:0:a", "LINE: 'a' is not a number")]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -112,8 +113,10 @@ class Panel {
       : chart_(chart), panel_(panel), axes_(axes), layout_(layout) {
     frame_ = {layout.left, top + layout.top, layout.width - layout.right,
               top + layout.panel_height - layout.bottom};
-    for (std::size_t i = 0; i < panel.points.size(); ++i) on_front_.push_back(false);
-    for (const std::size_t i : panel.front) on_front_.at(i) = true;
+    std::copy_if(panel.front.begin(), panel.front.end(), std::back_inserter(front_),
+                 [&](std::size_t i) { return is_drawn(panel.points.at(i)); });
+    on_front_.resize(panel.points.size());
+    for (const std::size_t i : front_) on_front_[i] = true;
   }
 
   std::string svg() const { return axes() + front() + labels() + points(); }
@@ -164,8 +167,7 @@ class Panel {
   // Between two points of the front the error stays the cheaper one's.
   std::string front() const {
     std::string path;
-    for (const std::size_t i : panel_.front) {
-      if (!is_drawn(panel_.points[i])) continue;
+    for (const std::size_t i : front_) {
       const auto [x, y] = spot(i);
       path += fmt::format(fmt::runtime(path.empty() ? "M{:.1f} {:.1f}" : "H{:.1f}V{:.1f}"), x, y);
     }
@@ -185,9 +187,9 @@ class Panel {
 
   std::vector<Box> steps() const {
     std::vector<Box> boxes;
-    for (std::size_t i = 1; i < panel_.front.size(); ++i) {
-      const Spot before = spot(panel_.front[i - 1]);
-      const Spot after = spot(panel_.front[i]);
+    for (std::size_t i = 1; i < front_.size(); ++i) {
+      const Spot before = spot(front_[i - 1]);
+      const Spot after = spot(front_[i]);
       boxes.push_back(around(before, {after.x, before.y}, 2.0));
       boxes.push_back(around({after.x, before.y}, after, 2.0));
     }
@@ -245,6 +247,7 @@ class Panel {
   const Axes& axes_;
   const Layout& layout_;
   Box frame_;
+  std::vector<std::size_t> front_;  // without points that are not drawn
   std::vector<bool> on_front_;
 };
 

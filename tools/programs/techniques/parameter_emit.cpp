@@ -4,8 +4,8 @@
 
 #include <cctype>
 #include <filesystem>
-#include <sstream>
 
+#include "techniques/comment_lines.h"
 #include "techniques/csharp_literal.h"
 #include "techniques/parameter_packing.h"
 
@@ -135,24 +135,12 @@ std::string csharp_bounded(const ParameterField& field, const std::string& expre
          ")";
 }
 
-// Returns a comment whose lines have at most 120 columns, where no word is longer.
-std::string comment(const std::string& text, const std::string& indent = "") {
-  constexpr std::size_t columns = 120;
-  std::string lines, line = indent + "//";
-  std::istringstream words(text);
-  for (std::string word; words >> word; line += " " + word) {
-    if (line.size() + 1 + word.size() <= columns) continue;
-    lines += line + "\n";
-    line = indent + "//";
-  }
-  return lines + line + "\n";
-}
-
 std::string hlsl_fields(const ParameterStruct& parameters) {
   std::string text;
   for (const ParameterField& field : parameters.fields)
-    text += fmt::format(kHlslField, fmt::arg("type", field.type), fmt::arg("name", field.name),
-                        fmt::arg("comment", comment(field.unit + ": " + field.doc, "    ")));
+    text +=
+        fmt::format(kHlslField, fmt::arg("type", field.type), fmt::arg("name", field.name),
+                    fmt::arg("comment", comment_lines(field.unit + ": " + field.doc, "    //", "    //")));
   return text;
 }
 
@@ -223,15 +211,17 @@ EmittedFile emit_hlsl(const ParameterStruct& parameters) {
   const std::filesystem::path folder = std::filesystem::path(parameters.manifest).parent_path();
   const auto uniform = [&](std::size_t i) { return uniform_name(parameters, i); };
   const auto argument = [](std::size_t i) { return "float4 packed" + std::to_string(i); };
-  return {(folder / "Parameters" / (parameters.name + ".hlsl")).generic_string(),
-          fmt::format(kHlsl, fmt::arg("doc", comment(parameters.doc)),
-                      fmt::arg("manifest", parameters.manifest), fmt::arg("guard", guard(parameters.name)),
-                      fmt::arg("name", parameters.name), fmt::arg("fields", hlsl_fields(parameters)),
-                      fmt::arg("unpacks",
-                               comment("Unpacks the uniforms " + of_each_vector(parameters, ", ", uniform) +
-                                       ", which the package's C# struct of the same name sets.")),
-                      fmt::arg("vectors", of_each_vector(parameters, ", ", argument)),
-                      fmt::arg("unpacked", hlsl_unpacked(parameters)))};
+  return {
+      (folder / "Parameters" / (parameters.name + ".hlsl")).generic_string(),
+      fmt::format(kHlsl, fmt::arg("doc", comment_lines(parameters.doc, "//", "//")),
+                  fmt::arg("manifest", parameters.manifest), fmt::arg("guard", guard(parameters.name)),
+                  fmt::arg("name", parameters.name), fmt::arg("fields", hlsl_fields(parameters)),
+                  fmt::arg("unpacks",
+                           comment_lines("Unpacks the uniforms " + of_each_vector(parameters, ", ", uniform) +
+                                             ", which the package's C# struct of the same name sets.",
+                                         "//", "//")),
+                  fmt::arg("vectors", of_each_vector(parameters, ", ", argument)),
+                  fmt::arg("unpacked", hlsl_unpacked(parameters)))};
 }
 
 EmittedFile emit_csharp(const ParameterStruct& parameters) {

@@ -19,6 +19,7 @@
 #include "project/include_bounds.h"
 #include "project/include_search.h"
 #include "techniques/cascade_rules.h"
+#include "techniques/comment_lines.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/technique_call.h"
 
@@ -142,19 +143,9 @@ class Paste {
   std::string text_;
 };
 
-// The text becomes lines of a comment, which are broken between words.
+// The comments of the head: what follows a broken line stands two columns further in.
 std::string comment(const std::string& indent, const std::string& text) {
-  constexpr std::size_t kWidth = 120;
-  std::string lines;
-  std::string line = "//" + indent;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const bool begins = line.ends_with(' ');
-    if (!begins && line.size() + 1 + word.size() > kWidth)
-      lines += std::exchange(line, "//" + indent + "  ") + "\n";
-    line += (line.ends_with(' ') ? "" : " ") + word;
-  }
-  return lines + line + "\n";
+  return comment_lines(text, "//" + indent, "//" + indent + "  ");
 }
 
 std::string commented(const std::string& text) {

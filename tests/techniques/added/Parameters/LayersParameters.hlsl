@@ -1,13 +1,14 @@
 // Of the test.
 // Written by `penumbra emit` from Layers.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_LAYERS_PARAMETERS_HLSL
 #define PENUMBRA_LAYERS_PARAMETERS_HLSL
 
 struct LayersParameters
 {
-    float opacity; // 1: of one surface
+    // 1: of one surface
+    float opacity;
 };
 
 // Unpacks the uniforms _PenumbraLayersParameters0, which the package's C# struct of the same name sets.

@@ -1,14 +1,16 @@
 // Of the test.
 // Written by `penumbra emit` from Means.technique.json; do not edit.
 //
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+// The comment above each field gives its unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_MEANS_PARAMETERS_HLSL
 #define PENUMBRA_MEANS_PARAMETERS_HLSL
 
 struct MeansParameters
 {
-    int level; // 1: mip level
-    float scale; // 1: of the result
+    // 1: mip level
+    int level;
+    // 1: of the result
+    float scale;
 };
 
 // Unpacks the uniforms _PenumbraMeansParameters0, which the package's C# struct of the same name sets.
