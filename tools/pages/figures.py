@@ -22,8 +22,11 @@ INTERVALS = ("± is half the width of the 95 % confidence interval over the scen
 
 
 @functools.cache
-def read(name):
-    return read_table((RESULTS / name / "results.tsv").read_text())
+def read(study):
+    """The results of a study. Their command is scripts/publish, and measured_by is the one that they were measured by:
+    names of techniques and options change."""
+    results = read_table((RESULTS / study / "results.tsv").read_text())
+    return {**results, "command": f"scripts/publish {study}", "measured_by": results["command"]}
 
 
 def read_json(path):

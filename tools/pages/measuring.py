@@ -20,8 +20,8 @@ def paired(first, second):
             for name in distinct(first["records"], "technique")]
 
 
-def made_both(first, second, more=""):
-    return (f"Commands: `{first['command']}` and `{second['command']}`,{more} at commits {first['commit']} and"
+def made_both(first, second, command="command", more=""):
+    return (f"Commands: `{first[command]}` and `{second[command]}`,{more} at commits {first['commit']} and"
             f" {second['commit']}.")
 
 
@@ -77,7 +77,7 @@ def device_differences(first, second):
             f" {what_both(first)}, lights of {', '.join(light_heads(records, '{}'))},"
             f" {min(record['penumbra_pixels'] for record in records)} penumbra pixels or more for each. Results that"
             f" are not finite or not in [0, 1]: {sum(record['invalid'] for record in records + second['records'])}.  \n"
-            f"{made_both(first, second, f' of {len(rows)} techniques,')} The table has the {len(most)} whose errors"
+            f"{made_both(first, second, 'measured_by', f' of {len(rows)} techniques,')} The table has the {len(most)} whose errors"
             f" differ most.\n\n"
             f"{table(head, most, 1)}\n\nOver all techniques the largest difference of the RMSE in penumbrae is"
             f" {shown['rmse_penumbra']},"

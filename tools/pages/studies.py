@@ -370,3 +370,7 @@ def write_blocks(texts, program):
             copy.write_text(texts.get(page) or page.read_text())
             output(program, *shlex.split(command.format(page=copy.relative_to(folder))), folder=folder)
             texts[page] = copy.read_text()
+    for page in texts:
+        for study in (*FULL, *BRIEF):
+            results = read(study)
+            texts[page] = texts[page].replace(results["measured_by"], results["command"])
