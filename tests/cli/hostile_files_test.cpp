@@ -27,10 +27,10 @@ class HostileFiles : public ProgramTest {
   }
 
   void expect_refused(const platform::ChildResult& result, const std::filesystem::path& file,
-                      const std::string& problem, const std::string& way_out) const {
+                      const std::string& problem, const std::string& remedy) const {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.errors, StartsWith("penumbra: " + file.string() + ": "));
-    EXPECT_THAT(result.errors, AllOf(HasSubstr(problem), HasSubstr("\n  " + way_out)));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr(problem), HasSubstr("\n  " + remedy)));
     EXPECT_EQ(result.output, "");
   }
 

@@ -472,7 +472,7 @@ TEST_F(Validate, ErrorsOfSourceAndModuleAreReportedTogether) {
                     HasSubstr("Both.hlsl:4: error: the offset of a texture read is 9 texels")));
 }
 
-TEST_F(Validate, UnknownTargetsAndFoldersSayTheWayOut) {
+TEST_F(Validate, UnknownTargetsAndFoldersSayTheRemedy) {
   EXPECT_THAT(run(command({"--target", "essl301"})).errors, HasSubstr("essl300"));
   EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);
   EXPECT_EQ(run(command({"--cginc-root", path("nowhere").string()})).exit_code, 3);

@@ -114,7 +114,7 @@ TEST(Baseline, TechniquesThatPartStillMeetTheirSharedFigures) {
   EXPECT_THAT(comparison_text(comparison), HasSubstr("worse: old box-5: instructions 140 -> 150\n"));
 }
 
-TEST(Baseline, OtherCompilersAreRefusedWithTheWayOut) {
+TEST(Baseline, OtherCompilersAreRefusedWithTheRemedy) {
   const CostReport baseline = made_up::report();
   CostReport ours = baseline;
   EXPECT_NO_THROW(require_same_compilers(ours, baseline, "cost.json"));

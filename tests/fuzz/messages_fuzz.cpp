@@ -22,7 +22,7 @@ void targets::messages(std::string_view bytes) {
     const std::string once = replace_block(text, "a", "b\n", "page.md");
     require(replace_block(once, "a", "b\n", "page.md") == once, "a block is replaced in place");
   });
-  unknown_name_way_out(text, {"Texture2D", "SamplerState", "fov_y_degrees"});
+  unknown_name_remedy(text, {"Texture2D", "SamplerState", "fov_y_degrees"});
 }
 
 }  // namespace penumbra::fuzz

@@ -33,9 +33,9 @@ TEST(NearestName, SaysNothingWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
-TEST(NearestName, WayOutNamesTheNearestOrAll) {
-  EXPECT_EQ(unknown_name_way_out("cascads", kKeys), "did you mean 'cascades'?");
-  for (const std::string& key : kKeys) EXPECT_THAT(unknown_name_way_out("banana", kKeys), HasSubstr(key));
+TEST(NearestName, RemedyNamesTheNearestOrAll) {
+  EXPECT_EQ(unknown_name_remedy("cascads", kKeys), "did you mean 'cascades'?");
+  for (const std::string& key : kKeys) EXPECT_THAT(unknown_name_remedy("banana", kKeys), HasSubstr(key));
 }
 
 TEST(NearestName, NothingIsNearAWordOfMegabytes) {
@@ -47,8 +47,8 @@ TEST(NearestName, NothingIsNearAWordOfMegabytes) {
 TEST(NearestName, TheListOfKnownNamesIsBounded) {
   std::vector<std::string> known;
   for (int i = 0; i < 100000; ++i) known.push_back("name" + std::to_string(i));
-  const std::string way_out = unknown_name_way_out("zzzzzzzzzz", known);
-  EXPECT_TRUE(way_out.ends_with(" name59 and 99940 more")) << way_out;
+  const std::string remedy = unknown_name_remedy("zzzzzzzzzz", known);
+  EXPECT_TRUE(remedy.ends_with(" name59 and 99940 more")) << remedy;
 }
 
 }  // namespace

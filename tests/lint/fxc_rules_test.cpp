@@ -142,7 +142,7 @@ TEST(FxcRules, FxcSaysTheSame) {
   }
 }
 
-TEST(FxcRules, TheWayOutIsSaid) {
+TEST(FxcRules, TheRemedyIsSaid) {
   EXPECT_THAT(
       findings_of("early-return", cases()[0].text),
       ElementsAre(HasSubstr("'F' for uninitialised because of this return from within a condition: set a "

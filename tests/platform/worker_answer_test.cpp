@@ -27,7 +27,7 @@ TEST(WorkerAnswer, ArrivesAsItWas) {
     EXPECT_EQ(taken_answer(answer_or_input_error([&] { return text; })), text);
 }
 
-TEST(WorkerAnswer, AnInputErrorArrivesWithItsWayOut) {
+TEST(WorkerAnswer, AnInputErrorArrivesWithItsRemedy) {
   for (const InputError& error : {InputError("a.obj:3", "has no faces"),
                                   InputError("a.obj", "has no faces", "export it again\n  as glTF")})
     EXPECT_EQ(what_is_thrown(answer_to(error)), error.what());

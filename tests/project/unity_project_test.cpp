@@ -187,7 +187,7 @@ TEST(UnityProject, LockedVersionThatTheCacheLacksIsAWarning) {
                           "once in the Unity editor that it is for"));
 }
 
-TEST(UnityProject, DependencyThatIsNowhereNamesItsLineAndTheWayOut) {
+TEST(UnityProject, DependencyThatIsNowhereNamesItsLineAndTheRemedy) {
   const ProjectFolder files;
   files.manifest({R"("com.x.core": "1.0.0")", R"("com.x.gone": "2.0.0")", R"("com.x.here": "file:../here")"});
   files.package(cached("com.x.core@1.0.0"), "com.x.core", "1.0.0");

@@ -256,7 +256,7 @@ TEST(Groups, Share32KiBAtMost) {
   EXPECT_THAT(kernel("64, 1, 1", "float4 s[4096]", "_Out[id.x] = 1;"), IsEmpty()) << "not used";
 }
 
-TEST(Macros, OfAnyNumberOfArgumentsNameTheWayOut) {
+TEST(Macros, OfAnyNumberOfArgumentsNameTheRemedy) {
   EXPECT_THAT(
       errors("#define SUM(x, ...) F(x, __VA_ARGS__)\nfloat4 Main() : SV_Target { return 1; }\n",
              hlsl::Stage::fragment),
@@ -265,7 +265,7 @@ TEST(Macros, OfAnyNumberOfArgumentsNameTheWayOut) {
 }
 
 // Unity's compilers would take the overload for uint.
-TEST(Overloads, ThatFitEquallyNameTheWayOut) {
+TEST(Overloads, ThatFitEquallyNameTheRemedy) {
   EXPECT_THAT(
       errors("int F(int a, int b) { return a; }\nuint F(uint a, uint b) { return a; }\nfloat4 Main() : "
              "SV_Target {\nreturn F(2u, -1); }\n",

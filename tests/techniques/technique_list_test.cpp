@@ -200,7 +200,7 @@ TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
               HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
 }
 
-TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
+TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndARemedy) {
   EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
   EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
               AllOf(HasSubstr("box.technique.json:13:35: "), HasSubstr("unknown key 'targets_absnt'"),
@@ -423,7 +423,7 @@ TEST_F(AdditionTest, AnEntrySaysOnlyWhatDiffersFromAnother) {
   EXPECT_EQ(other.values, box.values);
 }
 
-TEST_F(AdditionTest, WrongOnesAreNamedWithTheirPlaceAndAWayOut) {
+TEST_F(AdditionTest, WrongOnesAreNamedWithTheirPlaceAndARemedy) {
   const auto with_library = [](const std::string& value) {
     return "{\n  \"library\": " + value + R"(, "techniques": [{"name": "a", "title": "A", "like": "box"}]})";
   };

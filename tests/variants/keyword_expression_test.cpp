@@ -29,8 +29,7 @@ TEST(KeywordExpression, PinsExcludesAndChooses) {
 }
 
 TEST(KeywordExpression, SaysWhatIsWrong) {
-  const std::string way_out =
-      "\n  write +NAME (always on), -NAME (never on) or A|B (only these of their set)";
+  const std::string remedy = "\n  write +NAME (always on), -NAME (never on) or A|B (only these of their set)";
   const std::pair<const char*, const char*> cases[] = {
       {"A", "--keywords: 'A' does not say whether it is on or off"},
       {"+", "--keywords: '+' does not name a keyword"},
@@ -42,7 +41,7 @@ TEST(KeywordExpression, SaysWhatIsWrong) {
       {"A|2", "--keywords: 'A|2' holds '2', which is not a keyword"},
   };
   for (const auto& [expression, message] : cases) {
-    expect_input_error([&, text = expression] { parse_keyword_expression(text); }, message + way_out);
+    expect_input_error([&, text = expression] { parse_keyword_expression(text); }, message + remedy);
   }
 }
 

@@ -18,7 +18,7 @@ struct Case {
   const char* message;
 };
 
-TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
+TEST(PragmaMessages, NameThePlaceAndTheRemedy) {
   const Case cases[] = {
       {"#pragma", "a.shader:1:1: warning: '#pragma' without a name after it has no effect"},
       {"#pragma multi_compil _ A",

@@ -69,7 +69,7 @@ void set_adapter_setting(resolve::Adapter& adapter, const std::string& name, con
   } else if (name == "@light-scale") {
     adapter.light_scale = bounded(name, value, 10.0);
   } else {
-    throw InputError("", "--adapter: unknown setting '" + name + "'", unknown_name_way_out(name, kNames));
+    throw InputError("", "--adapter: unknown setting '" + name + "'", unknown_name_remedy(name, kNames));
   }
 }
 

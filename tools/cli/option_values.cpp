@@ -47,7 +47,7 @@ CLI::Validator one_of(std::vector<std::string> names) {
   std::string rule = fmt::format("{}", fmt::join(names, "|"));
   const auto check = [names = std::move(names)](std::string& text) {
     if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
-    return fmt::format("unknown value '{}'\n  {}", text, unknown_name_way_out(text, names));
+    return fmt::format("unknown value '{}'\n  {}", text, unknown_name_remedy(text, names));
   };
   return {check, std::move(rule)};
 }

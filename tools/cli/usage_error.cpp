@@ -106,7 +106,7 @@ std::string plain_words(const std::string& said) {
 InputError unknown_subcommand(CLI::App& app, const std::string& name) {
   std::vector<std::string> known;
   for (const CLI::App* command : shown_subcommands(app)) known.push_back(command->get_name());
-  return {"", "unknown subcommand '" + name + "'", lines(unknown_name_way_out(name, known), see_help(app))};
+  return {"", "unknown subcommand '" + name + "'", lines(unknown_name_remedy(name, known), see_help(app))};
 }
 
 InputError usage_error(CLI::App& app, const CLI::ParseError& error) {

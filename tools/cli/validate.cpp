@@ -53,7 +53,7 @@ std::vector<std::string> chosen_targets(const std::vector<std::string>& given) {
   const std::vector<std::string> known = known_targets();
   for (const std::string& target : given)
     if (std::find(known.begin(), known.end(), target) == known.end())
-      throw InputError("--target", "unknown target '" + target + "'", unknown_name_way_out(target, known));
+      throw InputError("--target", "unknown target '" + target + "'", unknown_name_remedy(target, known));
   if (!given.empty()) return given;
   std::vector<std::string> targets = default_targets;
   if (fxc::find_fxc().found) targets.emplace_back(validation::fxc_target);
@@ -90,7 +90,7 @@ validation::LintOrder lint_order(const ValidateOptions& options) {
   for (const lint::RuleInfo& rule : lint::rules()) known.push_back(rule.name);
   for (const std::string& rule : options.disabled_rules)
     if (lint::find_rule(rule) == nullptr)
-      throw InputError("--disable-rule", "unknown rule '" + rule + "'", unknown_name_way_out(rule, known));
+      throw InputError("--disable-rule", "unknown rule '" + rule + "'", unknown_name_remedy(rule, known));
   return {!options.no_lint, 0, options.disabled_rules};
 }
 

@@ -14,9 +14,9 @@ namespace penumbra {
 // lines.
 class InputError : public std::runtime_error {
  public:
-  InputError(const std::string& where, const std::string& problem, const std::string& way_out = {})
+  InputError(const std::string& where, const std::string& problem, const std::string& remedy = {})
       : std::runtime_error(visible(where.empty() ? problem : where + ": " + problem) +
-                           (way_out.empty() ? "" : "\n  " + visible_lines(way_out))) {}
+                           (remedy.empty() ? "" : "\n  " + visible_lines(remedy))) {}
 };
 
 // Thrown for a missing device, package root or program: exit code 3.

@@ -132,7 +132,7 @@ void JsonObject::finish() const {
     std::vector<std::string> known;  // a key may have been read several times
     for (const std::string& name : asked_)
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-    fail(key, "unknown key '" + key + "'", unknown_name_way_out(key, known));
+    fail(key, "unknown key '" + key + "'", unknown_name_remedy(key, known));
   }
 }
 
@@ -141,8 +141,8 @@ std::string JsonObject::where(const std::string& key) const {
   return document_->where(there ? at_ / key : at_);
 }
 
-void JsonObject::fail(const std::string& key, const std::string& problem, const std::string& way_out) const {
-  throw InputError(where(key), problem, way_out);
+void JsonObject::fail(const std::string& key, const std::string& problem, const std::string& remedy) const {
+  throw InputError(where(key), problem, remedy);
 }
 
 }  // namespace penumbra

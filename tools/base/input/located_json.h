@@ -71,7 +71,7 @@ class JsonObject {
 
   std::string where(const std::string& key) const;
   [[noreturn]] void fail(const std::string& key, const std::string& problem,
-                         const std::string& way_out = {}) const;
+                         const std::string& remedy = {}) const;
 
  private:
   const nlohmann::json* find(const std::string& key);

@@ -84,7 +84,7 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
   return longer.empty() ? nearest : longer;
 }
 
-std::string unknown_name_way_out(std::string_view given, const std::vector<std::string>& known) {
+std::string unknown_name_remedy(std::string_view given, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(given, known);
   if (!nearest.empty()) return "did you mean '" + nearest + "'?";
   std::string list = "known are:";

@@ -15,6 +15,6 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 
 // Returns "unknown <kind> 'given'" and, when there is a near one, "did you mean 'x'?"; else the list of known
 // names.
-std::string unknown_name_way_out(std::string_view given, const std::vector<std::string>& known);
+std::string unknown_name_remedy(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace penumbra

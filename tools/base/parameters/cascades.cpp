@@ -229,7 +229,7 @@ std::string why_not_emittable(const Cascade& cascade) {
 
 std::vector<SplitTile> split_tiles(const Camera& camera, const Light& light, const ShadowSettings& settings) {
   if (const auto problem = find_problem(camera, light, settings)) {
-    throw InputError("", problem->key.substr(1) + " " + problem->problem, problem->way_out);
+    throw InputError("", problem->key.substr(1) + " " + problem->problem, problem->remedy);
   }
   const LightAxes axes = axes_of(light.direction);
   const auto splits = effective_splits(settings);

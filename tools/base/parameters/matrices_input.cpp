@@ -27,7 +27,7 @@ bool read_row_major(JsonObject& root) {
   const std::string order = root.text("matrix_order", "");
   if (order != "row-major" && order != "column-major") {
     root.fail("matrix_order", fmt::format("unknown order '{}'", order),
-              unknown_name_way_out(order, {"row-major", "column-major"}));
+              unknown_name_remedy(order, {"row-major", "column-major"}));
   }
   return order == "row-major";
 }

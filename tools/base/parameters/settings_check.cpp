@@ -45,8 +45,8 @@ class Inspector {
     }
   }
 
-  void report(const char* key, std::string problem, std::string way_out = {}) {
-    if (!found_) found_ = SettingProblem{key, std::move(problem), std::move(way_out)};
+  void report(const char* key, std::string problem, std::string remedy = {}) {
+    if (!found_) found_ = SettingProblem{key, std::move(problem), std::move(remedy)};
   }
 
   bool clean() const { return !found_; }

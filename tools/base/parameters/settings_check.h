@@ -12,7 +12,7 @@ namespace penumbra::parameters {
 struct SettingProblem {
   std::string key;      // JSON pointer of the setting in a --config file: "/shadows/cascades"
   std::string problem;  // "is 5, outside 1 .. 4"
-  std::string way_out;
+  std::string remedy;
 };
 
 std::optional<SettingProblem> find_problem(const Camera& camera, const Light& light,

@@ -38,10 +38,10 @@ const Value* find_named(const Names<Value>& names, const std::string& name) {
 }
 
 template <typename Value>
-std::string way_out(const Names<Value>& names, const std::string& given) {
+std::string remedy(const Names<Value>& names, const std::string& given) {
   std::vector<std::string> known;
   for (const auto& name : names) known.push_back(name.first);
-  return unknown_name_way_out(given, known);
+  return unknown_name_remedy(given, known);
 }
 
 template <typename Value>
@@ -55,14 +55,14 @@ const char* find_name(const Names<Value>& names, Value value) {
 template <typename Value>
 Value named(const Names<Value>& names, const char* kind, const std::string& name) {
   if (const Value* value = find_named(names, name)) return *value;
-  throw InputError("", fmt::format("unknown {} '{}'", kind, name), way_out(names, name));
+  throw InputError("", fmt::format("unknown {} '{}'", kind, name), remedy(names, name));
 }
 
 template <typename Value>
 Value read_named(const Names<Value>& names, JsonObject& object, const std::string& key, Value fallback) {
   const std::string text = object.text(key, find_name(names, fallback));
   if (const Value* value = find_named(names, text)) return *value;
-  object.fail(key, fmt::format("unknown value '{}'", text), way_out(names, text));
+  object.fail(key, fmt::format("unknown value '{}'", text), remedy(names, text));
 }
 
 glm::dvec3 read_vector(JsonObject& object, const std::string& key, const glm::dvec3& fallback) {
@@ -154,7 +154,7 @@ FitInput read_settings(const LocatedJson& document) {
   root.finish();
   if (const auto problem = find_problem(input.camera, input.light, input.shadows)) {
     throw InputError(place_of(document, problem->key), problem->key.substr(1) + " " + problem->problem,
-                     problem->way_out);
+                     problem->remedy);
   }
   return input;
 }

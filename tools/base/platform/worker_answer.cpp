@@ -9,7 +9,7 @@ namespace {
 
 constexpr char kAnswer = 'a';
 constexpr char kInputError = 'i';
-constexpr const char* kWayOut = "\n  ";  // separates the two texts of an InputError
+constexpr const char* kRemedy = "\n  ";  // separates the two texts of an InputError
 
 }  // namespace
 
@@ -27,11 +27,11 @@ std::string taken_answer(std::string bytes) {
   const char kind = bytes.empty() ? '\0' : bytes.back();
   if (!bytes.empty()) bytes.pop_back();
   if (kind == kAnswer) return bytes;
-  const std::size_t way_out = bytes.find(kWayOut);
-  if (kind != kInputError || bytes.empty() || way_out == 0)
+  const std::size_t remedy = bytes.find(kRemedy);
+  if (kind != kInputError || bytes.empty() || remedy == 0)
     throw std::invalid_argument("a worker process sent a malformed response");
-  if (way_out == std::string::npos) throw InputError("", bytes);
-  throw InputError("", bytes.substr(0, way_out), bytes.substr(way_out + std::string_view(kWayOut).size()));
+  if (remedy == std::string::npos) throw InputError("", bytes);
+  throw InputError("", bytes.substr(0, remedy), bytes.substr(remedy + std::string_view(kRemedy).size()));
 }
 
 }  // namespace penumbra::platform

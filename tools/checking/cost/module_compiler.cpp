@@ -108,7 +108,7 @@ class Requests final : public platform::WorkSource {
                                             0,
                                             0,
                                             hlsl::Severity::error,
-                                            failure.problem + "; " + failure.way_out,
+                                            failure.problem + "; " + failure.remedy,
                                             {}});
   }
 

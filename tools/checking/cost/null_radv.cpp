@@ -147,7 +147,7 @@ RadvFamily open_family(const NullRadv& radv) {
     std::vector<std::string> known = known_family_names();
     known.emplace_back(direct3d_family.name);
     throw InputError("--family", "this machine's RADV does not know the family '" + radv.family + "'",
-                     unknown_name_way_out(radv.family, known));
+                     unknown_name_remedy(radv.family, known));
   }
   throw EnvironmentError("RADV does not start for family '" + radv.family + "': " + sudden_end(result, radv));
 }

@@ -132,7 +132,7 @@ std::vector<hlsl::Diagnostic> unknown_suppressions(const hlsl::SourceFiles& sour
         if (find_rule(name.text) != nullptr) continue;
         findings.push_back({file, comment.line, name.column, hlsl::Severity::warning,
                             "this comment disables an unknown rule, '" + name.text + "'; " +
-                                unknown_name_way_out(name.text, known),
+                                unknown_name_remedy(name.text, known),
                             sources.line(file, comment.line), "unknown-rule"});
       }
   return findings;

@@ -250,33 +250,33 @@ void ShaderSources::add_program(const SourceProgram& program) {
   bool lacks_stage = false;
   bool is_for_another_api = true;
   for (const PlatformTargets& platform : options_.platforms) {
-    SourceProgram one = program;
-    one.platform = platform.platform;
-    one.targets = platform.targets;
-    one.vulkan = platform.vulkan;
-    one.pragmas = variants::read_pragmas(
-        {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots, one.file)});
-    const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
+    SourceProgram built = program;
+    built.platform = platform.platform;
+    built.targets = platform.targets;
+    built.vulkan = platform.vulkan;
+    built.pragmas = variants::read_pragmas({built.file, built.text, variants::pragma_defines(built.platform),
+                                            finder(options_.roots, built.file)});
+    const bool broken = hlsl::has_errors(built.pragmas.diagnostics);
     const bool first = !std::exchange(said, true);
-    if (first) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);
-    knows_keywords_ &= one.pragmas.diagnostics.empty();
-    const bool skipped = !variants::compiles_for(one.pragmas, variants::renderer_name(one.platform.api));
+    if (first) say(built.file, built.shader, built.pass, built.pragmas.diagnostics);
+    knows_keywords_ &= built.pragmas.diagnostics.empty();
+    const bool skipped = !variants::compiles_for(built.pragmas, variants::renderer_name(built.platform.api));
     is_for_another_api = is_for_another_api && !broken && skipped;
     if (broken || skipped) continue;
-    if (one.entries.empty())
-      for (const variants::EntryPoint& entry : one.pragmas.entry_points)
-        one.entries.emplace_back(entry.function, entry.stage);
-    one.kernels = one.pragmas.kernels;
-    if (one.entries.empty() && one.kernels.empty()) {
-      if (first) say(one.file, one.shader, one.pass, {no_entry_point(one)});
+    if (built.entries.empty())
+      for (const variants::EntryPoint& entry : built.pragmas.entry_points)
+        built.entries.emplace_back(entry.function, entry.stage);
+    built.kernels = built.pragmas.kernels;
+    if (built.entries.empty() && built.kernels.empty()) {
+      if (first) say(built.file, built.shader, built.pass, {no_entry_point(built)});
       continue;
     }
-    if (const std::optional<hlsl::Diagnostic> missing = missing_stage(one))
-      if (!std::exchange(lacks_stage, true)) say(one.file, one.shader, one.pass, {*missing});
-    one.space = std::make_shared<variants::KeywordSpace>(
-        one.pragmas, variants::on_api(options_.narrowing, one.platform.api));
-    one.number = static_cast<int>(programs_.size());
-    programs_.push_back(std::move(one));
+    if (const std::optional<hlsl::Diagnostic> missing = missing_stage(built))
+      if (!std::exchange(lacks_stage, true)) say(built.file, built.shader, built.pass, {*missing});
+    built.space = std::make_shared<variants::KeywordSpace>(
+        built.pragmas, variants::on_api(options_.narrowing, built.platform.api));
+    built.number = static_cast<int>(programs_.size());
+    programs_.push_back(std::move(built));
   }
   if (is_for_another_api)
     leave_unchecked(program, "only_renderers or exclude_renderers leave out every graphics API of this run");

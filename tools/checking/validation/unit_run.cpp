@@ -39,7 +39,7 @@ std::vector<std::string> with_drivers(std::vector<std::string> arguments, const 
 }
 
 // Returns the index of the target that reports the compilation's diagnostics.
-std::size_t speaks_for_compile(const CompileUnit& unit) {
+std::size_t reporting_target(const CompileUnit& unit) {
   const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_compiled_target);
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
 }
@@ -153,7 +153,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   const std::string target = has_no_text ? std::string(note_compile) : outcome.note;
   const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
   std::string message = failure.problem;
-  if (failure.limited) message += "; " + failure.way_out;  // a crash keeps the text that it failed on
+  if (failure.limited) message += "; " + failure.remedy;  // a crash keeps the text that it failed on
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
   states_[place].failures[target] = {std::move(message), {}};
   if (has_no_text) {  // A second attempt would end in the same way, and take as long.
@@ -238,7 +238,7 @@ UnitResult UnitRun::result_of(std::size_t place, const ComputedNow& now) const {
 
 // One target reports the diagnostics; without a module the others are unreached.
 void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const {
-  const std::size_t speaker = speaks_for_compile(unit);
+  const std::size_t speaker = reporting_target(unit);
   if (compiled.reply.compile) {
     result.targets[speaker].diagnostics = compiled.reply.compile->diagnostics;
     result.module_key = compiled.reply.compile->module_key;

@@ -70,7 +70,7 @@ NamedEntry find_entry(const ShaderSources& sources, const VariantName& name) {
     for (const NamedEntry& entry : all)
       if (std::find(known.begin(), known.end(), entry.title) == known.end()) known.push_back(entry.title);
     throw InputError("--explain", "unknown entry point '" + spelt(name) + "'",
-                     unknown_name_way_out(spelt(name), known));
+                     unknown_name_remedy(spelt(name), known));
   }
   if (found.size() == 1) return found.front();
   std::string list = "one of:";
@@ -89,7 +89,7 @@ void check_keywords(const NamedEntry& entry, const variants::Keywords& keywords)
   for (const std::string& keyword : keywords)
     if (std::find(declared.begin(), declared.end(), keyword) == declared.end())
       throw InputError("--explain", entry.title + " declares no keyword '" + keyword + "'",
-                       unknown_name_way_out(keyword, declared));
+                       unknown_name_remedy(keyword, declared));
 }
 
 }  // namespace

@@ -155,14 +155,14 @@ BakedFiles baked_files(const ObjectFields& fields, const std::string& stem) {
   json["flat_triangles"] = fields.flat_triangles;
   json["objects"] = Json::array();
   for (const ObjectField& object : fields.objects) {
-    Json one = {{"first_voxel", object.first}, {"voxels", object.field.voxels}};
-    one["distances_metres"] = {-object.largest_metres, object.largest_metres};
-    one.update(box_json(object.field.box));
-    one["triangles"] = object.triangles;
-    one["parts"] = object.parts;
-    one["open_edges"] = object.field.open_edges;
-    one["too_thin"] = std::round(1e4 * object.thin_share) / 1e4;
-    json["objects"].push_back(std::move(one));
+    Json written = {{"first_voxel", object.first}, {"voxels", object.field.voxels}};
+    written["distances_metres"] = {-object.largest_metres, object.largest_metres};
+    written.update(box_json(object.field.box));
+    written["triangles"] = object.triangles;
+    written["parts"] = object.parts;
+    written["open_edges"] = object.field.open_edges;
+    written["too_thin"] = std::round(1e4 * object.thin_share) / 1e4;
+    json["objects"].push_back(std::move(written));
   }
   return finished(json, std::move(files));
 }

@@ -192,7 +192,7 @@ std::string asked(const ModuleOrder& order, const Compiler& compiler, const std:
   platform::WorkerOutcome outcome = platform::ask_worker(compiler.process, message);
   if (!outcome.failure.empty()) {
     const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
-    throw InputError(order.file, failure.problem, failure.way_out);
+    throw InputError(order.file, failure.problem, failure.remedy);
   }
   return platform::taken_answer(std::move(outcome.answer));
 }

@@ -14,7 +14,7 @@ constexpr const char* kSamplerNames =
     "kind, and 'sampler' followed by the name of a texture of yours is linear and repeating";
 
 // `declared_at` is the place of the pass in its manifest. If it is empty, the program is an adapter's.
-std::string way_out_of(const shaders::Resource& missing, const std::string& declared_at) {
+std::string remedy_of(const shaders::Resource& missing, const std::string& declared_at) {
   if (!declared_at.empty()) {
     const bool is_texture = missing.kind == shaders::ResourceKind::sampled_image;
     return "give it to the pass at " + declared_at +
@@ -208,13 +208,13 @@ gpu::Bindings ProgramOnDevice::bind(const NamedResources& resources) const {
         break;  // set_uniforms() fills these
       case shaders::ResourceKind::storage_buffer:
         bindings.buffer(resource.name, provided(resources.buffers, resource, place, "buffer",
-                                                way_out_of(resource, declared_at_)));
+                                                remedy_of(resource, declared_at_)));
         break;
       case shaders::ResourceKind::sampled_image:
       case shaders::ResourceKind::storage_image: {
         const bool written = resource.kind == shaders::ResourceKind::storage_image;
         const BoundImage& image = provided(images, resource, place, written ? "writable texture" : "texture",
-                                           way_out_of(resource, declared_at_));
+                                           remedy_of(resource, declared_at_));
         require_shape(resource, image.image->shape(), place);
         require_texels(resource, image.image->shape().format, place);
         bindings.image(resource.name, *image.image, image.range);

@@ -9,10 +9,10 @@
 namespace penumbra::resolve {
 
 // Throws InputError with the names that are provided when this one is not. `where` is the shader, or the line
-// that names the resource; `way_out` says how the user can provide it.
+// that names the resource; `remedy` says how the user can provide it.
 template <typename Map>
 const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& where,
-                     const char* kind, const std::string& way_out = "") {
+                     const char* kind, const std::string& remedy = "") {
   const auto found = map.find(resource.name);
   if (found != map.end()) return *found->second;
   std::string known;
@@ -20,7 +20,7 @@ const auto& provided(const Map& map, const shaders::Resource& resource, const st
   throw InputError(
       where,
       std::string("reads the ") + kind + " '" + resource.name + "', which the harness does not provide",
-      (way_out.empty() ? "" : way_out + "; ") + "provided are:" + known);
+      (remedy.empty() ? "" : remedy + "; ") + "provided are:" + known);
 }
 
 }  // namespace penumbra::resolve

@@ -28,11 +28,11 @@ struct State {
     for (const std::string& value : of.values) values.push_back(lower(value));
   }
 
-  [[noreturn]] void refuse(const std::string& way_out) const {
+  [[noreturn]] void refuse(const std::string& remedy) const {
     std::string written = command.name;
     for (const std::string& value : command.values) written += " " + value;
     throw InputError(pass + ":" + std::to_string(command.place.line), "'" + written + "' is not drawn here",
-                     way_out);
+                     remedy);
   }
   bool is(const Words& words) const { return values == words; }
   // ShaderLab takes On, True or 1 against Off, False or 0.

@@ -9,8 +9,8 @@ namespace penumbra::resolve {
 namespace {
 
 // Returns the way out for what the compiler does not know.
-std::string way_out_of(const std::string& messages, const MissingName& needed) {
-  if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.way_out;
+std::string remedy_of(const std::string& messages, const MissingName& needed) {
+  if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.remedy;
   for (const char* macro : {"'TEXTURE2D_ARRAY'", "'TEXTURECUBE'", "'TEXTURECUBE_ARRAY'", "'TEXTURE3D'"}) {
     if (messages.find(macro) != std::string::npos) return "only 2D textures are provided: TEXTURE2D";
   }
@@ -25,10 +25,10 @@ void require_success(const shaders::CompileRequest& request, const std::vector<h
     if (diagnostic.severity == hlsl::Severity::error)
       messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
   }
-  const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
+  const std::string remedy = needed == nullptr ? "" : remedy_of(messages, *needed);
   // The messages are the way out of the error, because only there do lines stay lines.
   throw InputError(request.file.string(),
-                   "does not compile:", messages + (way_out.empty() ? "" : "\n  " + way_out));
+                   "does not compile:", messages + (remedy.empty() ? "" : "\n  " + remedy));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace penumbra::resolve {
 // The message for compiler errors about this name.
 struct MissingName {
   std::string name;
-  std::string way_out;
+  std::string remedy;
 };
 
 // Returns the module; throws InputError with the compiler's messages. `notes` are formatted messages,

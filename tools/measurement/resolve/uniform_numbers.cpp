@@ -101,7 +101,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 // Names what exists instead: the parts of a uniform that is there, or else the uniforms.
-std::string way_out_of(const std::string& name, const KnownNames& known) {
+std::string remedy_of(const std::string& name, const KnownNames& known) {
   const bool is_part = !known.parts.empty();
   const std::string nearest = nearest_name(name, is_part ? known.parts : known.all);
   const std::string meant = nearest.empty() ? "" : "did you mean '" + nearest + "'? ";
@@ -147,7 +147,7 @@ void check_numbers(const UniformNumbers& numbers, const std::vector<shaders::Res
     }
     if (found) continue;
     throw InputError(where, fmt::format("the shader reads no uniform '{}'", name),
-                     way_out_of(name, known_names(resources, name)));
+                     remedy_of(name, known_names(resources, name)));
   }
 }
 

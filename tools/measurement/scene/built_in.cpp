@@ -68,7 +68,7 @@ const Entry& entry_of(std::string_view name) {
   for (const Entry& entry : landscape_entries)
     if (name == entry.name) return entry;
   throw InputError("", "unknown scene '" + std::string(name) + "'",
-                   unknown_name_way_out(name, all_built_in_names()));
+                   unknown_name_remedy(name, all_built_in_names()));
 }
 
 }  // namespace

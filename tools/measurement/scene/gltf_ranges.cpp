@@ -24,7 +24,7 @@ constexpr std::string_view kContainer = "glTF";
 constexpr std::string_view kBodyOfGltf1 = "binary_glTF";  // the reserved buffer, whose uri is not read
 constexpr std::streamoff kContainerHead = 20;  // magic, version and length; length and type of the JSON
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40U;
-constexpr const char* kWayOut = "the file is damaged or made to mislead: export it again";
+constexpr const char* kRemedy = "the file is damaged or made to mislead: export it again";
 
 // Returns the length of a container's JSON. Both versions have the length at the same place.
 std::uint64_t json_length(std::ifstream& stream) {
@@ -50,7 +50,7 @@ std::optional<GltfJson> json_of(const std::filesystem::path& file) {
     std::error_code error;
     if (!stream || length + kContainerHead > std::filesystem::file_size(file, error) || error ||
         length > kLargestTextFile)
-      throw InputError(file.string(), "cannot be read: it is shorter than its head says", kWayOut);
+      throw InputError(file.string(), "cannot be read: it is shorter than its head says", kRemedy);
     std::string json(length, '\0');
     stream.read(json.data(), static_cast<std::streamsize>(length));
     return GltfJson{std::move(json), true};
@@ -198,7 +198,7 @@ class RangeCheck {
   }
 
   [[noreturn]] void refuse(const Pointer& at, const std::string& problem) const {
-    throw InputError(document_.where(at), problem, kWayOut);
+    throw InputError(document_.where(at), problem, kRemedy);
   }
 
   const LocatedJson& document_;

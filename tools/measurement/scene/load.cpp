@@ -40,7 +40,7 @@ Scene package_model(std::string_view name, const ImportOptions& options, const s
     names.reserve(models.size());
     for (const PackageModel& model : models) names.push_back(model.name);
     throw InputError("", "unknown package model '" + std::string(name) + "'",
-                     unknown_name_way_out(name, names));
+                     unknown_name_remedy(name, names));
   }
   const std::filesystem::path file = share / found->file;
   std::error_code ignored;
@@ -79,7 +79,7 @@ Scene load(std::string_view name_or_file, const ImportOptions& options) {
   for (const std::string& name : landscape_scene_names()) known.push_back(name);
   if (looks_like_a_file(name_or_file)) return import_apart(std::filesystem::path(name_or_file), options);
   throw InputError("", "'" + std::string(name_or_file) + "' is neither a known scene nor a file",
-                   unknown_name_way_out(name_or_file, known));
+                   unknown_name_remedy(name_or_file, known));
 }
 
 }  // namespace penumbra::scene

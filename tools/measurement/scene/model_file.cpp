@@ -42,8 +42,8 @@ bool known(std::string_view extension) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem,
-                         const std::string& way_out = {}) {
-  throw InputError(file.string(), problem, way_out);
+                         const std::string& remedy = {}) {
+  throw InputError(file.string(), problem, remedy);
 }
 
 void check_readable(const std::filesystem::path& file) {

@@ -12,7 +12,7 @@ namespace penumbra::study {
 
 namespace {
 
-constexpr const char* kWayOut = "measure all techniques in one run";
+constexpr const char* kRemedy = "measure all techniques in one run";
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -41,8 +41,8 @@ void require_same_frames(const Results& results, const Results& earlier, const s
           return one.scene == frame.scene && one.light_degrees == frame.light_degrees;
         });
     const std::string place = place_of(frame.scene, frame.light_degrees);
-    if (other == earlier.frames.end()) throw InputError(file, place + " was not measured there", kWayOut);
-    if (!(*other == frame)) throw InputError(file, place + " has another picture or light there", kWayOut);
+    if (other == earlier.frames.end()) throw InputError(file, place + " was not measured there", kRemedy);
+    if (!(*other == frame)) throw InputError(file, place + " has another picture or light there", kRemedy);
   }
 }
 
@@ -50,7 +50,7 @@ void require_same_frames(const Results& results, const Results& earlier, const s
 const Record& record_beside(const Results& results, const Record& record, const std::string& file) {
   for (const Record& own : results.records)
     if (own.scene == record.scene && own.light_degrees == record.light_degrees) return own;
-  throw InputError(file, place_of(record.scene, record.light_degrees) + " was measured there alone", kWayOut);
+  throw InputError(file, place_of(record.scene, record.light_degrees) + " was measured there alone", kRemedy);
 }
 
 // The runs that measured the techniques: this file's, or those that its rows were taken from.
@@ -79,7 +79,7 @@ void check_earlier_rows(const Results& earlier, const std::vector<std::string>& 
   for (const std::string& technique : techniques)
     if (!contains(known, technique))
       throw InputError(file.string(), "it has no technique '" + technique + "'",
-                       unknown_name_way_out(technique, known));
+                       unknown_name_remedy(technique, known));
 }
 
 void add_earlier_rows(Results& results, const Results& earlier, const std::vector<std::string>& techniques,
@@ -100,7 +100,7 @@ void add_earlier_rows(Results& results, const Results& earlier, const std::vecto
           name,
           fmt::format("{} was measured there with {}, here with {}",
                       place_of(record.scene, record.light_degrees), seen_in(record), seen_in(own)),
-          kWayOut);
+          kRemedy);
     taken.push_back(record);
   }
   results.records.insert(results.records.end(), taken.begin(), taken.end());

@@ -272,7 +272,7 @@ void check_rows(const std::vector<std::string>& rows, const std::vector<std::str
   };
   if (!rows.empty() && std::none_of(rows.begin(), rows.end(), is_measured))
     throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")),
-                     unknown_name_way_out(rows.front(), measured));
+                     unknown_name_remedy(rows.front(), measured));
 }
 
 std::string result_block(const Results& results, const BlockStyle& style) {

@@ -128,8 +128,8 @@ class RecordReader {
 
   void finish() const { object_.finish(); }
   [[noreturn]] void fail(const std::string& key, const std::string& problem,
-                         const std::string& way_out = {}) const {
-    object_.fail(key, problem, way_out);
+                         const std::string& remedy = {}) const {
+    object_.fail(key, problem, remedy);
   }
 
  private:

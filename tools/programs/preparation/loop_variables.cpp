@@ -154,7 +154,7 @@ class LoopVariables {
 
 }  // namespace
 
-void outlive_loops(TokenText& text) {
+void keep_loop_variables(TokenText& text) {
   LoopVariables(text).run();
 }
 

@@ -11,6 +11,6 @@
 
 namespace penumbra::preparation {
 
-void outlive_loops(TokenText& text);
+void keep_loop_variables(TokenText& text);
 
 }  // namespace penumbra::preparation

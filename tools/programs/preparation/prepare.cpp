@@ -72,7 +72,7 @@ std::span<const Pass> passes() {
                                              {"base-members", write_out_base_members},
                                              {"prototypes", match_prototypes},
                                              {"own-methods", call_own_methods_by_this},
-                                             {"loop-variables", outlive_loops},
+                                             {"loop-variables", keep_loop_variables},
                                              {"row-matrices", make_row_matrices_vectors},
                                              {"plain-registers", plain_registers},
                                              {"framebuffer-fetch", read_framebuffer},

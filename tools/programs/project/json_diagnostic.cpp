@@ -38,8 +38,8 @@ hlsl::Diagnostic diagnostic_of(const std::filesystem::path& file, hlsl::Severity
 hlsl::Diagnostic diagnostic_from(const InputError& error, const std::filesystem::path& file,
                                  hlsl::Severity severity) {
   std::string text = error.what();
-  const std::size_t way_out = text.find("\n  ");
-  if (way_out != std::string::npos) text.replace(way_out, 3, "; ");
+  const std::size_t remedy = text.find("\n  ");
+  if (remedy != std::string::npos) text.replace(remedy, 3, "; ");
   const std::string name = file.string();
   const std::size_t end = text.find(": ", text.compare(0, name.size(), name) == 0 ? name.size() : 0);
   if (end == std::string::npos) return diagnostic_of(file, severity, text);

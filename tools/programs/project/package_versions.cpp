@@ -63,11 +63,11 @@ std::string problem_with(const Package& package, const PackageDependency& depend
                          const Packages& packages) {
   const std::string needs = title(package.root.name, package.manifest.version) + " needs " +
                             title(dependency.name, dependency.version);
-  const std::string way_out = "give --package-root " + dependency.name + "=DIR with version ";
+  const std::string remedy = "give --package-root " + dependency.name + "=DIR with version ";
   const auto found = packages.find(dependency.name);
   if (found == packages.end())
     return is_render_pipeline(dependency.name)
-               ? needs + ", but no package root is given for it; " + way_out + dependency.version
+               ? needs + ", but no package root is given for it; " + remedy + dependency.version
                : std::string();
   const std::string& actual = found->second.manifest.version;
   const std::optional<PackageVersion> have = parse_package_version(actual);
@@ -75,12 +75,12 @@ std::string problem_with(const Package& package, const PackageDependency& depend
   if (!have || !want) return {};
   const std::string but = needs + ", but " + found->second.root.directory.string() + " is " + actual;
   if (!ships_with_pipelines(package.root.name) || !ships_with_pipelines(dependency.name))
-    return *have < *want ? but + "; " + way_out + dependency.version + " or newer" : std::string();
+    return *have < *want ? but + "; " + remedy + dependency.version + " or newer" : std::string();
   const bool fits = is_config(dependency.name) ? have->major == want->major && have->minor == want->minor
                                                : have->same_release_as(*want);
   if (fits) return {};
   return but + "; packages of Unity's render pipelines fit only at the same release, and errors such as " +
-         "\"redefinition\" or an unknown 'Pow2' may follow from this; " + way_out + dependency.version;
+         "\"redefinition\" or an unknown 'Pow2' may follow from this; " + remedy + dependency.version;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ bool is_graph(const fs::path& file) {
   return has_extension(file, ".shadergraph") || has_extension(file, ".shadersubgraph");
 }
 
-constexpr const char* kGraphWayOut =
+constexpr const char* kGraphRemedy =
     "in Unity select the graph, press View Generated Shader in the Inspector, save that text as a .shader "
     "file "
     "in the project and validate that";
@@ -42,7 +42,7 @@ hlsl::Diagnostic about_graphs(std::vector<fs::path> graphs) {
   std::sort(graphs.begin(), graphs.end());
   const std::string others = graphs.size() == 1 ? "" : " and " + std::to_string(graphs.size() - 1) + " more";
   return diagnostic_of(graphs.front(), hlsl::Severity::warning,
-                       "is a Shader Graph and is not validated" + others + "; " + kGraphWayOut);
+                       "is a Shader Graph and is not validated" + others + "; " + kGraphRemedy);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -164,7 +164,7 @@ class Filter {
   void require_a_match() const {
     if (used_.empty() || std::find(used_.begin(), used_.end(), true) != used_.end()) return;
     const std::string& pattern = selection_.include.front();
-    throw InputError("", "--only '" + pattern + "' matches no shader file", way_out(pattern));
+    throw InputError("", "--only '" + pattern + "' matches no shader file", remedy(pattern));
   }
 
   void report_unused(std::vector<hlsl::Diagnostic>& problems) const {
@@ -179,7 +179,7 @@ class Filter {
   }
 
  private:
-  std::string way_out(const std::string& pattern) const {
+  std::string remedy(const std::string& pattern) const {
     constexpr std::size_t kMostListed = 5;
     constexpr std::string_view kBelow = "/**";
     std::set<std::string> folders;
@@ -219,7 +219,7 @@ void require_shader_file(const fs::path& file) {
                      "name its target to validate it");
   if (is_graph(file))
     throw InputError(file.string(), "is a Shader Graph, from which the Unity editor writes the shader",
-                     kGraphWayOut);
+                     kGraphRemedy);
   if (!is_imported_shader(file) && !has_extension(file, ".hlsl"))
     throw InputError(file.string(), "is not a shader file",
                      "name a folder, or a .shader, .compute or .hlsl file");
@@ -256,7 +256,7 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
   if (result.files.empty() && named.empty())
     throw InputError((selection.places.empty() ? project : selection.places.front()).string(),
                      "has no shader file to validate",
-                     !graphs.empty() ? std::string("there are Shader Graphs: ") + kGraphWayOut
+                     !graphs.empty() ? std::string("there are Shader Graphs: ") + kGraphRemedy
                                      : "name the folder that holds Assets/ with --project, files, or folders "
                                        "of .shader and .compute files; an "
                                        ".hlsl file is checked by itself where it is named");

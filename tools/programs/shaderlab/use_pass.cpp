@@ -97,7 +97,7 @@ class Resolver {
     return failure(hlsl::Severity::error,
                    "the shader \"" + names.shader + "\" has no Pass named " + upper(names.pass) + ": " +
                        (known.empty() ? "none of its passes has a name"
-                                      : unknown_name_way_out(upper(names.pass), known)));
+                                      : unknown_name_remedy(upper(names.pass), known)));
   }
 
   const Shader& user_;

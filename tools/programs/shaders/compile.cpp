@@ -124,9 +124,9 @@ bool report(const Source& source, const hlsl::SourceFiles& sources,
 }
 
 // Corrects the syntax tree where its meaning differs from HLSL's.
-bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
-               CompileResult& result) {
-  put_operations_right(tree);
+bool correct_tree(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
+                  CompileResult& result) {
+  correct_operations(tree);
   return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
@@ -186,13 +186,13 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (report(source, sources, reads_without_comparing(tree), result)) return false;
   if (report(source, sources, unwritable_arguments(tree), result)) return false;
   if (report(source, sources, refused_operands(tree), result)) return false;
-  if (!put_right(source, sources, tree, result)) return false;
+  if (!correct_tree(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (source.request.optimise) find_target_problems(source, sources, tree, result);
   result.signature = tree_signature(tree, result.spirv);
   if (!source.request.keep_unoptimised) return true;
-  spv::SpvBuildLogger said_before;
-  result.unoptimised = generated_words(tree, true, said_before);
+  spv::SpvBuildLogger messages;
+  result.unoptimised = generated_words(tree, true, messages);
   number_bindings(result.unoptimised);
   return true;
 }

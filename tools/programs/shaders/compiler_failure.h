@@ -9,7 +9,7 @@ namespace penumbra::shaders {
 
 struct CompilerFailure {
   std::string problem;  // "the compiler crashed with SIGSEGV", and the end of its output
-  std::string way_out;
+  std::string remedy;
   bool limited = false;  // true if it exceeded a limit of time or memory
 };
 

@@ -27,8 +27,8 @@ SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines
 }
 
 SpirvModule words_with_lines(const glslang::TIntermediate& tree, bool optimised, VulkanVersion vulkan) {
-  spv::SpvBuildLogger said_before;
-  SpirvModule module = generated_words(tree, true, said_before);
+  spv::SpvBuildLogger messages;
+  SpirvModule module = generated_words(tree, true, messages);
   std::vector<std::string> problems;
   if (optimised && !optimise(module, vulkan, problems)) return {};
   number_bindings(module);

@@ -32,8 +32,8 @@ std::vector<hlsl::Diagnostic> shown_by(const SpirvModule& module, hlsl::Stage st
 // Finds reachable divisions by a constant zero; a division x / x in the source itself looks like a mark and
 // is excluded.
 std::vector<hlsl::Diagnostic> divisions_by_zero(const glslang::TIntermediate& tree, VulkanVersion vulkan) {
-  spv::SpvBuildLogger said_before;
-  SpirvModule marked = generated_words(tree, true, said_before);
+  spv::SpvBuildLogger messages;
+  SpirvModule marked = generated_words(tree, true, messages);
   SpirvModule plain = marked;
   mark_zero_divisions(marked);
   std::vector<std::string> ignored;

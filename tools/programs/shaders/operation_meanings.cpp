@@ -55,7 +55,7 @@ class OperationMeanings final : public TreeRewrite {
 
 }  // namespace
 
-void put_operations_right(glslang::TIntermediate& tree) {
+void correct_operations(glslang::TIntermediate& tree) {
   OperationMeanings().run(tree);
 }
 

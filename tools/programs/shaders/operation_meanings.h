@@ -13,6 +13,6 @@
 
 namespace penumbra::shaders {
 
-void put_operations_right(glslang::TIntermediate& tree);
+void correct_operations(glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

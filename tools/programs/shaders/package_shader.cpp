@@ -81,7 +81,7 @@ const shaderlab::Program& PackageShader::program(const std::string& pass) const 
     if (shaderlab::pass_name(program) == pass) return program;
   }
   throw InputError(shader_->file, "has no pass '" + pass + "' in its first SubShader",
-                   unknown_name_way_out(pass, pass_names()));
+                   unknown_name_remedy(pass, pass_names()));
 }
 
 CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage,

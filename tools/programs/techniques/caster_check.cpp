@@ -13,8 +13,8 @@ bool has_depth_format(const GraphTexture& texture) {
   return find_texel_format(texture.format)->depth;
 }
 
-void refuse(const GraphPass& pass, const std::string& text, const std::string& way_out = "") {
-  throw InputError(pass.where, "'" + pass.name + "' " + text, way_out);
+void refuse(const GraphPass& pass, const std::string& text, const std::string& remedy = "") {
+  throw InputError(pass.where, "'" + pass.name + "' " + text, remedy);
 }
 
 // The shadow map holds the depth of casters that are drawn where it has them.

@@ -179,13 +179,13 @@ double fixed_bytes(const GraphTexture& texture) {
 }
 
 void check_texture(const GraphTexture& texture) {
-  const auto refuse = [&](const std::string& text, const std::string& way_out = "") {
-    throw InputError(texture.where, "texture '" + texture.name + "': " + text, way_out);
+  const auto refuse = [&](const std::string& text, const std::string& remedy = "") {
+    throw InputError(texture.where, "texture '" + texture.name + "': " + text, remedy);
   };
   if (find_texel_format(texture.format) == nullptr) {
     std::vector<std::string> known;
     for (const TexelFormat& format : texel_formats()) known.emplace_back(format.name);
-    refuse("unknown format '" + texture.format + "'", unknown_name_way_out(texture.format, known));
+    refuse("unknown format '" + texture.format + "'", unknown_name_remedy(texture.format, known));
   }
   if (texture.divisor < 1 || texture.divisor > 64) refuse("a divisor is 1 to 64");
   if (texture.extent == ExtentOf::fixed)
@@ -244,8 +244,8 @@ void check_targets(const PassGraph& graph, const GraphPass& pass) {
 }
 
 void check_pass(const PassGraph& graph, const GraphPass& pass) {
-  const auto refuse = [&](const std::string& text, const std::string& way_out = "") {
-    throw InputError(pass.where, "'" + pass.name + "' " + text, way_out);
+  const auto refuse = [&](const std::string& text, const std::string& remedy = "") {
+    throw InputError(pass.where, "'" + pass.name + "' " + text, remedy);
   };
   if (pass.kind == PassKind::filter) {
     if (!pass.filter) refuse("names no function of the library", "add \"filter\": {...}");

@@ -187,7 +187,7 @@ std::string required_identifier(JsonObject& object, const std::string& key) {
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
-    object.fail(key, "unknown " + what + " '" + name + "'", unknown_name_way_out(name, known));
+    object.fail(key, "unknown " + what + " '" + name + "'", unknown_name_remedy(name, known));
 }
 
 // Names and values belong to one look each: the inspector recognises by the values which look is set.

@@ -137,9 +137,9 @@ const Technique& TechniqueList::find(const std::string& name) const {
     if (technique.name == name) return technique;
     known.push_back(technique.name);
   }
-  std::string way_out = titled(name, techniques);
-  if (way_out.empty()) way_out = unknown_name_way_out(name, known) + "\n--list-techniques prints them all";
-  throw InputError("", "unknown technique '" + name + "'", way_out);
+  std::string remedy = titled(name, techniques);
+  if (remedy.empty()) remedy = unknown_name_remedy(name, known) + "\n--list-techniques prints them all";
+  throw InputError("", "unknown technique '" + name + "'", remedy);
 }
 
 const Technique& TechniqueList::first() const {

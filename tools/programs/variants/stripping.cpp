@@ -23,7 +23,7 @@ Value find_name(JsonObject& object, const std::string& key, const std::string& g
     if (name == given) return value;
     known.push_back(name);
   }
-  object.fail(key, "'" + key + "' cannot be '" + given + "'", unknown_name_way_out(given, known));
+  object.fail(key, "'" + key + "' cannot be '" + given + "'", unknown_name_remedy(given, known));
 }
 
 void read(JsonObject& urp, const std::string& key, std::optional<bool>& setting) {
