@@ -16,7 +16,7 @@
 //             _PENUMBRA_PCSS_GODOT, _PENUMBRA_DPCF_FILAMENT, _PENUMBRA_PCSS_FILAMENT; without a keyword, tent 5 x 5.
 //             Pipelines/TechniqueByKeyword.hlsl has those of filters that read maps, for the renderer feature's passes.
 //             With PENUMBRA_MAPS_BOUND, your shader may have the filter of the feature's own technique, above all
-//             _PENUMBRA_FLAGSHIP_PIXEL, also with the technique Flagship.
+//             _PENUMBRA_CELL_PCSS, also with the technique Cell PCSS.
 // Source:     see each filter's file.
 // Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. The uniforms of
 //             Pipelines/Urp.hlsl and, of PCSS, of Pipelines/TechniqueByKeyword.hlsl.

@@ -3,7 +3,7 @@
 // Computes:   QuarterDepthBlocks  planes and spreads of every 4 x 4 texels of the shadow map
 //             EighthDepthBlocks   of 2 x 2 of these blocks, in maps of their own
 //             DepthBlocksMip      of 2 x 2 blocks of the level before, in these maps
-// Source:     Map/DepthBlocks.hlsl. The kernels FirstLevels and NextLevel of PenumbraFlagship.compute make the same
+// Source:     Map/DepthBlocks.hlsl. The kernels FirstLevels and NextLevel of PenumbraCellPcss.compute make the same
 //             numbers.
 // Inputs:     those of DepthRangePasses.hlsl; _PenumbraMip; _PenumbraSourcePlanes and _PenumbraSourceSpreads: the
 //             blocks of the level before.

@@ -64,9 +64,9 @@ namespace Penumbra.Editor
                 case ShadowTechnique.Tent7x7: return "16 fetches of the shadow map, no contact hardening";
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
-                case ShadowTechnique.Flagship:
+                case ShadowTechnique.CellPcss:
                     return options.filterCells + " filter cells";
-                case ShadowTechnique.FlagshipPixel: return "all texels around a pixel in place of samples";
+                case ShadowTechnique.CellPcssPixel: return "all texels around a pixel in place of samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }
         }

@@ -28,7 +28,7 @@ namespace Penumbra
 
         /// <summary>
         /// The penumbra mask: yellow where it lets the filter run, grey where it skips it; all is yellow without a
-        /// mask. The flagship has none, so what it decides without its filter is not shown.
+        /// mask. Cell PCSS has none, so what it decides without its filter is not shown.
         /// </summary>
         PenumbraMask,
     }

@@ -6,37 +6,37 @@ namespace Penumbra
     {
         internal static readonly ShadowOptions[] Rows =
         {
-            // Preset Low: Flagship at half resolution, 3 cells; else Fallback of Low: PCSS 8+16 at half resolution
+            // Preset Low: Cell PCSS at half resolution, 3 cells; else Fallback of Low: PCSS 8+16 at half resolution
             new ShadowOptions
             {
-                technique = ShadowTechnique.Flagship, angularDiameterDegrees = AngularDiameter.SunDegrees,
+                technique = ShadowTechnique.CellPcss, angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 8, filterSamples = 16, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
                 lightBleeding = 0.2f, mapBlurTexels = 1.5f, rays = 7, samplesPerRay = 8, discRadiusMetres = 0.05f,
                 filterCells = 3, mapFormat = MapFormat.Bits32, mask = false, conservativeMask = false,
                 halfResolution = true, denoise = false
             },
-            // Preset Medium: Flagship, 3 cells; else Fallback of Medium: PCSS 8+16
+            // Preset Medium: Cell PCSS, 3 cells; else Fallback of Medium: PCSS 8+16
             new ShadowOptions
             {
-                technique = ShadowTechnique.Flagship, angularDiameterDegrees = AngularDiameter.SunDegrees,
+                technique = ShadowTechnique.CellPcss, angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 8, filterSamples = 16, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
                 lightBleeding = 0.2f, mapBlurTexels = 1.5f, rays = 7, samplesPerRay = 8, discRadiusMetres = 0.05f,
                 filterCells = 3, mapFormat = MapFormat.Bits32, mask = false, conservativeMask = false,
                 halfResolution = false, denoise = false
             },
-            // Preset High: Flagship, 4 cells; else Fallback of High: PCSS 12+24, masked
+            // Preset High: Cell PCSS, 4 cells; else Fallback of High: PCSS 12+24, masked
             new ShadowOptions
             {
-                technique = ShadowTechnique.Flagship, angularDiameterDegrees = AngularDiameter.SunDegrees,
+                technique = ShadowTechnique.CellPcss, angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 12, filterSamples = 24, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
                 lightBleeding = 0.2f, mapBlurTexels = 1.5f, rays = 7, samplesPerRay = 8, discRadiusMetres = 0.05f,
                 filterCells = 4, mapFormat = MapFormat.Bits32, mask = true, conservativeMask = false,
                 halfResolution = false, denoise = false
             },
-            // Preset Ultra: Flagship, 5 cells; else Fallback of Ultra: PCSS 16+32, masked
+            // Preset Ultra: Cell PCSS, 5 cells; else Fallback of Ultra: PCSS 16+32, masked
             new ShadowOptions
             {
-                technique = ShadowTechnique.Flagship, angularDiameterDegrees = AngularDiameter.SunDegrees,
+                technique = ShadowTechnique.CellPcss, angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 16, filterSamples = 32, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
                 lightBleeding = 0.2f, mapBlurTexels = 1.5f, rays = 7, samplesPerRay = 8, discRadiusMetres = 0.05f,
                 filterCells = 5, mapFormat = MapFormat.Bits32, mask = true, conservativeMask = false,

@@ -1,7 +1,7 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The cost per pixel. Low to Ultra draw the flagship, and PCSS on devices that cannot run it. Error and fetches of
+    /// The cost per pixel. Low to Ultra draw Cell PCSS, and PCSS on devices that cannot run it. Error and fetches of
     /// each preset are measured against ray tracing and shown in the inspector (PresetFigures).
     /// </summary>
     public enum QualityPreset

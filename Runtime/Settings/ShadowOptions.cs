@@ -77,7 +77,7 @@ namespace Penumbra
         public float discRadiusMetres;
 
         /// <summary>
-        /// Cells of the shadow map from the middle of the flagship's filter of a wide penumbra to its edge, 3 to 5.
+        /// Cells of the shadow map from the middle of Cell PCSS's filter of a wide penumbra to its edge, 3 to 5.
         /// </summary>
         [Tooltip(OptionTable.FilterCells.Tooltip)]
         [Range(OptionTable.FilterCells.Min, OptionTable.FilterCells.Max)]

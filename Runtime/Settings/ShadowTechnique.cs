@@ -83,9 +83,9 @@ namespace Penumbra
         [InspectorName("PCSS (Filament)")] PcssFilament = 23,
 
         /// <summary>Penumbrae of a disc from all texels of the shadow map around a pixel, without noise, by compute shaders. Where a device cannot run them: PCSS.</summary>
-        [InspectorName("Flagship")] Flagship = 24,
+        [InspectorName("Cell PCSS")] CellPcss = 24,
 
-        /// <summary>The flagship's penumbrae, from its filter in each pixel: without compute shaders, for more fetches. Transparent and other forward shaders can have the same filter.</summary>
-        [InspectorName("Flagship, per pixel")] FlagshipPixel = 25,
+        /// <summary>Cell PCSS's penumbrae, from its filter in each pixel: without compute shaders, for more fetches. Transparent and other forward shaders can have the same filter.</summary>
+        [InspectorName("Cell PCSS, per pixel")] CellPcssPixel = 25,
     }
 }

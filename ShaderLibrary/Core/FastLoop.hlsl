@@ -5,7 +5,7 @@
 //             each loop around it.
 // Inputs:     UNITY_LOOP.
 // Cost:       no fetches; about a hundredth of the bytecode's instructions change. Kernels with loops in loops, such as
-//             the flagship's, take FXC a third of the time.
+//             Cell PCSS's, take FXC a third of the time.
 // Guarantees: glslang knows the attribute, too.
 // Use it:     in place of UNITY_LOOP, where loops stand in loops.
 #ifndef PENUMBRA_FAST_LOOP_HLSL

@@ -28,7 +28,7 @@
 //               _PENUMBRA_MSSM                 FilterMssmSums             Filters/Prefiltered/MssmSums.hlsl
 //               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/Prefiltered/MssmLevels.hlsl
 //               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/Prefiltered/ExponentialLevels.hlsl
-//               _PENUMBRA_FLAGSHIP_PIXEL       FilterDepthRings           Filters/Cells/CellFilter.hlsl
+//               _PENUMBRA_CELL_PCSS       FilterDepthRings           Filters/Cells/CellFilter.hlsl
 //               none of them                   FilterTent5x5Plane         Filters/Fixed/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the
@@ -63,7 +63,7 @@
      defined(_PENUMBRA_SINGLE_LOOP) || defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX) || \
      defined(_PENUMBRA_SINGLE_LOOP_MIPS) || defined(_PENUMBRA_SINGLE_LOOP_PLANES) || defined(_PENUMBRA_VSSM) || \
      defined(_PENUMBRA_VSSM_MIPS) || defined(_PENUMBRA_MSSM) || defined(_PENUMBRA_MSSM_MIPS) || \
-     defined(_PENUMBRA_EVSM_MIPS) || defined(_PENUMBRA_FLAGSHIP_PIXEL))
+     defined(_PENUMBRA_EVSM_MIPS) || defined(_PENUMBRA_CELL_PCSS))
 #define PENUMBRA_USES_TENT_7X7
 #elif defined(_PENUMBRA_HARD)
 #define PENUMBRA_USES_HARD
@@ -141,8 +141,8 @@
 #elif defined(_PENUMBRA_EVSM_MIPS)
 #define PENUMBRA_USES_EVSM_MIPS
 #define PENUMBRA_READS_MAPS
-#elif defined(_PENUMBRA_FLAGSHIP_PIXEL)
-#define PENUMBRA_USES_FLAGSHIP_PIXEL
+#elif defined(_PENUMBRA_CELL_PCSS)
+#define PENUMBRA_USES_CELL_PCSS
 #define PENUMBRA_READS_RAW_DEPTH
 #define PENUMBRA_READS_MAPS
 #endif
@@ -204,7 +204,7 @@
 #include "../Filters/Prefiltered/MssmLevels.hlsl"
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 #include "../Filters/Prefiltered/ExponentialLevels.hlsl"
-#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+#elif defined(PENUMBRA_USES_CELL_PCSS)
 #include "../Filters/Cells/CellFilter.hlsl"
 #else
 #include "../Filters/Fixed/TentPcf.hlsl"
@@ -243,7 +243,7 @@ TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
-#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+#elif defined(PENUMBRA_USES_CELL_PCSS)
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 TYPED_TEXTURE2D(uint4, _PenumbraDepthSpreadsTexture);
 TEXTURE2D(_PenumbraCoarsePlanesTexture);
@@ -448,7 +448,7 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
     return FilterExponentialLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
                                    PenumbraExponentialVariance());
-#elif defined(PENUMBRA_USES_FLAGSHIP_PIXEL)
+#elif defined(PENUMBRA_USES_CELL_PCSS)
     return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
                             _PenumbraDepthPlanesTexture, _PenumbraDepthSpreadsTexture, _PenumbraCoarsePlanesTexture,
                             _PenumbraCoarseSpreadsTexture, receiver, tile,

@@ -135,8 +135,8 @@ TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
   EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
-TEST(UrpIncludeOfMaps, BindsThoseOfTheFlagshipAndTheShadowMap) {
-  const Defines keyword{{"_PENUMBRA_FLAGSHIP_PIXEL", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
+TEST(UrpIncludeOfMaps, BindsThoseOfCellPcssAndTheShadowMap) {
+  const Defines keyword{{"_PENUMBRA_CELL_PCSS", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
   for (const char* direction : {"UNITY_REVERSED_Z", "_"}) {
     Defines defines = keyword;
     defines.emplace_back(direction, "1");

@@ -130,9 +130,9 @@ TEST_F(Emit, OptionsThatExcludeEachOtherAreRefused) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"emit", "-o", path("a.hlsl").string()}, {"emit", "--check", "--single-file", "tent-5"}})
     EXPECT_EQ(run(arguments).exit_code, 2) << arguments.back();
-  const auto passes = run({"emit", "--single-file", "flagship"});
+  const auto passes = run({"emit", "--single-file", "cell-pcss"});
   EXPECT_EQ(passes.exit_code, 2);
-  EXPECT_THAT(passes.errors, HasSubstr("'flagship' draws its visibility by passes"));
+  EXPECT_THAT(passes.errors, HasSubstr("'cell-pcss' draws its visibility by passes"));
   EXPECT_THAT(run({"emit", "--single-file", "tent5"}).errors, HasSubstr("'tent-5'"));
 }
 

@@ -83,14 +83,14 @@ TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
 
 TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFirstPicture) {
   const auto refused =
-      run({"measure", "--technique", "tent-5,flagship", "--scene", "trees", "--map-size", "200"});
+      run({"measure", "--technique", "tent-5,cell-pcss", "--scene", "trees", "--map-size", "200"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("'flagship' makes a texel of 'coarsePlanes' of 8 x 8 texels"),
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("'cell-pcss' makes a texel of 'coarsePlanes' of 8 x 8 texels"),
                                     HasSubstr("a cascade's tile of 100 texels is no multiple of 8"),
                                     HasSubstr("choose a map size that is a multiple of 16")));
   EXPECT_EQ(refused.output, "");
   const auto taken =
-      run({"measure", "--technique", "flagship", "--scene", "trees", "--map-size", "176", "--light", "2",
+      run({"measure", "--technique", "cell-pcss", "--scene", "trees", "--map-size", "176", "--light", "2",
            "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
   EXPECT_EQ(taken.exit_code, 0) << taken.errors;
 }

@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "pages"))
 import far_shadows  # noqa: E402
 import figures  # noqa: E402
-import flagship  # noqa: E402
+import cell_pcss  # noqa: E402
 import markdown  # noqa: E402
 import measuring  # noqa: E402
 import other_shadows  # noqa: E402
@@ -154,7 +154,7 @@ class TexelErrors(unittest.TestCase):
                 "records": records + list(more)}
 
     def test_the_best_smallest_radius_of_a_column_is_bold(self):
-        text = flagship.texel_errors(self.results(), "penumbra")
+        text = cell_pcss.texel_errors(self.results(), "penumbra")
         self.assertIn("| estimator | 0.25 edges | 0.25 bars | 1 edges |", text)
         self.assertIn("| bilinear, 2 x 2 | 0.300 | 0.600 | 0.150 |", text)
         self.assertIn("smallest radius 0.5 | 0.250 | 0.500 | 0.125 |", text)
@@ -163,12 +163,12 @@ class TexelErrors(unittest.TestCase):
         self.assertIn("is 0.0020 at most", text)
 
     def test_errors_of_all_receivers_have_their_own_interval(self):
-        text = flagship.texel_errors(self.results(), "all")
+        text = cell_pcss.texel_errors(self.results(), "all")
         self.assertIn("| bilinear, 2 x 2 | 0.500 | 0.500 | 0.500 |", text)
         self.assertIn("is 0.0022 at most", text)
 
     def test_gains_are_against_the_best_disc_or_the_default(self):
-        text = flagship.texel_gains(self.results())
+        text = cell_pcss.texel_gains(self.results())
         # The interval is 100 x .5 x hypot(.001 / .1, .001 / .2).
         self.assertIn("| mean of the edges that 4 x 4 allow | the best disc | -50.0 ± 0.6 |", text)
         self.assertIn("`minFilterTexels` 1 | kernel of `pcss-angular-24-16`, `minFilterTexels` 1.25 | +5.0 ± 0.7 |",
@@ -177,10 +177,10 @@ class TexelErrors(unittest.TestCase):
     def test_a_record_that_is_missing_or_doubled_is_told(self):
         results = self.results()
         with self.assertRaisesRegex(markdown.Problem, "two records"):
-            flagship.texel_errors(self.results(results["records"][0]), "penumbra")
+            cell_pcss.texel_errors(self.results(results["records"][0]), "penumbra")
         del results["records"][0]
         with self.assertRaisesRegex(markdown.Problem, "has no bilinear"):
-            flagship.texel_errors(results, "penumbra")
+            cell_pcss.texel_errors(results, "penumbra")
 
 
 class FarSteps(unittest.TestCase):
@@ -303,34 +303,34 @@ class PresetCosts(unittest.TestCase):
 
 class WeightedCosts(unittest.TestCase):
     COST = {"driver": "radv", "command": "penumbra cost", "rows": [
-        cost_row("Classify", "flagship", 320), cost_row("Resolve", "flagship", 3200),
-        cost_row("Resolve", "flagship", 1, []),
+        cost_row("Classify", "cell-pcss", 320), cost_row("Resolve", "cell-pcss", 3200),
+        cost_row("Resolve", "cell-pcss", 1, []),
         cost_row("Fragment", "tent-7", 64), cost_row("Fragment", "tent-7", 128, family="gfx1100"),
-        cost_row("Classify", "flagship", 640, family="gfx1100"), cost_row("Resolve", "flagship", 0, family="gfx1100")]}
+        cost_row("Classify", "cell-pcss", 640, family="gfx1100"), cost_row("Resolve", "cell-pcss", 0, family="gfx1100")]}
 
     @staticmethod
-    def flagship(scene, share):
-        return record("flagship", scene, operations_per_pixel=1000.0 * share, passes=[
+    def cell_pcss(scene, share):
+        return record("cell-pcss", scene, operations_per_pixel=1000.0 * share, passes=[
             {"pass": "Classify", "invocations_per_pixel": 0.0625}, {"pass": "Resolve", "invocations_per_pixel": share}])
 
     def test_each_pass_counts_by_its_threads(self):
         tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
-        text = flagship.weighted_costs(results(self.flagship("a", 0.5), self.flagship("b", 0.7), *tents), self.COST)
+        text = cell_pcss.weighted_costs(results(self.cell_pcss("a", 0.5), self.cell_pcss("b", 0.7), *tents), self.COST)
         # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each
         # pixel.
-        self.assertIn("| cycles, navi21 | `flagship` | 61 [0, 188] |\n", text)
+        self.assertIn("| cycles, navi21 | `cell-pcss` | 61 [0, 188] |\n", text)
         self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
-        self.assertIn("| cycles, gfx1100 | `flagship` | 1 ± 0 |", text)
+        self.assertIn("| cycles, gfx1100 | `cell-pcss` | 1 ± 0 |", text)
         self.assertIn("| operations of bytecode | `tent-7` | 500 ± 0 |", text)
 
     def test_a_pass_without_a_program_is_an_error(self):
-        unknown = record("flagship", "a", operations_per_pixel=1.0,
+        unknown = record("cell-pcss", "a", operations_per_pixel=1.0,
                          passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
-        with self.assertRaisesRegex(markdown.Problem, "the cost of flagship lacks Rest"):
-            flagship.weighted_costs(results(unknown), self.COST)
+        with self.assertRaisesRegex(markdown.Problem, "the cost of cell-pcss lacks Rest"):
+            cell_pcss.weighted_costs(results(unknown), self.COST)
 
     def test_threads_of_each_pass(self):
-        text = flagship.shares_of_passes(results(self.flagship("a", 0.5), self.flagship("b", 0.5)), "flagship")
+        text = cell_pcss.shares_of_passes(results(self.cell_pcss("a", 0.5), self.cell_pcss("b", 0.5)), "cell-pcss")
         self.assertIn("| `Classify` | 0.062 ± 0.000 |\n| `Resolve` | 0.500 ± 0.000 |", text)
 
 
@@ -340,39 +340,39 @@ class RelativeTimes(unittest.TestCase):
         return record(technique, scene, time_ms_median=milliseconds, time_kind="CPU time")
 
     def test_the_ratio_is_of_each_scene(self):
-        text = flagship.relative_times(results(self.timed("flagship", "a", 30.0), self.timed("pcss", "a", 10.0),
-                                           self.timed("flagship", "b", 3.0), self.timed("pcss", "b", 3.0)), "pcss")
+        text = cell_pcss.relative_times(results(self.timed("cell-pcss", "a", 30.0), self.timed("pcss", "a", 10.0),
+                                           self.timed("cell-pcss", "b", 3.0), self.timed("pcss", "b", 3.0)), "pcss")
         self.assertIn("device, CPU time, mean of 2 scenes", text)
-        self.assertIn("| `flagship` | 2.00 [0, 14.71] |\n| `pcss` | 1.00 ± 0.00 |", text)
+        self.assertIn("| `cell-pcss` | 2.00 [0, 14.71] |\n| `pcss` | 1.00 ± 0.00 |", text)
 
     def test_without_times_there_is_no_table(self):
         with self.assertRaisesRegex(markdown.Problem, "measure with --timing-repeats"):
-            flagship.relative_times(results(self.timed("flagship", "a", None)), "flagship")
+            cell_pcss.relative_times(results(self.timed("cell-pcss", "a", None)), "cell-pcss")
 
 
 class TimesOfGpu(unittest.TestCase):
     @staticmethod
     def timed(scene, milliseconds, kind="GPU time"):
-        return record("flagship", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25,
+        return record("cell-pcss", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25,
                       false_shadow_rate=0.01,
                       passes=[{"pass": "Classify", "time_ms_median": 0.25 * milliseconds},
                               {"pass": "Resolve", "time_ms_median": 0.75 * milliseconds}])
 
     def test_times_stand_beside_errors(self):
-        text = flagship.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
+        text = cell_pcss.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
         self.assertIn("device, GPU time, mean of 2 scenes", text)
-        self.assertIn("| `flagship` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
+        self.assertIn("| `cell-pcss` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
         self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.",
-                      flagship.times_of_gpu(results(self.timed("a", 1.0))))
+                      cell_pcss.times_of_gpu(results(self.timed("a", 1.0))))
 
     def test_times_of_a_cpu_are_refused(self):
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
-            flagship.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
+            cell_pcss.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
-            flagship.times_of_gpu(results(record("flagship", time_ms_median=None, time_kind="GPU time")))
+            cell_pcss.times_of_gpu(results(record("cell-pcss", time_ms_median=None, time_kind="GPU time")))
 
     def test_passes_add_up(self):
-        text = flagship.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "flagship")
+        text = cell_pcss.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "cell-pcss")
         self.assertIn("| `Classify` | 0.500 ± 0.000 |\n| `Resolve` | 1.500 ± 0.000 |", text)
 
 

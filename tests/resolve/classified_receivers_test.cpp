@@ -1,4 +1,4 @@
-// The flagship calls no receiver lit or dark that rays through the same shadow map call otherwise.
+// Cell PCSS calls no receiver lit or dark that rays through the same shadow map call otherwise.
 //
 // ClassifyTiles runs on the device, and leaves -1 where it decides nothing. What it calls lit must be a
 // receiver from which no ray to any point of the light's disc, edge included, meets a square of the map's
@@ -93,7 +93,7 @@ class Classified : public testing::TestWithParam<bool> {
     std::unique_ptr<GraphRunner>& made = (*runners)[GetParam()];
     if (made == nullptr) {
       const techniques::TechniqueList& list = library_techniques();
-      ShadowGraph graph = technique_graph(list, list.find("flagship"), Taps::as_listed, GetParam());
+      ShadowGraph graph = technique_graph(list, list.find("cell-pcss"), Taps::as_listed, GetParam());
       remove_passes_after(graph.graph, "ClassifyTiles");
       graph.parameters.set("_PenumbraPcssAngularParameters1", glm::vec4(kUnlimited, kUnlimited, 0.0F, 0.0F));
       made = std::make_unique<GraphRunner>(test_device(), compile(graph));

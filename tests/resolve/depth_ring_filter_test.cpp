@@ -1,5 +1,5 @@
-// Compares the flagship's filter of one receiver, from textures, with others on the built-in scenes: where
-// its planes decide, it is PCSS, bit for bit; where neither they nor the tiles of the flagship decide, it is
+// Compares Cell PCSS's filter of one receiver, from textures, with others on the built-in scenes: where
+// its planes decide, it is PCSS, bit for bit; where neither they nor the tiles of Cell PCSS decide, it is
 // nearer to the tiles, whose receivers share the sums over large cells, than PCSS 24+16 with its noise is.
 #include <gmock/gmock.h>
 
@@ -26,18 +26,18 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
 
   // The graph has the draws that make the planes, and a kernel of the test.
   static ShadowGraph of_pixels(const std::string& kernel) {
-    ShadowGraph graph = graph_of("flagship");
-    const techniques::PassGraph drawn = library_techniques().find("flagship-pixel").graph;
+    ShadowGraph graph = graph_of("cell-pcss");
+    const techniques::PassGraph drawn = library_techniques().find("cell-pcss-pixel").graph;
     const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), kernel);
     graph.graph.textures = drawn.textures;
-    graph.graph.textures.push_back(*library_techniques().find("flagship").graph.texture("visibility"));
+    graph.graph.textures.push_back(*library_techniques().find("cell-pcss").graph.texture("visibility"));
     graph.graph.buffers.clear();
     graph.graph.passes = drawn.passes;
     graph.graph.passes.back() = last;
     return graph;
   }
 
-  enum class Chain { flagship, classified, filtered, pixel, decided };
+  enum class Chain { cell_pcss, classified, filtered, pixel, decided };
 
   static std::vector<float> run(Chain chain, const FrameOnDevice& frame, const CameraImage& camera) {
     static KeptOnDevice<std::map<std::pair<Chain, bool>, std::unique_ptr<GraphRunner>>> runners;
@@ -46,7 +46,7 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
       ShadowGraph graph = chain == Chain::decided    ? of_pixels("DecisionOfPixels")
                           : chain == Chain::filtered ? graph_of("screen-pcss-angular-24-16")
                           : chain == Chain::pixel    ? of_pixels("VisibilityOfPixels")
-                                                     : graph_of("flagship");
+                                                     : graph_of("cell-pcss");
       if (chain == Chain::classified) remove_passes_after(graph.graph, "ClassifyTiles");
       made = std::make_unique<GraphRunner>(test_device(), compile(graph));
     }
@@ -67,7 +67,7 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
   static void compare(const scene::Frame& frame, const std::string& what, Pixels& pixels) {
     const CameraImage camera = camera_image(frame, RowOrder::top_first);
     const FrameOnDevice on_device(test_device(), frame);
-    const std::vector<float> tiles = run(Chain::flagship, on_device, camera);
+    const std::vector<float> tiles = run(Chain::cell_pcss, on_device, camera);
     const std::vector<float> classified = run(Chain::classified, on_device, camera);
     const std::vector<float> filtered = run(Chain::filtered, on_device, camera);
     const std::vector<float> pixel = run(Chain::pixel, on_device, camera);

@@ -1,5 +1,5 @@
 // Compares a filter that reads maps, in a forward shader, with the technique whose filter it is: by its
-// keyword and the one include of Shadows.hlsl, after the passes that make its maps. The flagship's kernels
+// keyword and the one include of Shadows.hlsl, after the passes that make its maps. Cell PCSS's kernels
 // make the same maps.
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@ class ForwardFilter : public testing::TestWithParam<bool> {
  protected:
   static ShadowGraph technique() {
     const techniques::TechniqueList& list = library_techniques();
-    return technique_graph(list, list.find("flagship-pixel"), Taps::as_listed, GetParam());
+    return technique_graph(list, list.find("cell-pcss-pixel"), Taps::as_listed, GetParam());
   }
 
   static std::vector<std::string> maps_of(const ShadowGraph& graph) {
@@ -25,19 +25,19 @@ class ForwardFilter : public testing::TestWithParam<bool> {
     return names;
   }
 
-  // The forward filter after the flagship's passes over the map.
+  // The forward filter after Cell PCSS's passes over the map.
   static ShadowGraph forward_after_kernels() {
     ShadowGraph graph = forward();
-    const techniques::PassGraph& flagship = library_techniques().find("flagship").graph;
-    EXPECT_THAT(flagship.published, testing::ElementsAreArray(maps_of(graph)));
+    const techniques::PassGraph& cell_pcss = library_techniques().find("cell-pcss").graph;
+    EXPECT_THAT(cell_pcss.published, testing::ElementsAreArray(maps_of(graph)));
     const techniques::GraphPass filter = graph.graph.passes.back();
     graph.graph.textures.clear();
-    for (const std::string& name : flagship.published)
-      graph.graph.textures.push_back(*flagship.texture(name));
+    for (const std::string& name : cell_pcss.published)
+      graph.graph.textures.push_back(*cell_pcss.texture(name));
     graph.graph.passes.clear();
-    for (const techniques::GraphPass& pass : flagship.passes)
-      if (techniques::writes_to(pass, flagship.published.front()) ||
-          techniques::writes_to(pass, flagship.published.back()))
+    for (const techniques::GraphPass& pass : cell_pcss.passes)
+      if (techniques::writes_to(pass, cell_pcss.published.front()) ||
+          techniques::writes_to(pass, cell_pcss.published.back()))
         graph.graph.passes.push_back(pass);
     graph.graph.passes.push_back(filter);
     return graph;
@@ -59,7 +59,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     return PenumbraMainLightVisibility(positionWS, normalWS, pixel);
 }
 )";
-    shader.defines.emplace_back("_PENUMBRA_FLAGSHIP_PIXEL", "1");
+    shader.defines.emplace_back("_PENUMBRA_CELL_PCSS", "1");
     shader.include_directories.push_back(platform::data_directory() /
                                          "tools/programs/shaders/unity/"
                                          "com.unity.render-pipelines.universal/ShaderLibrary");
@@ -91,7 +91,7 @@ TEST_P(ForwardFilter, IsThatOfItsTechnique) {
   }
 }
 
-TEST_P(ForwardFilter, IsTheSameAfterTheFlagshipsKernels) {
+TEST_P(ForwardFilter, IsTheSameAfterKernelsOfCellPcss) {
   GraphRunner after_draws(test_device(), compile(forward()));
   GraphRunner after_kernels(test_device(), compile(forward_after_kernels()));
   for (const auto& [cascades, degrees] : {std::pair(4, 2.0), {1, 5.0}}) {

@@ -52,7 +52,7 @@ constexpr Magnified kMagnified[] = {
     {"far-horizon", 1e-3},
     {"blob", 0.02}};
 
-// In the scenes beside the colonnade more is magnified. A pixel of the flagship is resolved alone by surfaces
+// In the scenes beside the colonnade more is magnified. A pixel of Cell PCSS is resolved alone by surfaces
 // whose normals are rounded otherwise; a ray, a sample's surface or a disk may be decided the other way at a
 // pixel.
 constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
@@ -66,9 +66,9 @@ constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
                                     {"godot-pcss-32", 0.07},
                                     {"unreal-smrt-7-8", 1.0 / 7.0 + kRounding},
                                     {"screen-pcss-angular-24-16-edges", 0.5},
-                                    {"flagship", 1e-3},
-                                    {"flagship-half", 1e-3},
-                                    {"flagship-pixel", 1e-4},
+                                    {"cell-pcss", 1e-3},
+                                    {"cell-pcss-half", 1e-3},
+                                    {"cell-pcss-pixel", 1e-4},
                                     {"preset-low", 1e-3},
                                     {"preset-medium", 1e-3},
                                     {"preset-high", 1e-3},

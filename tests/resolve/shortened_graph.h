@@ -23,7 +23,7 @@ inline std::string sample_file(const std::string& name) {
   return (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples" / name).generic_string();
 }
 
-// A kernel of samples/RingsByTextures.compute with a thread for each pixel. like is a pass of the flagship,
+// A kernel of samples/RingsByTextures.compute with a thread for each pixel. like is a pass of Cell PCSS,
 // whose parameters it has.
 inline techniques::GraphPass rings_by_textures(const techniques::GraphPass& like, const std::string& kernel) {
   techniques::GraphPass pass = like;

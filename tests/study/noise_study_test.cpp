@@ -72,9 +72,9 @@ TEST(NoiseStudy, TheMaskTurnsDisksForOneFetch) {
   EXPECT_NEAR(*of.records[1].metrics.rmse_penumbra, *of.records[0].metrics.rmse_penumbra, 0.01);
 }
 
-TEST(NoiseStudy, FiveAndThreeCellsAreTheFlagship) {
+TEST(NoiseStudy, FiveAndThreeCellsAreTheCellPcss) {
   const StudyOutcome of =
-      noise_outcome({library_subject("flagship"), noise_subject("rings-5-3"), noise_subject("rings-3-3"),
+      noise_outcome({library_subject("cell-pcss"), noise_subject("rings-5-3"), noise_subject("rings-3-3"),
                      noise_subject("rings-6-3"), noise_subject("rings-5-2"), noise_subject("rings-5-4")});
   EXPECT_EQ(of.pictures[0].result, of.pictures[1].result);
   EXPECT_EQ(all_fetches(of.records[0]), all_fetches(of.records[1]));
@@ -86,7 +86,7 @@ TEST(NoiseStudy, FiveAndThreeCellsAreTheFlagship) {
 TEST(NoiseStudy, AHistoryHasLessErrorThanEachFrame) {
   const Subject each = noise_subject("pcss-24-16-mask");
   const StudyOutcome of =
-      noise_outcome({each, remembering(each, 0.2), remembering(library_subject("flagship"), 0.2)}, 3);
+      noise_outcome({each, remembering(each, 0.2), remembering(library_subject("cell-pcss"), 0.2)}, 3);
   const Metrics& frame = of.records[0].metrics;
   const Metrics& history = of.records[1].metrics;
   EXPECT_EQ(history.seeds, 3U);

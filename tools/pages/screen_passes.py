@@ -173,18 +173,18 @@ def noise_differences(results):
             + table(["technique", "figure", *light_heads(records)], rows, 2))
 
 
-FLAGSHIP_MAPS = (1024, 2048, 4096)
+CELL_PCSS_MAPS = (1024, 2048, 4096)
 
 
-def flagship_noise(results):
+def cell_pcss_noise(results):
     """By the map's size, one row per technique and light."""
     rows = [[f"{size}", f"{light:g}°", own[0]["title"], ERROR(own), ERROR_OF_ALL(own), interval_of(flicker, 4)(own),
              FETCHES_ALONE(own)]
-            for size in FLAGSHIP_MAPS for (light, name),
+            for size in CELL_PCSS_MAPS for (light, name),
             own in groups(results[size]["records"], "light_degrees", "technique")
             if not name.endswith("-denoised")]
     head = ["map", "light", "technique", "RMSE in penumbra", "RMSE of all pixels", "flicker", "fetches per pixel"]
-    return measured(results[FLAGSHIP_MAPS[0]], head, rows, 3, and_so_on=True)
+    return measured(results[CELL_PCSS_MAPS[0]], head, rows, 3, and_so_on=True)
 
 
 def denoise_radii(results):
@@ -241,6 +241,6 @@ def parts(_):
                    "noise": noise_rows(read("noise")),
                    "noise-differences": noise_differences(read("noise")),
                    "denoise-radii": denoise_radii(read("denoise-radius")),
-                   "flagship-noise": flagship_noise({size: read(f"flagship-noise/{size}") for size in FLAGSHIP_MAPS}),
+                   "cell-pcss-noise": cell_pcss_noise({size: read(f"cell-pcss-noise/{size}") for size in CELL_PCSS_MAPS}),
                    "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})},
             DOCUMENTATION / "installation.md": {"depth-fetches": depth_fetches(read("presets"), read("screen-passes"))}}

@@ -192,7 +192,7 @@ measure("screen-passes", VARIANTS, COMMON, "--pan-frames 3 --light 2", SCENES, "
         "pcss-angular-24-16-denoised", "pcss-angular-24-16-half", "pcss-angular-24-16-half-masked-denoised")))
 
 
-# Noise that turns disks, the denoiser, and the flagship's grain and numbers of cells.
+# Noise that turns disks, the denoiser, and Cell PCSS's grain and numbers of cells.
 def measure_noise(name, *options):
     measure(name, "--technique-list tests/study/noise/NoiseStudy.technique.json --timing-repeats 0 --no-split",
             *options)
@@ -206,7 +206,7 @@ measure_noise("denoise-radius", "--technique pcss-24-16-gradient-denoised --set 
 measure_noise("noise-pan",
               f"--technique {HIGH} --scene trees,street --light 2,5 --seeds 1 --pan-frames 4 --reference-samples 256")
 for size in (1024, 2048, 4096):
-    measure_noise(f"flagship-noise/{size}",
+    measure_noise(f"cell-pcss-noise/{size}",
                   "--technique pcss-24-16-gradient,pcss-24-16-gradient-denoised,rings-5-3,rings-5-3-denoised"
                   " --scene trees,street,poles-and-fence --light 0.53,2,5 --size 960x540 --seeds 4 --reference-samples"
                   " 128"
@@ -233,9 +233,9 @@ measure("contact-shadow-settings", COMMON, "--light 0.53", CONTACTS,
         "0.05,0.15,0.5"
         " --set screen-tent-5-trace:traceSteps=12,24")
 
-# The flagship's programs, and those that it is compared with, on five families of GPUs.
-run("flagship-cost", f"{PENUMBRA} cost --technique flagship,screen-pcss-angular-24-16,tent-7"
-    " --family polaris10,vega10,navi10,navi21,gfx1100 --format json --output Documentation~/results/flagship-cost.json")
+# Cell PCSS's programs, and those that it is compared with, on five families of GPUs.
+run("cell-pcss-cost", f"{PENUMBRA} cost --technique cell-pcss,screen-pcss-angular-24-16,tent-7"
+    " --family polaris10,vega10,navi10,navi21,gfx1100 --format json --output Documentation~/results/cell-pcss-cost.json")
 
 # Techniques of each kind from FXC's bytecode, which Unity runs, beside glslang's modules.
 for front_end in ("glslang", "fxc"):
@@ -245,16 +245,16 @@ for front_end in ("glslang", "fxc"):
             "pcss-angular-24-16,"
             "pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,unreal-smrt-7-8,single-loop-32,variance-32,"
             "exponential-32,"
-            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,flagship,flagship-half,flagship-pixel,preset-low,"
+            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,cell-pcss,cell-pcss-half,cell-pcss-pixel,preset-low,"
             "preset-medium,preset-high,"
             "preset-ultra,preset-reference")
 
-# How much the flagship changes from frame to frame.
-measure("flagship-pan",
+# How much Cell PCSS changes from frame to frame.
+measure("cell-pcss-pan",
         "--cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 0.53,2 --size 480x270 --reference-samples"
         " 64"
         " --seeds 1 --pan-frames 8 --scene street,trees,contact-boxes,colonnade"
-        " --technique flagship,flagship-pixel,preset-reference,pcss-angular-64-64,screen-pcss-angular-24-16")
+        " --technique cell-pcss,cell-pcss-pixel,preset-reference,pcss-angular-64-64,screen-pcss-angular-24-16")
 
 # How much of a penumbra narrower than a texel the texels' bits tell; soft shadows through distance fields, by the
 # penumbra's width, and of several objects.
@@ -278,46 +278,46 @@ measure("equal-fetches", VARIANTS, VIEW, "--map-size 2048 --technique tent-7-pla
 measure("equal-fetches-small-map", VIEW, "--map-size 1024 --technique pcss-angular-24-16,variance-32,exponential-32"
         " --technique log-exponential-16,exponential-variance-32,moments-32,moments-16,vssm-sat-32")
 
-# The flagship beside PCSS and a tent, on pictures of which each pixel is one sample.
+# Cell PCSS beside PCSS and a tent, on pictures of which each pixel is one sample.
 # Nothing was tuned on the kept models, which come with the Debian packages assimp-testmodels and glmark2-data.
 MAPS = "--cascades 4 --map-size 2048"
-FLAGSHIP = f"{MAPS} --timing-repeats 0 --no-split {LIGHTS}"
-PEERS = "--technique flagship,flagship-pixel,pcss-angular-24-16,pcss-angular-64-64,tent-7"
-FULL_HD_PEERS = "--technique flagship,screen-pcss-angular-24-16,pcss-angular-64-64,tent-7"
+CELL_PCSS = f"{MAPS} --timing-repeats 0 --no-split {LIGHTS}"
+PEERS = "--technique cell-pcss,cell-pcss-pixel,pcss-angular-24-16,pcss-angular-64-64,tent-7"
+FULL_HD_PEERS = "--technique cell-pcss,screen-pcss-angular-24-16,pcss-angular-64-64,tent-7"
 ALL_SCENES = SCENES + (",package:glmark2/horse,package:glmark2/bunny,package:glmark2/cat,package:assimp/milk-truck,"
                        "package:assimp/engine")
-measure("flagship", FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 16", ALL_SCENES, PEERS)
-measure("flagship-low-sun", FLAGSHIP, "--size 960x540 --reference-samples 128 --seeds 16 --sun 8 40", ALL_SCENES, PEERS)
-for name, sun in (("flagship-full-hd", ""), ("flagship-full-hd-low-sun", "--sun 8 40")):
-    measure(name, FLAGSHIP, "--size 1920x1080 --reference-samples 64 --seeds 16", sun, ALL_SCENES, FULL_HD_PEERS)
-measure("flagship-kept", FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 16 --height 3 --scene"
+measure("cell-pcss", CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 16", ALL_SCENES, PEERS)
+measure("cell-pcss-low-sun", CELL_PCSS, "--size 960x540 --reference-samples 128 --seeds 16 --sun 8 40", ALL_SCENES, PEERS)
+for name, sun in (("cell-pcss-full-hd", ""), ("cell-pcss-full-hd-low-sun", "--sun 8 40")):
+    measure(name, CELL_PCSS, "--size 1920x1080 --reference-samples 64 --seeds 16", sun, ALL_SCENES, FULL_HD_PEERS)
+measure("cell-pcss-kept", CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 16 --height 3 --scene"
         " /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
         "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds"
-        " --technique flagship,pcss-angular-24-16,pcss-angular-64-64,tent-7")
-measure("flagship-half", VARIANTS, FLAGSHIP, "--size 960x540 --reference-samples 256 --seeds 1", SCENES,
-        "--technique flagship,flagship-half,screen-pcss-angular-24-16-half")
+        " --technique cell-pcss,pcss-angular-24-16,pcss-angular-64-64,tent-7")
+measure("cell-pcss-half", VARIANTS, CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 1", SCENES,
+        "--technique cell-pcss,cell-pcss-half,screen-pcss-angular-24-16-half")
 
 # The operations of FXC's bytecode, and the threads that run it.
-measure("flagship-operations", "--front-end fxc", FLAGSHIP,
+measure("cell-pcss-operations", "--front-end fxc", CELL_PCSS,
         "--size 1920x1080 --reference-samples 32 --seeds 1", SCENES,
-        "--technique flagship,screen-pcss-angular-24-16,tent-7")
+        "--technique cell-pcss,screen-pcss-angular-24-16,tent-7")
 TIMED_SCENES = "--scene street,trees,contact-boxes,colonnade"
-measure("flagship-times", VARIANTS, MAPS,
+measure("cell-pcss-times", VARIANTS, MAPS,
         "--timing-repeats 5 --no-split --light 0.53,2,5 --size 960x540 --reference-samples 64 --seeds 1",
-        TIMED_SCENES, "--technique flagship,flagship-half,flagship-pixel,screen-pcss-angular-24-16,"
+        TIMED_SCENES, "--technique cell-pcss,cell-pcss-half,cell-pcss-pixel,screen-pcss-angular-24-16,"
         "screen-pcss-angular-24-16-conservative,screen-tent-5")
 
 # On a GPU, PENUMBRA_GPU=NVIDIA for example: times, and the pictures of 1920 x 1080 with 16 seeds.
 ON_GPU = f"--device '{GPU}' {MAPS} --no-split"
-measure("flagship-gpu-times/1920x1080", ON_GPU,
+measure("cell-pcss-gpu-times/1920x1080", ON_GPU,
         "--timing-repeats 20 --light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
-        TIMED_SCENES, "--technique flagship,flagship-half,flagship-pixel,pcss-angular-24-16,pcss-angular-64-64,"
+        TIMED_SCENES, "--technique cell-pcss,cell-pcss-half,cell-pcss-pixel,pcss-angular-24-16,pcss-angular-64-64,"
         "pcss-angular-24-16-hdrp,tent-7", is_wanted=bool(GPU))
-measure("flagship-gpu-times/3840x2160", ON_GPU,
+measure("cell-pcss-gpu-times/3840x2160", ON_GPU,
         "--timing-repeats 20 --light 0.53,2,5 --size 3840x2160 --reference-samples 32 --seeds 1",
-        "--scene street --technique flagship,pcss-angular-24-16,pcss-angular-64-64,pcss-angular-24-16-hdrp,tent-7",
+        "--scene street --technique cell-pcss,pcss-angular-24-16,pcss-angular-64-64,pcss-angular-24-16-hdrp,tent-7",
         is_wanted=bool(GPU))
-measure("flagship-gpu-full-hd", ON_GPU, "--timing-repeats 0", LIGHTS,
+measure("cell-pcss-gpu-full-hd", ON_GPU, "--timing-repeats 0", LIGHTS,
         "--size 1920x1080 --reference-samples 64 --seeds 16", ALL_SCENES,
         FULL_HD_PEERS, is_wanted=bool(GPU))
 
@@ -336,13 +336,13 @@ def without_urp(study):
                                 if not name.startswith("urp-"))
 
 
-FULL = {"presets": "presets.md", "techniques": "filters.md", "flagship": "flagship.md"}  # with a chart
+FULL = {"presets": "presets.md", "techniques": "filters.md", "cell-pcss": "cell-pcss.md"}  # with a chart
 BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetches": "filters.md",
          "equal-fetches-small-map": "filters.md",
          "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md",
          "distance-field-scenes": "other-shadows.md",
-         "wires": "other-shadows.md", "flagship-low-sun": "flagship.md", "flagship-full-hd": "flagship.md",
-         "flagship-full-hd-low-sun": "flagship.md", "flagship-kept": "flagship.md", "flagship-half": "flagship.md"}
+         "wires": "other-shadows.md", "cell-pcss-low-sun": "cell-pcss.md", "cell-pcss-full-hd": "cell-pcss.md",
+         "cell-pcss-full-hd-low-sun": "cell-pcss.md", "cell-pcss-kept": "cell-pcss.md", "cell-pcss-half": "cell-pcss.md"}
 
 
 def shown():

@@ -2,11 +2,11 @@
 //
 // Computes:   whether the planes of the blocks around the receiver show that PCSS by angular diameter is 1 or 0 there;
 //             else the visibility of a disc light, from every texel near the receiver and larger cells farther away.
-// Source:     Penumbra's own: what Shaders/PenumbraFlagship.compute does for tiles of pixels, for a receiver alone.
+// Source:     Penumbra's own: what Shaders/PenumbraCellPcss.compute does for tiles of pixels, for a receiver alone.
 //             CellSums.hlsl; ReceiverDecision.hlsl.
 // Inputs:     those of PcssAngular.hlsl, whose numbers of samples are not used; depthPlanes and depthSpreads of blocks
 //             of 4 x 4 texels, and coarsePlanes and coarseSpreads of 8 x 8 texels, with mip levels: of the passes
-//             QuarterDepthBlocks, EighthDepthBlocks and DepthBlocksMip, or of the flagship's kernels FirstLevels and
+//             QuarterDepthBlocks, EighthDepthBlocks and DepthBlocksMip, or of Cell PCSS's kernels FirstLevels and
 //             NextLevel.
 // Cost:       up to 9 fetches of the planes for each of up to kMostRingRadii radii; where those do not decide, some 20
 //             gathers in search of blockers and about as many in the filter, and 12 and 20 for each octave of distance

@@ -102,7 +102,7 @@ namespace Penumbra.Tests
         // This program is drawn in the place of PCSS below shader target 4.5.
         private const string Tent = "Resolve _PENUMBRA_TENT_7X7";
 
-        private static readonly string[] FlagshipKernels =
+        private static readonly string[] CellPcssKernels =
         {
             "kernel FirstLevels", "kernel NextLevel", "kernel ResetTiles", "kernel ClassifyTiles", "kernel ResolveTiles",
             "kernel ResolveRest", "kernel ResolveAlone",
@@ -116,10 +116,10 @@ namespace Penumbra.Tests
         {
             string[] filter = { Tent, "Resolve _PENUMBRA_PCSS" };
             IEnumerable<string> masked = new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" }.Concat(filter);
-            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(FlagshipKernels)));
-            Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(FlagshipKernels)));
-            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(FlagshipKernels)));
-            Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(FlagshipKernels)));
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(CellPcssKernels)));
+            Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(CellPcssKernels)));
+            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(CellPcssKernels)));
+            Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(CellPcssKernels)));
             Assert.That(Kept(Of(QualityPreset.Reference)), Is.EqualTo(filter));
         }
 
@@ -178,7 +178,7 @@ namespace Penumbra.Tests
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
             {
                 "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS", Tent,
-            }.Concat(FlagshipKernels)));
+            }.Concat(CellPcssKernels)));
             ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
             met.halfResolution = true;
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.SupersetOf(Asked(met)));

@@ -119,14 +119,14 @@ namespace Penumbra.Tests
             Assert.That(Settings.custom.minFilterTexels, Is.EqualTo(1.0f));
         }
 
-        /// <summary>The numbers of samples of what stands in are not the flagship's, and are not shown.</summary>
+        /// <summary>The numbers of samples of what stands in are not Cell PCSS's, and are not shown.</summary>
         [Test]
-        public void WhatStandsInForTheFlagshipBeginsAsItIsMeasuredToo()
+        public void WhatStandsInForCellPcssBeginsAsItIsMeasuredToo()
         {
             Settings.preset = QualityPreset.Custom;
             ShadowOptions expected = Settings.custom;
-            Choose(ShadowTechnique.Flagship);
-            expected.technique = ShadowTechnique.Flagship;
+            Choose(ShadowTechnique.CellPcss);
+            expected.technique = ShadowTechnique.CellPcss;
             expected.blockerSamples = 24;
             expected.filterSamples = 16;
             expected.minFilterTexels = 1.25f;

@@ -98,13 +98,13 @@ namespace Penumbra.Tests
         }
 
         /// <summary>A preset is made to fall back; users who chose the technique may choose another.</summary>
-        [TestCase(QualityPreset.Medium, MessageType.Info, "The preset Medium draws Flagship where the device can. This one cannot: ")]
-        [TestCase(QualityPreset.Custom, MessageType.Warning, "Flagship cannot run here as it is set: ")]
+        [TestCase(QualityPreset.Medium, MessageType.Info, "The preset Medium draws Cell PCSS where the device can. This one cannot: ")]
+        [TestCase(QualityPreset.Custom, MessageType.Warning, "Cell PCSS cannot run here as it is set: ")]
         public void WhatIsDrawnInsteadIsSaidAndWhy(QualityPreset preset, MessageType type, string before)
         {
             FeatureState state = Sound();
             state.settings.preset = preset;
-            state.settings.custom.technique = ShadowTechnique.Flagship;
+            state.settings.custom.technique = ShadowTechnique.CellPcss;
             state.asked = state.drawn = state.settings.Options();
             state.replaced = "this device has no kernels";
             state.drawn.technique = ShadowTechnique.Pcss;
@@ -117,7 +117,7 @@ namespace Penumbra.Tests
             const string yellow = "The view Penumbra Mask is yellow everywhere: ";
             FeatureState state = Sound();
             state.settings.preset = QualityPreset.High;
-            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Flagship has no mask."));
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Cell PCSS has no mask."));
             state.asked = state.drawn = state.settings.Options();
             state.replaced = "this device has no kernels";
             state.drawn.technique = ShadowTechnique.Pcss;
@@ -208,10 +208,10 @@ namespace Penumbra.Tests
                         Does.StartWith("VSM ").And.Contain("R32G32_SFloat").And.Contain("16 bits"));
             state.drawn.technique = ShadowTechnique.Tent7x7;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."));
-            state.asked.technique = ShadowTechnique.Flagship;
+            state.asked.technique = ShadowTechnique.CellPcss;
             state.drawn.technique = ShadowTechnique.Pcss;
             Assert.That(Texts(state, MessageType.Warning).Single(),
-                        Does.StartWith("Flagship ").And.EndsWith("Drawn instead: PCSS."));
+                        Does.StartWith("Cell PCSS ").And.EndsWith("Drawn instead: PCSS."));
             state.openGl = true;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."),
                         "which shaders compute there in the place of PCSS");

@@ -123,9 +123,9 @@ namespace Penumbra.Tests
             Assert.That(OptionFields.SoftnessCap.Counts(Options(ShadowTechnique.Pcss, 0.0f)), Is.False);
 
         [Test]
-        public void AtHalfResolutionTheFlagshipFiltersSomePixelsWithSamples()
+        public void AtHalfResolutionCellPcssFiltersSomePixelsWithSamples()
         {
-            ShadowOptions options = Options(ShadowTechnique.Flagship, 2.0f);
+            ShadowOptions options = Options(ShadowTechnique.CellPcss, 2.0f);
             foreach (OptionField samples in new[] { OptionFields.BlockerSamples, OptionFields.FilterSamples })
             {
                 options.halfResolution = false;

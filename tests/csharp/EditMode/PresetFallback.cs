@@ -1,7 +1,7 @@
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Draws presets as devices that cannot run the flagship do: with PCSS in the passes over the screen. It serves
+    /// Draws presets as devices that cannot run Cell PCSS do: with PCSS in the passes over the screen. It serves
     /// tests whose subject is those passes, not the presets.
     /// </summary>
     internal static class PresetFallback

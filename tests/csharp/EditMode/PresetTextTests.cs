@@ -27,11 +27,11 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "Flagship, 3 filter cells, at half resolution, sharp edges by PCSS; on devices " +
+        [TestCase(QualityPreset.Low, "Cell PCSS, 3 filter cells, at half resolution, sharp edges by PCSS; on devices " +
                                      "that cannot run it PCSS, 8 blocker and 16 filter samples, at half resolution.")]
-        [TestCase(QualityPreset.Medium, "Flagship, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
+        [TestCase(QualityPreset.Medium, "Cell PCSS, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
                                         "16 filter samples.")]
-        [TestCase(QualityPreset.Ultra, "Flagship, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +
+        [TestCase(QualityPreset.Ultra, "Cell PCSS, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +
                                        "32 filter samples, where the mask finds a penumbra.")]
         [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]
         public void APresetIsSaidInWords(QualityPreset preset, string words) =>
@@ -51,11 +51,11 @@ namespace Penumbra.Tests
             options.denoise = options.halfResolution = true;
             options.mask = false;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Flagship, 5 filter cells, at half resolution, sharp edges by PCSS; on devices " +
+                        Is.EqualTo("Cell PCSS, 5 filter cells, at half resolution, sharp edges by PCSS; on devices " +
                                    "that cannot run it PCSS, 16 blocker and 32 filter samples, at half resolution, denoised."));
-            options.technique = ShadowTechnique.FlagshipPixel;
+            options.technique = ShadowTechnique.CellPcssPixel;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Flagship, per pixel, all texels around a pixel in place of samples, at half resolution."));
+                        Is.EqualTo("Cell PCSS, per pixel, all texels around a pixel in place of samples, at half resolution."));
         }
     }
 }

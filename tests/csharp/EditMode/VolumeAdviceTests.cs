@@ -173,23 +173,23 @@ namespace Penumbra.Tests
                         Does.StartWith("Filter Samples and Denoise override the preset"));
         }
 
-        /// <summary>Options of the fallback do not end the preset's figures, which are the flagship's.</summary>
+        /// <summary>Options of the fallback do not end the preset's figures, which are Cell PCSS's.</summary>
         [Test]
         public void OptionsOfWhatStandsInForAPresetAreNamed()
         {
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
-                        Is.EqualTo("Filter Samples and Denoise have no effect with Flagship, only with PCSS on devices that " +
-                                   "cannot run Flagship."));
+                        Is.EqualTo("Filter Samples and Denoise have no effect with Cell PCSS, only with PCSS on devices that " +
+                                   "cannot run Cell PCSS."));
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + LightBleeding, feature)),
                         Is.EqualTo(new[]
                         {
-                            "Light Bleeding Reduction has no effect with Flagship. Clear the checkbox, or change the " +
+                            "Light Bleeding Reduction has no effect with Cell PCSS. Clear the checkbox, or change the " +
                             "technique or preset.",
-                            "Denoise has no effect with Flagship, only with PCSS on devices that cannot run Flagship.",
+                            "Denoise has no effect with Cell PCSS, only with PCSS on devices that cannot run Cell PCSS.",
                         }));
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Angle(0.0f), feature)).Single(),
-                        Does.StartWith("Denoise has no effect with Flagship. "), "nor with PCSS at 0 degrees");
+                        Does.StartWith("Denoise has no effect with Cell PCSS. "), "nor with PCSS at 0 degrees");
         }
 
         [Test]
@@ -219,8 +219,8 @@ namespace Penumbra.Tests
                         Does.StartWith("Denoise has no effect with Tent 5x5, which the feature selects."));
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.Reference))), Is.Empty);
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.High))).Single(),
-                        Is.EqualTo("Denoise has no effect with Tent 5x5 or Flagship, which the feature selects, only with " +
-                                   "PCSS on devices that cannot run Flagship."));
+                        Is.EqualTo("Denoise has no effect with Tent 5x5 or Cell PCSS, which the feature selects, only with " +
+                                   "PCSS on devices that cannot run Cell PCSS."));
         }
 
         [Test]

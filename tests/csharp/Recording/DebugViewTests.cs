@@ -89,9 +89,9 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>The flagship's kernels read no mask; the option is there for what is drawn in its place.</summary>
+        /// <summary>Cell PCSS's kernels read no mask; the option is there for what is drawn in its place.</summary>
         [Test]
-        public void TheFlagshipHasNoMaskAndItsFallbackHas()
+        public void CellPcssHasNoMaskAndItsFallbackHas()
         {
             feature.Settings.preset = QualityPreset.High;
             feature.Settings.debugView = DebugView.PenumbraMask;

@@ -465,7 +465,7 @@ namespace Penumbra.Tests
         /// </summary>
         [Test]
         public void ADeviceWithoutTheTechniquesProgramsHasATent(
-            [Values] QualityPreset preset, [Values(ShadowTechnique.Flagship, ShadowTechnique.Pcss)] ShadowTechnique technique,
+            [Values] QualityPreset preset, [Values(ShadowTechnique.CellPcss, ShadowTechnique.Pcss)] ShadowTechnique technique,
             [Values] bool clouds)
         {
             SystemInfo.Device = GraphicsDeviceType.OpenGLES3;

@@ -18,7 +18,7 @@ namespace Penumbra.Tests
         private const string TraceFile = "PenumbraScreenTrace.shader";
         private const string FarFile = "PenumbraFar.shader";
         private const string SumsFile = "SummedAreas.compute";
-        private const string FlagshipFile = "PenumbraFlagship.compute";
+        private const string CellPcssFile = "PenumbraCellPcss.compute";
 
         /// <summary>The shader of passes over the shadow map; imported, as far as the editor goes.</summary>
         internal static Shader Maps { get; private set; }
@@ -29,8 +29,8 @@ namespace Penumbra.Tests
         /// <summary>The kernels of summed-area tables; imported, too.</summary>
         internal static ComputeShader Sums { get; private set; }
 
-        /// <summary>The kernels of the flagship; imported, too.</summary>
-        internal static ComputeShader Flagship { get; private set; }
+        /// <summary>The kernels of Cell PCSS; imported, too.</summary>
+        internal static ComputeShader CellPcss { get; private set; }
 
         /// <summary>Installs all shaders of passes, and returns the frame's own.</summary>
         internal static Shader Install()
@@ -44,7 +44,7 @@ namespace Penumbra.Tests
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + FarFile] = Far =
                 Install("Hidden/Penumbra/Far", FarFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + SumsFile] = Sums = Kernels(SumsFile);
-            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + FlagshipFile] = Flagship = Kernels(FlagshipFile);
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + CellPcssFile] = CellPcss = Kernels(CellPcssFile);
             return Install(PenumbraShadows.ShaderName, FrameFile);
         }
 

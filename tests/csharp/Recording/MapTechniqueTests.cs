@@ -246,45 +246,45 @@ namespace Penumbra.Tests
         [Test]
         public void ThePassesThatDrawTheVisibilityHaveNoResolve()
         {
-            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
             urp.Render(scene, feature);
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
             Assert.That(feature.Replaced, Is.Null);
             Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass != "clear").Distinct(),
-                        Is.EqualTo(TechniqueTable.Graph("flagship").passes.Select(pass => pass.program)));
+                        Is.EqualTo(TechniqueTable.Graph("cell-pcss").passes.Select(pass => pass.program)));
         }
 
         private void ExpectPcss(string reason)
         {
-            FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.Flagship);
+            FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.CellPcss);
             Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_PCSS" }));
             Assert.That(feature.Replaced, Does.Contain(reason));
             Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Pcss));
         }
 
         [Test]
-        public void OnOpenGlTheFlagshipIsPcss()
+        public void OnOpenGlCellPcssIsPcss()
         {
             SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
             ExpectPcss("OpenGL does not define");
         }
 
         [Test]
-        public void WithoutAFormatTheFlagshipIsPcss()
+        public void WithoutAFormatCellPcssIsPcss()
         {
             SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_UInt;
             ExpectPcss("cannot write textures of R32G32B32A32_UInt");
         }
 
         [Test]
-        public void WithoutKernelsTheFlagshipIsPcss()
+        public void WithoutKernelsCellPcssIsPcss()
         {
             SystemInfo.supportsComputeShaders = false;
             ExpectPcss("is a compute shader, which this device does not support");
         }
 
         [Test]
-        public void WithoutIndirectDispatchTheFlagshipIsPcss()
+        public void WithoutIndirectDispatchCellPcssIsPcss()
         {
             SystemInfo.supportsIndirectArgumentsBuffer = false;
             ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
@@ -292,16 +292,16 @@ namespace Penumbra.Tests
 
         /// <summary>Vulkan guarantees groups of 128 threads.</summary>
         [Test]
-        public void WithSmallThreadGroupsTheFlagshipIsPcss()
+        public void WithSmallThreadGroupsCellPcssIsPcss()
         {
             SystemInfo.maxComputeWorkGroupSize = 128;
             ExpectPcss("has groups of 256 threads, and this device allows 128");
         }
 
         [Test]
-        public void ForBothEyesAtOnceTheFlagshipIsDrawn()
+        public void ForBothEyesAtOnceCellPcssIsDrawn()
         {
-            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
             scene.Views = 2;
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Is.Null);
@@ -309,10 +309,10 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void BelowTarget45NeitherTheFlagshipNorPcssIsDrawnButATent()
+        public void BelowTarget45NeitherCellPcssNorPcssIsDrawnButATent()
         {
             SystemInfo.graphicsShaderLevel = 35;
-            feature.Settings.custom.technique = ShadowTechnique.Flagship;
+            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
             urp.Render(scene, feature);
             Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
             Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
@@ -322,19 +322,19 @@ namespace Penumbra.Tests
         [Test]
         public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
         {
-            feature.Settings.custom.technique = ShadowTechnique.Flagship;
-            ComputeShader.Kernel[] kernels = FakeShader.Flagship.Kernels.ToArray();
-            FakeShader.Flagship.Kernels.Clear();
+            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
+            ComputeShader.Kernel[] kernels = FakeShader.CellPcss.Kernels.ToArray();
+            FakeShader.CellPcss.Kernels.Clear();
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Does.Contain("does not compile"));
-            FakeShader.Flagship.Kernels.AddRange(kernels);
+            FakeShader.CellPcss.Kernels.AddRange(kernels);
             Import("Assets/Lake.png");
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Is.Not.Null, "no shader");
-            Import("Packages/com.penumbra.shadows/Shaders/PenumbraFlagship.compute");
+            Import("Packages/com.penumbra.shadows/Shaders/PenumbraCellPcss.compute");
             urp.Render(scene, feature);
             Assert.That(feature.Replaced, Is.Null);
-            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Flagship));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.CellPcss));
         }
 
         // Unity looks for the method by this name and these parameters.

@@ -37,7 +37,7 @@ namespace Penumbra.Tests
         [Test]
         public void WarningsAreNoErrors()
         {
-            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
             {
                 Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
             };
@@ -47,7 +47,7 @@ namespace Penumbra.Tests
         [Test]
         public void AKernelsErrorHasItsFileAndLine()
         {
-            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
             {
                 Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
                 Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileReceiver.hlsl", 12),
@@ -73,7 +73,7 @@ namespace Penumbra.Tests
         [Test]
         public void OfManyErrorsAFewAreSaidAndEachOnce()
         {
-            ShaderUtil.Messages[FakeShader.Flagship] = new[]
+            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
             {
                 Message("a", "", 1), Message("a", "", 1), Message("b", "", 2), Message("c", "", 3), Message("d", "", 4),
                 Message("e", "", 5),

@@ -69,7 +69,7 @@ namespace Penumbra.Tests
             var kept = new List<string>();
             foreach ((Shader one, Dictionary<string, List<HashSet<string>>> variants) in Shaders())
                 kept.AddRange(Kept(programs, one, variants));
-            foreach (ComputeShader one in new[] { FakeShader.Sums, FakeShader.Flagship })
+            foreach (ComputeShader one in new[] { FakeShader.Sums, FakeShader.CellPcss })
                 foreach (ComputeShader.Kernel kernel in one.Kernels)
                     kept.AddRange(KeptOfKernel(programs, one, kernel.Name, bothEyes: false));
             return kept.ToArray();
@@ -94,8 +94,8 @@ namespace Penumbra.Tests
         private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
         {
             if (draw.Groups != null)
-                return Text(Kernel(draw.Pass), FakeShader.Flagship.Kernels.Any(kernel => kernel.Name == draw.Pass)
-                                                   ? draw.Keywords.Intersect(FakeShader.Flagship.KeywordNames) : new string[0]);
+                return Text(Kernel(draw.Pass), FakeShader.CellPcss.Kernels.Any(kernel => kernel.Name == draw.Pass)
+                                                   ? draw.Keywords.Intersect(FakeShader.CellPcss.KeywordNames) : new string[0]);
             IEnumerable<string> declared = variants[draw.Pass].SelectMany(set => set);
             return Text(draw.Pass, draw.Keywords.Intersect(declared));
         }
@@ -228,7 +228,7 @@ namespace Penumbra.Tests
 
         [TestCaseSource(nameof(WithoutKernels))]
         public void ApisOnWhichNoKernelRunsHaveNone(object platform) =>
-            Assert.That(KeptOfKernel(Programs(QualityPreset.Ultra), FakeShader.Flagship, "ResolveRest", true,
+            Assert.That(KeptOfKernel(Programs(QualityPreset.Ultra), FakeShader.CellPcss, "ResolveRest", true,
                                      (ShaderCompilerPlatform)platform), Is.Empty);
 
         [Test]
@@ -236,7 +236,7 @@ namespace Penumbra.Tests
         {
             const string rest = "kernel ResolveRest", eyes = " _PENUMBRA_BOTH_EYES";
             string[] Kept(QualityPreset preset, bool xr) =>
-                KeptOfKernel(Programs(preset), FakeShader.Flagship, "ResolveRest", xr).ToArray();
+                KeptOfKernel(Programs(preset), FakeShader.CellPcss, "ResolveRest", xr).ToArray();
             // The presets draw at half resolution and at full.
             foreach (QualityPreset preset in new[] { QualityPreset.Low, QualityPreset.Ultra })
             {

@@ -193,7 +193,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions options = ShadowPresets.Options(preset);
             string name = Named("preset", preset);
-            if (options.technique == ShadowTechnique.Flagship)
+            if (options.technique == ShadowTechnique.CellPcss)
                 Assert.That((float)options.filterCells, Is.EqualTo(Value(name, "filterCells")));
             else
                 HasSamplesOf(name, options);

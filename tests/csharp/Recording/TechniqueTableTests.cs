@@ -126,7 +126,7 @@ namespace Penumbra.Tests
             new object[] { ShadowTechnique.VssmMips, MapFormat.Bits16, "vssm-mip-16" },
             new object[] { ShadowTechnique.Mssm, MapFormat.Bits32, "mssm-sat-32" },
             new object[] { ShadowTechnique.Smrt, MapFormat.Bits32, "unreal-smrt-7-8" },
-            new object[] { ShadowTechnique.Flagship, MapFormat.Bits32, "flagship" },
+            new object[] { ShadowTechnique.CellPcss, MapFormat.Bits32, "cell-pcss" },
         };
 
         /// <summary>
@@ -233,7 +233,7 @@ namespace Penumbra.Tests
             TechniqueTable.Forget();
             var file = new TextAsset(LoadedTechniques.Text().Replace("\n", "\r\n"));
             Assert.That(TechniqueTable.Load(file), TechniqueTable.Problem);
-            Assert.That(TechniqueTable.Graph("flagship").buffers[0].indirect);
+            Assert.That(TechniqueTable.Graph("cell-pcss").buffers[0].indirect);
         }
 
         private static string Refusal(string from, string to)

@@ -155,7 +155,7 @@ std::string how_to_read(const Results& results, BlockForm form) {
       "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
       "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
       "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
-      "technique that can stop early does all its work; of the presets and the flagship, whose pixels share "
+      "technique that can stop early does all its work; of the presets and Cell PCSS, whose pixels share "
       "fetches, over the whole picture.{}{}\n\n",
       figure, kLeakAbove, kFalseShadowBelow,
       has_map_passes(results) ? " Both include the passes over the shadow map, divided by the pixels of the "

@@ -60,7 +60,7 @@ const Technique* fallback_of(const TechniqueList& list, const Technique& preset)
   return choice == nullptr ? nullptr : &list.find(choice->fallback);
 }
 
-// Returns "Preset High: Flagship; else Fallback of High: PCSS 12+24".
+// Returns "Preset High: Cell PCSS; else Fallback of High: PCSS 12+24".
 std::string title_of(const TechniqueList& list, const Technique& preset) {
   const Technique* fallback = fallback_of(list, preset);
   return fallback == nullptr ? preset.title : preset.title + "; else " + fallback->title;
