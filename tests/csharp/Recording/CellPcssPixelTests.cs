@@ -142,7 +142,7 @@ namespace Penumbra.Tests
 
         /// <summary>Cell PCSS's maps, which its kernels have written, serve the same forward shaders.</summary>
         [Test]
-        public void CellPcsssMapsStayBoundForForwardShaders()
+        public void MapsOfCellPcssStayBoundForForwardShaders()
         {
             feature.Settings.custom.technique = ShadowTechnique.CellPcss;
             FakeDevice.DrawCall first = Calls("FirstLevels").Last();
