@@ -28,7 +28,7 @@
 //               _PENUMBRA_MSSM                 FilterMssmSums             Filters/Prefiltered/MssmSums.hlsl
 //               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/Prefiltered/MssmLevels.hlsl
 //               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/Prefiltered/ExponentialLevels.hlsl
-//               _PENUMBRA_CELL_PCSS       FilterDepthRings           Filters/Cells/CellFilter.hlsl
+//               _PENUMBRA_CELL_PCSS            FilterDepthRings           Filters/Cells/CellFilter.hlsl
 //               none of them                   FilterTent5x5Plane         Filters/Fixed/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the

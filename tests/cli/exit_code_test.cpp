@@ -21,6 +21,23 @@ TEST_F(ExitCode, HelpAndVersionAreSuccess) {
     EXPECT_THAT(help.output, HasSubstr(code));
 }
 
+// A full disk: what was asked for is lost, which a script must be able to see.
+TEST_F(ExitCode, OutputThatCannotBeWrittenIsTwo) {
+  for (const char* asked : {"--help", "--version", "", "measure --help", "tables"}) {
+    const auto result = shell(std::string(PENUMBRA_PROGRAM " ") + asked + " >/dev/full");
+    EXPECT_EQ(result.exit_code, 2) << asked;
+    EXPECT_THAT(result.errors, HasSubstr("standard output: cannot be written")) << asked;
+  }
+}
+
+// Notes find no place, either.
+TEST_F(ExitCode, OneFullFileForOutputAndNotesIsTwo) {
+  const auto result = shell(PENUMBRA_PROGRAM
+                            " measure --scene contact-boxes --technique hard --size 32x32 --light 2 --seeds 1"
+                            " --reference-samples 32 --timing-repeats 0 >/dev/full 2>&1");
+  EXPECT_EQ(result.exit_code, 2);
+}
+
 TEST_F(ExitCode, BadUsageIsTwo) {
   EXPECT_EQ(run({"nonsense"}).exit_code, 2);
   EXPECT_EQ(run({"constants", "--no-such-option"}).exit_code, 2);

@@ -133,6 +133,7 @@ TEST_F(UntrustedProject, WithoutAFolderForTheCacheTheRestWorks) {
 }
 
 TEST_F(UntrustedProject, ARelativeFolderForCachesIsNotUsed) {
+  std::filesystem::create_directories(path("home"));
   const auto result =
       shell("cd " + path("").string() +
             " && env -u PENUMBRA_CACHE XDG_CACHE_HOME=relative HOME=" + path("home").string() + " " +

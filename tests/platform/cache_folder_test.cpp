@@ -90,8 +90,13 @@ TEST(CacheFolder, IsNowhereWithoutAHome) {
     EXPECT_EQ(cache_directory(), "");
     EXPECT_EQ(cache_directory("reference"), "");
   }
-  const Variable home("HOME", "/of/somebody");
-  EXPECT_EQ(cache_directory("reference"), "/of/somebody/.cache/penumbra/reference");
+  for (const char* none : {"/nonexistent", "relative", "."}) {
+    const Variable home("HOME", none);
+    EXPECT_EQ(cache_directory(), "") << none;
+  }
+  const std::string there = std::filesystem::temp_directory_path().string();
+  const Variable home("HOME", there.c_str());
+  EXPECT_EQ(cache_directory("reference"), there + "/.cache/penumbra/reference");
 }
 
 }  // namespace

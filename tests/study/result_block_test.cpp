@@ -155,15 +155,17 @@ TEST(ResultBlock, RowsAreChosenAndOrdered) {
       HasSubstr("did you mean 'bilinear'?"));
 }
 
-TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {
+TEST(ResultBlock, ABriefOneIsATableOfAllLightsTheMiddleOneFirst) {
   const std::string block = result_block(synthetic::results(), {kChart, {}, BlockForm::brief});
   EXPECT_TRUE(block.starts_with("2° light, 2 scenes")) << block;
-  const std::size_t fold = block.find("<details><summary>Smaller and larger lights");
-  ASSERT_NE(fold, std::string::npos);
-  EXPECT_GT(block.find("0.53° light"), fold);
+  EXPECT_THAT(block, HasSubstr("per scene; 0.53° light, 2 scenes"));
+  EXPECT_THAT(block, HasSubstr("| Technique | light | RMSE in penumbra |"));
+  const std::size_t middle = block.find("| Title of bilinear | 2° | ");
+  ASSERT_NE(middle, std::string::npos) << block;
+  EXPECT_NE(block.find("| Title of bilinear | 0.53° | ", middle), std::string::npos) << block;
   EXPECT_THAT(block, Not(HasSubstr(kChart)));
   EXPECT_THAT(block, Not(HasSubstr("| boxes |")));
-  EXPECT_THAT(block, HasSubstr("penumbra measure --seed 1"));
+  EXPECT_THAT(block, HasSubstr("Command: `penumbra measure --seed 1`"));
 }
 
 TEST(ResultBlock, TheLineIsOneSentenceOfTheMiddleLight) {

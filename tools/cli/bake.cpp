@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -160,9 +159,7 @@ class Bake {
       return;
     }
     if (options_.distances.margin == 0.0 && !context_.quiet) {
-      fmt::print(
-          stderr,
-          "note: with --margin 0 the field ends at the mesh, and has no distances around it: soft shadows "
+      say("note: with --margin 0 the field ends at the mesh, and has no distances around it: soft shadows "
           "end there, too\n");
     }
     const bake::DistanceField field =
@@ -170,11 +167,10 @@ class Bake {
           return bake::bake_distance_field(scene, options_.distances, run);
         });
     if (field.open_edges > 0 && !context_.quiet) {
-      fmt::print(stderr,
-                 "note: the mesh is not closed ({} edges do not have two triangles that turn the same way): "
-                 "inside is "
-                 "the back of the nearest triangle\n",
-                 field.open_edges);
+      say("note: the mesh is not closed ({} edges do not have two triangles that turn the same way): "
+          "inside is "
+          "the back of the nearest triangle\n",
+          field.open_edges);
     }
     write(bake::baked_files(field, stem()));
   }
@@ -195,21 +191,18 @@ class Bake {
       thin += object.thin_share > kMuchThin ? 1 : 0;
       parts += object.parts;
     }
-    fmt::print(stderr, "note: objects: {}, of {} parts; triangles of level ground, in no object: {}\n",
-               fields.objects.size(), parts, fields.ground_triangles);
-    if (fields.flat_triangles > 0)
-      fmt::print(stderr, "note: triangles without area, left out: {}\n", fields.flat_triangles);
+    say("note: objects: {}, of {} parts; triangles of level ground, in no object: {}\n",
+        fields.objects.size(), parts, fields.ground_triangles);
+    if (fields.flat_triangles > 0) say("note: triangles without area, left out: {}\n", fields.flat_triangles);
     if (open > 0) {
-      fmt::print(stderr,
-                 "note: objects that are not closed (open_edges in the file): {}; inside is the back of the "
-                 "nearest triangle\n",
-                 open);
+      say("note: objects that are not closed (open_edges in the file): {}; inside is the back of the "
+          "nearest triangle\n",
+          open);
     }
     if (thin > 0) {
-      fmt::print(stderr,
-                 "note: objects too thin over a tenth of their surface or more (too_thin in the file): {}; "
-                 "shadows are lost where there are less than two voxels: bake more voxels or more objects\n",
-                 thin);
+      say("note: objects too thin over a tenth of their surface or more (too_thin in the file): {}; "
+          "shadows are lost where there are less than two voxels: bake more voxels or more objects\n",
+          thin);
     }
   }
 
@@ -248,9 +241,7 @@ class Bake {
       return bake::heights_of_scene(scene, covered, {samples.width, samples.height}, run);
     });
     if (field.holes > 0 && !context_.quiet) {
-      fmt::print(
-          stderr,
-          "note: samples without a surface: {} of {}; they have the height of the scene's lowest vertex, "
+      say("note: samples without a surface: {} of {}; they have the height of the scene's lowest vertex, "
           "{:.6g} m\n",
           field.holes, field.metres.size(), scene.bounds().minimum.y);
     }

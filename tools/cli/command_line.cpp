@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "cli/failure.h"
 #include "cli/help.h"
@@ -67,7 +68,10 @@ int run(const std::vector<std::string>& arguments) {
     std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
     app->parse(last_first);
   } catch (const CLI::Success& asked) {
-    return app->exit(asked);  // prints the requested help or version
+    std::ostringstream text;  // the requested help or version
+    const int code = app->exit(asked, text, text);
+    write_output("", text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     throw usage_error(*app, error);
   }

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -182,7 +181,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
 
   tell_notes(outcome.notes, context);
   for (const std::string& message : device.validation_log()->messages()) {
-    fmt::print(stderr, "validation: {}\n", message);
+    say("validation: {}\n", message);
     context.exit_code = findings;
   }
   Measured measured;
@@ -292,10 +291,10 @@ void run(const CLI::App& command, const MeasureOptions& options, Context& contex
     write_all(options, std::move(measured), facts);
   } catch (...) {
     if (kept && !context.quiet)
-      fmt::print(stderr, "note: {}\n",
-                 kept->complete() ? "what was measured is kept; the same command goes on from there"
-                                  : "the cache could not keep all that was measured; choose another one with "
-                                    "--cache FOLDER");
+      say("note: {}\n", kept->complete()
+                            ? "what was measured is kept; the same command goes on from there"
+                            : "the cache could not keep all that was measured; choose another one with "
+                              "--cache FOLDER");
     throw;
   }
 }

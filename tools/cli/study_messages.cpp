@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace penumbra::cli {
 
 void tell_notes(const std::vector<std::string>& notes, const Context& context) {
   if (context.quiet) return;
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : notes) say("note: {}\n", note);
 }
 
 void tell_invalid_results(const std::vector<study::Record>& records, Context& context) {
@@ -19,8 +18,8 @@ void tell_invalid_results(const std::vector<study::Record>& records, Context& co
     context.exit_code = findings;
     // Invalid values of the subject with unlimited samples count, too, so there may be more than pixels.
     const std::size_t all = std::max(metrics.pixels * metrics.seeds, metrics.invalid);
-    fmt::print(stderr, "{}: {} of {} results are not finite or not in 0..1 (scene {}, light {}°)\n",
-               record.technique, metrics.invalid, all, record.scene, record.light_degrees);
+    say("{}: {} of {} results are not finite or not in 0..1 (scene {}, light {}°)\n", record.technique,
+        metrics.invalid, all, record.scene, record.light_degrees);
   }
 }
 

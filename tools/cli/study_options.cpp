@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <set>
@@ -19,6 +18,7 @@
 #include "cli/option_values.h"
 #include "cli/shader_arguments.h"
 #include "cli/shared_options.h"
+#include "cli/study_messages.h"
 #include "fxc/fxc.h"
 #include "input/input_error.h"
 #include "parameters/setting_keys.h"
@@ -271,7 +271,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context) {
   if (context.quiet) return;
   for (const scene::Scene& scene : scenes) {
-    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : scene.notes) say("note: {}\n", note);
   }
 }
 

@@ -23,11 +23,14 @@ fs::path user_folder() {
   // A relative path is to be ignored (XDG Base Directory Specification).
   if (const fs::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "penumbra";
 #ifdef _WIN32
-  const std::string home = environment("LOCALAPPDATA");
+  const fs::path home = environment("LOCALAPPDATA");
 #else
-  const std::string home = environment("HOME");
+  const fs::path home = environment("HOME");
 #endif
-  return home.empty() ? fs::path() : fs::path(home) / ".cache" / "penumbra";
+  // A user without a home has a path there, too, which is not to be made.
+  std::error_code error;
+  const bool is_there = home.is_absolute() && fs::is_directory(home, error);
+  return is_there ? home / ".cache" / "penumbra" : fs::path();
 }
 
 }  // namespace

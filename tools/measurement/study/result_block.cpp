@@ -27,15 +27,13 @@ std::string provenance(const Run& run) {
   return text;
 }
 
-// Describes the sample behind a light's means.
+// Returns "2° light, 12 scenes, 1530117 penumbra pixels, at least 9430 per scene".
 std::string sample_text(const Results& results, double light) {
   const LightSample sample = sample_of(results, light);
-  const std::string penumbra =
-      fmt::format("{} light, {} scene{}, {} penumbra pixels", light_name(light), sample.scenes,
-                  sample.scenes == 1 ? "" : "s", sample.penumbra_pixels);
-  return penumbra +
-         (sample.scenes == 1 ? "" : fmt::format(", at least {} per scene", sample.smallest_penumbra_pixels)) +
-         ":\n\n";
+  const std::string least =
+      sample.scenes == 1 ? "" : fmt::format(", at least {} per scene", sample.smallest_penumbra_pixels);
+  return fmt::format("{} light, {} scene{}, {} penumbra pixels{}", light_name(light), sample.scenes,
+                     sample.scenes == 1 ? "" : "s", sample.penumbra_pixels, least);
 }
 
 // Returns "URP High", and the map where results hold several.
@@ -57,22 +55,28 @@ bool has_operations(const Results& results) {
                      [](const Record& record) { return record.operations_per_pixel.has_value(); });
 }
 
-std::string mean_table(const Results& results, double light, BlockForm form) {
+// One row for each light and technique; without its column for one light.
+std::string mean_table(const Results& results, const std::vector<double>& lights, BlockForm form) {
   const bool with_operations = form == BlockForm::full && has_operations(results);
   std::vector<std::string> heads{"Technique",           "RMSE in penumbra", "RMSE of all pixels",
                                  "light leaks, %",      "false shadow, %",  "fetches per pixel",
                                  "fetches in penumbrae"};
   if (with_operations) heads.push_back("operations per pixel");
+  if (lights.size() > 1) heads.insert(std::next(heads.begin()), "light");
+  const std::vector<SummaryLine> lines = summarise(results);
   std::vector<std::vector<std::string>> rows;
-  for (const SummaryLine& line : summarise(results)) {
-    if (line.light_degrees != light) continue;
-    const std::string partial =
-        line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
-    const std::string name = form == BlockForm::full ? title_and_name(line.choice) : title_of(line.choice);
-    rows.push_back({name + partial, figure_text(line.rmse_penumbra), figure_text(line.rmse_all),
-                    figure_text(line.leak_rate, 100.0), figure_text(line.false_shadow_rate, 100.0),
-                    fetches_text(line.fetches), fetches_text(line.fetches_in_penumbra)});
-    if (with_operations) rows.back().push_back(operations_text(line.operations));
+  for (const double light : lights) {
+    for (const SummaryLine& line : lines) {
+      if (line.light_degrees != light) continue;
+      const std::string partial =
+          line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
+      const std::string name = form == BlockForm::full ? title_and_name(line.choice) : title_of(line.choice);
+      rows.push_back({name + partial, figure_text(line.rmse_penumbra), figure_text(line.rmse_all),
+                      figure_text(line.leak_rate, 100.0), figure_text(line.false_shadow_rate, 100.0),
+                      fetches_text(line.fetches), fetches_text(line.fetches_in_penumbra)});
+      if (with_operations) rows.back().push_back(operations_text(line.operations));
+      if (lights.size() > 1) rows.back().insert(std::next(rows.back().begin()), light_name(light));
+    }
   }
   return markdown_table(heads, rows);
 }
@@ -95,10 +99,6 @@ std::string folded(const std::string& title, const std::string& content) {
   return "<details><summary>" + title + "</summary>\n\n" + content + "\n</details>\n";
 }
 
-std::string light_table(const Results& results, double light, BlockForm form) {
-  return sample_text(results, light) + mean_table(results, light, form);
-}
-
 std::string origin(const Results& results) {
   return fmt::format("Penumbra {}{}, shaders compiled by {}, on {}, driver {}, processor {}.\n",
                      markdown_cell(results.library_version), provenance(results),
@@ -110,15 +110,15 @@ std::string origin(const Results& results) {
 std::string earlier_command(const EarlierRun& run) {
   std::vector<std::string> names;
   for (const std::string& technique : run.techniques) names.push_back(markdown_code(technique));
-  return fmt::format("\nOf the same pictures, by Penumbra {}{}: {}.\n\n", markdown_cell(run.library_version),
-                     provenance(run), fmt::join(names, ", ")) +
-         markdown_code_block("sh", run.command);
+  return fmt::format("\nOf the same pictures, by Penumbra {}{}: {}. Command: {}.\n",
+                     markdown_cell(run.library_version), provenance(run), fmt::join(names, ", "),
+                     markdown_code(run.command));
 }
 
 std::string command(const Results& results) {
-  std::string text = markdown_code_block("sh", results.command) + "\n" + origin(results);
+  std::string text = fmt::format("Command: {}.  \n", markdown_code(results.command)) + origin(results);
   for (const EarlierRun& run : results.earlier) text += earlier_command(run);
-  return folded("The command", text);
+  return text;
 }
 
 bool has_map_passes(const Record& record) {
@@ -220,17 +220,20 @@ std::string line_block(const Results& results) {
       light_name(light), scenes, scenes == 1 ? "" : "s", figures);
 }
 
+// Returns the lights of the results, and of several the middle one first.
+std::vector<double> lights_in_order(const Results& results) {
+  std::vector<double> lights = light_sizes(results);
+  const auto middle = std::find(lights.begin(), lights.end(), middle_light(results));
+  std::rotate(lights.begin(), middle, std::next(middle));
+  return lights;
+}
+
 std::string brief_block(const Results& results) {
-  const double middle = middle_light(results);
-  std::string others;
-  for (const double light : light_sizes(results)) {
-    if (light != middle)
-      others += (others.empty() ? "" : "\n") + light_table(results, light, BlockForm::brief);
-  }
-  std::string block =
-      light_table(results, middle, BlockForm::brief) + "\n" + how_to_read(results, BlockForm::brief);
-  if (!others.empty()) block += folded("Smaller and larger lights", others) + "\n";
-  return block + command(results);
+  const std::vector<double> lights = lights_in_order(results);
+  std::vector<std::string> samples;
+  for (const double light : lights) samples.push_back(sample_text(results, light));
+  return fmt::format("{}:\n\n", fmt::join(samples, "; ")) + mean_table(results, lights, BlockForm::brief) +
+         "\n" + how_to_read(results, BlockForm::brief) + command(results);
 }
 
 // Returns one row for each technique; empty if nothing is known of any.
@@ -259,7 +262,7 @@ std::string technique_table(const Results& results, const FactsOfTechniques& fac
 std::string full_block(const Results& results, const BlockStyle& style) {
   std::string block = how_to_read(results, BlockForm::full);
   for (const double light : light_sizes(results))
-    block += light_table(results, light, BlockForm::full) + "\n";
+    block += sample_text(results, light) + ":\n\n" + mean_table(results, {light}, BlockForm::full) + "\n";
   block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
   return block + technique_table(results, style.facts) + map_pass_table(results) + command(results);
 }
