@@ -205,8 +205,8 @@ class PresetSteps(unittest.TestCase):
         figures = dict(rmse_all=0.1, bias=0.0, leak_rate=0.0, false_shadow_rate=0.0, fetches_penumbra_mean=4.0,
                        invalid=0)
         def run(device, rows):
-            return {"device": device, "driver": "1", "command": f"penumbra measure --device {device}",
-                    "commit": COMMIT,
+            return {"device": device, "driver": "1", "command": "scripts/publish device", "commit": COMMIT,
+                    "measured_by": f"penumbra measure --device {device}",
                     "records": [record(name, light=light, **{**figures, **own}) for name, light, own in rows]}
         first = run("one", [("a", 2.0, {"rmse_penumbra": 0.2}), ("a", 5.0, {"rmse_penumbra": 0.3}), ("b", 2.0, {}),
                             ("b", 5.0, {})])
@@ -216,6 +216,7 @@ class PresetSteps(unittest.TestCase):
         self.assertIn("| `a` | 0.3000 | 0.2500 | 0.0500 | 0.200 | 0.000 |", text)
         self.assertIn("| `b` | 0.1000 | 0.1000 | 0.0000 | 0.000 | 0.500 |", text)
         self.assertIn("penumbrae is 0.0500", text)
+        self.assertIn("Commands: `penumbra measure --device one` and `penumbra measure --device two`", text)
         self.assertIn("3000 penumbra pixels", text)
         second["records"].pop()
         with self.assertRaises(markdown.Problem):
