@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +29,7 @@ JsonObject::JsonObject(const LocatedJson& document, LocatedJson::Pointer at)
 }
 
 const nlohmann::json* JsonObject::find(const std::string& key) {
-  asked_.push_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
   if (!present_) return nullptr;
   const nlohmann::json& object = document_->at(at_);
   const auto found = object.find(key);
@@ -129,10 +130,7 @@ std::vector<std::string> JsonObject::keys() const {
 void JsonObject::finish() const {
   for (const std::string& key : keys()) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    std::vector<std::string> known;  // a key may have been read several times
-    for (const std::string& name : asked_)
-      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-    fail(key, "unknown key '" + key + "'", unknown_name_remedy(key, known));
+    fail(key, "unknown key '" + key + "'", unknown_name_remedy(key, asked_));
   }
 }
 
