@@ -35,13 +35,13 @@ std::string message_of(const std::string& text) {
 
 TEST(JsonTable, HasALineForEachElementAndWritesSharedValuesOnce) {
   const char* document = R"({
-    "version": 2, "frames": [{"scene": "a"}, {"scene": "b"}],
+    "version": 2, "frames": [{"scene": "a", "light": 1}, {"scene": "a", "light": 2}, {"scene": "b"}],
     "rows": [{"name": "x", "map": 2048, "list": [1, 0.123456789]},
              {"name": "y", "map": 2048, "list": []}]})";
   EXPECT_EQ(json_table(document, "rows", [](const std::string&) { return 3; }),
             "# {\"version\": 2,\n"
             "#  \"frames\": [\n"
-            "#   {\"scene\":\"a\"},\n"
+            "#   {\"scene\":\"a\",\"light\":1}, {\"scene\":\"a\",\"light\":2},\n"
             "#   {\"scene\":\"b\"}],\n"
             "#  \"rows\": {\"map\": 2048}}\n"
             "name\tlist/0\tlist/1\tlist\n"

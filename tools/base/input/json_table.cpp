@@ -107,11 +107,17 @@ bool is_shared(const std::vector<Cells>& rows, const std::string& column) {
          });
 }
 
+// Objects that begin with the same member, such as the frames of a scene, share a line.
 std::string head_value(const ordered_json& value) {
   if (!value.is_array() || value.empty() || !value.front().is_object()) return json_text(value);
   std::string text = "[";
-  for (const ordered_json& element : value)
-    text += (text.size() > 1 ? ",\n#   " : "\n#   ") + json_text(element);
+  const ordered_json* before = nullptr;
+  for (const ordered_json& element : value) {
+    const bool goes_on = before != nullptr && element.is_object() && !element.empty() && !before->empty() &&
+                         element.front() == before->front();
+    text += (before == nullptr ? "" : ",") + std::string(goes_on ? " " : "\n#   ") + json_text(element);
+    before = &element;
+  }
   return text + "]";
 }
 

@@ -104,7 +104,7 @@ std::vector<Tick> linear_ticks(double to) {
 }
 
 std::string text_at(double x, double y, std::string_view attributes, std::string_view text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escape_html(text));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>", x, y, attributes, escape_html(text));
 }
 
 class Panel {
@@ -160,7 +160,7 @@ class Panel {
                      fmt::format("text-anchor=\"middle\" transform=\"translate({:.1f},{:.1f}) rotate(-90)\"",
                                  layout_.is_page ? kFont : left - 4.0 * kFont, (top + bottom) / 2.0),
                      chart_.y_label);
-    return fmt::format("<path class=\"grid\" d=\"{}\"/>\n<path class=\"axis\" d=\"{}\"/>\n{}", grid, lines,
+    return fmt::format("<path class=\"grid\" d=\"{}\"/>\n<path class=\"axis\" d=\"{}\"/>\n{}\n", grid, lines,
                        texts);
   }
 
@@ -216,7 +216,7 @@ class Panel {
       if (places[i]->needs_line)
         lines += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", requests[i].x, requests[i].y, x, y);
     }
-    return (lines.empty() ? "" : "<path class=\"leader\" d=\"" + lines + "\"/>\n") + texts;
+    return (lines.empty() ? "" : "<path class=\"leader\" d=\"" + lines + "\"/>\n") + texts + "\n";
   }
 
   std::string points() const {
@@ -234,12 +234,12 @@ class Panel {
                                 "<a class=\"{}\" href=\"#figures\" data-technique=\"{}\" data-label=\"{}\" "
                                 "data-note=\"{}\" aria-label=\"{}: {}\">{}"
                                 "<circle class=\"reach\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"11\"/>"
-                                "<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/></a>\n",
+                                "<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/></a>",
                                 kind, escape_html(point.name), label, note, label, note, mark, x, y, x, y)
-                          : fmt::format("<g class=\"{}\">{}<title>{}{}{}</title></g>\n", kind, mark, label,
-                                        note.empty() ? "" : "\n", note);
+                          : fmt::format("<g class=\"{}\">{}<title>{}{}{}</title></g>", kind, mark, label,
+                                        note.empty() ? "" : "&#10;", note);
     });
-    return "<g class=\"points\">\n" + others + front + "</g>\n";
+    return "<g class=\"points\">" + others + front + "</g>\n";
   }
 
   const Chart& chart_;
@@ -272,7 +272,8 @@ std::string render_svg(const Chart& chart) {
   const std::string title = escape_html(chart.title);
   std::string content = "<title>" + title + "</title>\n" +
                         text_at(layout.width / 2.0, 24.0,
-                                "class=\"title\" font-size=\"16\" text-anchor=\"middle\"", chart.title);
+                                "class=\"title\" font-size=\"16\" text-anchor=\"middle\"", chart.title) +
+                        "\n";
   for (const ChartPanel& panel : chart.panels) {
     content += Panel(chart, panel, axes, layout, height).svg();
     height += layout.panel_height;

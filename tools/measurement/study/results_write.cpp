@@ -152,8 +152,10 @@ std::string to_table(const Results& results) {
   const auto digits = [](const std::string& path) {
     for (const char* setting : {"parameters/", "light_degrees", "settings/"})
       if (path.starts_with(setting)) return kAllDigits;
-    // Pages show four digits at most; means of several figures, and differences, keep their last one.
-    return path.find("intervals/") == std::string::npos ? 7 : 5;
+    // Pages show four digits at most; means of several figures, and differences, keep their last one. Of a
+    // single cascade they show three.
+    const int fewer = path.starts_with("per_cascade/") ? 2 : 0;
+    return (path.find("intervals/") == std::string::npos ? 7 : 5) - fewer;
   };
   return json_table(json_of(results).dump(-1, ' ', false, Json::error_handler_t::replace), "records", digits);
 }
