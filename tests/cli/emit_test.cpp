@@ -136,50 +136,12 @@ TEST_F(Emit, OptionsThatExcludeEachOtherAreRefused) {
   EXPECT_THAT(run({"emit", "--single-file", "tent5"}).errors, HasSubstr("'tent-5'"));
 }
 
-// The adapter declares what the harness gives, and calls the copy as
-// tools/measurement/resolve/shaders/Resolve.hlsl calls a technique.
-constexpr const char* kAdapter = R"(#include "Copied.hlsl"
-#include "Core/CascadeSelection.hlsl"
-#include "Core/Noise.hlsl"
-int _PenumbraNoiseFrame;
-int _PenumbraCascadeCount;
-float4 _PenumbraAtlasTexelSize;
-float4 _PenumbraSplitSpheres[4];
-float4 _PenumbraTileOffsetScale[4];
-float4 _PenumbraTileScales[4];
-float4x4 _PenumbraWorldToShadow[5];
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-{
-    CascadeSpheres spheres;
-    spheres.centre0 = _PenumbraSplitSpheres[0].xyz;
-    spheres.centre1 = _PenumbraSplitSpheres[1].xyz;
-    spheres.centre2 = _PenumbraSplitSpheres[2].xyz;
-    spheres.centre3 = _PenumbraSplitSpheres[3].xyz;
-    spheres.squaredRadii = float4(_PenumbraSplitSpheres[0].w, _PenumbraSplitSpheres[1].w, _PenumbraSplitSpheres[2].w,
-                                  _PenumbraSplitSpheres[3].w);
-    spheres.squaredRadii *= spheres.squaredRadii;
-    const int cascade = SelectCascade(positionWS, spheres, _PenumbraCascadeCount);
-    if (cascade >= _PenumbraCascadeCount) return 1.0;
-    ShadowReceiver receiver;
-    receiver.shadowCoord = mul(_PenumbraWorldToShadow[cascade], float4(positionWS, 1.0)).xyz;
-    receiver.depthGradient = ReceiverPlaneFromNormal(normalWS, _PenumbraWorldToShadow[cascade]);
-    receiver.rotation = DiskRotation(pixel, _PenumbraNoiseFrame);
-    ShadowTile tile;
-    tile.offsetScale = _PenumbraTileOffsetScale[cascade];
-    tile.atlasTexelSize = _PenumbraAtlasTexelSize;
-    tile.uvPerMetre = _PenumbraTileScales[cascade].x;
-    tile.depthPerMetre = _PenumbraTileScales[cascade].y;
-    tile.depthToRadial = _PenumbraTileScales[cascade].z;
-    tile.radialToDepth = _PenumbraTileScales[cascade].w;
-    return ResolveTechnique(receiver, tile, cascade);
-}
-)";
-
 TEST_F(Emit, ACopyHasTheVisibilityOfTheTechnique) {
   const techniques::TechniqueList list = techniques::read_technique_list(root);
   const techniques::Technique& technique = list.find("pcss-angular-24-16");
   ASSERT_EQ(run({"emit", "--single-file", technique.name, "-o", path("Copied.hlsl").string()}).exit_code, 0);
-  std::string adapter = "copy=" + write("Adapter.hlsl", kAdapter).string() +
+  fs::copy(root / "tests/cli/CopyAdapter.hlsl", path("Adapter.hlsl"));
+  std::string adapter = "copy=" + path("Adapter.hlsl").string() +
                         ";@depth-bias=" + std::to_string(technique.bias.depth) +
                         ";@normal-bias=" + std::to_string(technique.bias.normal) +
                         ";@soft-quality=" + technique.bias.soft_quality;

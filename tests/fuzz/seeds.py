@@ -134,7 +134,8 @@ def technique_list():
         yield re.sub(rb'"like": "[^"]*"', b'"like": "box"', text)
 
 
-SHADERS = ['tests/cli/seeds/*', 'tests/validation/broken/**/*.hlsl', 'ShaderLibrary/**/*.hlsl']
+SHADERS = ['tests/cli/seeds/*', 'tests/validation/broken/**/*.hlsl', 'tests/*/refused/**/*.hlsl', 'tests/*/taken/*.hlsl',
+           'tests/lint/*/*.hlsl', 'ShaderLibrary/**/*.hlsl']
 ERRORS = ['unknown variable', 'no matching overloaded function found', 'Expected', 'array index out of range',
           'Entry point not found']
 HLSL = ['preparation/*_test.cpp', 'hlsl/*_test.cpp', 'lint/*_test.cpp', 'shaders/*_test.cpp']
@@ -146,9 +147,13 @@ def in_function(text):
     return b'int n;\nfloat4 Frag(float4 p : SV_Position) : SV_Target {\n' + body + b'\nreturn 1; }\n'
 
 
-def statements(*patterns):
-    """The tests' pieces of HLSL: as they are, and those that declare no function as the body of an entry point."""
-    pieces = [text for text in literals(*patterns) if re.search(rb'[;{}]', text)]
+def lines(*patterns):
+    return [line.strip() for text in files(*patterns) for line in text.splitlines() if not line.startswith(b'//')]
+
+
+def statements(texts):
+    """Pieces of HLSL: as they are, and those that declare no function as the body of an entry point."""
+    pieces = [text for text in texts if re.search(rb'[;{}]', text)]
     return pieces + [in_function(text) for text in pieces if not re.match(rb'\w+ \w+\(', text)]
 
 
@@ -170,13 +175,14 @@ def in_shaders(texts):
 def target_seeds():
     shader_texts = list(files(*SHADERS))
     hlsl_texts = list(raw_strings(*HLSL)) + shader_texts
-    checked = statements('preparation/source_checks_test.cpp')
+    checked = statements([*literals('preparation/source_checks_test.cpp'),
+                          *lines('tests/preparation/refused/*.hlsl', 'tests/preparation/taken/*.hlsl')])
     shaderlab = list(raw_strings('shaderlab/*', 'variants/*', 'validation/*.cpp')) + list(
         files('tests/**/*.shader', 'tests/**/*.compute', 'Shaders/*.shader', 'Samples~/**/*.shader'))
     json_texts = list(raw_strings('parameters/*_input_test.cpp', 'input/*.cpp', 'cli/*_test.cpp'))
     yield 'bake', bakes()
     yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdefanswer', bytes(64)]
-    yield 'expanded_text', [*hlsl_texts, *logged(statements('shaders/error_recovery_test.cpp'))]
+    yield 'expanded_text', [*hlsl_texts, *logged(files('tests/shaders/refused/recovery_*.hlsl'))]
     yield 'figures', results()
     yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/markdown_test.cpp', 'input/visible_text_test.cpp')]
     yield 'model', models()
@@ -186,7 +192,7 @@ def target_seeds():
     yield 'picture', [*pictures(), *files('tests/golden/*.png')]
     yield 'pragmas', [*raw_strings('variants/*'), *quoted('variants/pragmas_test.cpp', 'variants/keyword_space_test.cpp')]
     yield 'preparation', [
-        *first_bytes(0, hlsl_texts + statements('preparation/*_test.cpp')),
+        *first_bytes(0, hlsl_texts + statements(literals('preparation/*_test.cpp'))),
         *(bytes([entry]) + text for text in checked for entry in (*range(1, 7), 11))]
     macros = literals('preprocessing/preprocessor_test.cpp')
     yield 'preprocessing', [bytes([kind]) + text for text in [*macros, *shader_texts] for kind in range(2)]

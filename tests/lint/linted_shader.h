@@ -14,33 +14,37 @@
 
 namespace penumbra::lint {
 
-inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment) {
+inline shaders::CompileRequest request_of(const std::string& text, hlsl::Stage stage) {
   shaders::CompileRequest request;
   request.file = "Test.hlsl";
   request.text = text;
   request.stage = stage;
+  return request;
+}
+
+inline shaders::CompileResult compiled(shaders::CompileRequest request) {
   request.optimise = false;
   request.debug_lines = true;
   shaders::CompileResult result = shaders::compile(request);
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
     if (diagnostic.severity == hlsl::Severity::error)
-      ADD_FAILURE() << hlsl::format(diagnostic) << "\n" << text;
+      ADD_FAILURE() << hlsl::format(diagnostic) << "\n" << request.text.value_or(request.entry);
   return result;
+}
+
+inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment) {
+  return compiled(request_of(text, stage));
 }
 
 // The findings with the legalised module of the compiler, as `penumbra validate` has it; nothing where the
 // module cannot be optimised.
-inline std::optional<std::vector<hlsl::Diagnostic>> lint_as_compiled(const std::string& text,
-                                                                     hlsl::Stage stage, int shader_target) {
-  shaders::CompileRequest request;
-  request.file = "Test.hlsl";
-  request.text = text;
-  request.stage = stage;
+inline std::optional<std::vector<hlsl::Diagnostic>> lint_as_compiled(shaders::CompileRequest request,
+                                                                     int shader_target) {
   request.keep_unoptimised = true;
   shaders::CompileResult result = shaders::compile(request);
   if (result.spirv.empty()) return std::nullopt;
-  return lint_module({std::move(result.unoptimised), stage, "Test.hlsl", std::move(result.sources),
-                      shader_target, std::move(result.legalised)});
+  return lint_module({std::move(result.unoptimised), request.stage, request.file.string(),
+                      std::move(result.sources), shader_target, std::move(result.legalised)});
 }
 
 // The finding as "3:5 error rule: message", or "3 ..." where the column is unknown.
@@ -58,16 +62,21 @@ inline std::vector<std::string> told(const std::vector<hlsl::Diagnostic>& findin
   return all;
 }
 
-inline std::vector<hlsl::Diagnostic> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
-                                          int shader_target = 0) {
-  shaders::CompileResult result = compiled(text, stage);
+inline std::vector<hlsl::Diagnostic> lint(const shaders::CompileRequest& request, int shader_target = 0) {
+  shaders::CompileResult result = compiled(request);
   if (result.spirv.empty()) return {};
   std::vector<hlsl::Diagnostic> findings =
-      lint_module({std::move(result.spirv), stage, "Test.hlsl", std::move(result.sources), shader_target});
-  if (const auto as_compiled = lint_as_compiled(text, stage, shader_target)) {
-    EXPECT_EQ(told(*as_compiled), told(findings)) << text;
+      lint_module({std::move(result.spirv), request.stage, request.file.string(), std::move(result.sources),
+                   shader_target});
+  if (const auto as_compiled = lint_as_compiled(request, shader_target)) {
+    EXPECT_EQ(told(*as_compiled), told(findings)) << request.text.value_or(request.entry);
   }
   return findings;
+}
+
+inline std::vector<hlsl::Diagnostic> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
+                                          int shader_target = 0) {
+  return lint(request_of(text, stage), shader_target);
 }
 
 // Every finding of the rule, in order.

@@ -26,59 +26,6 @@ using testing_frames::TilePoint;
 
 constexpr int kTexels = 64;
 
-// The macros of one graphics API, in the place where a pipeline keeps them.
-constexpr const char* kApi = R"(
-#define TEXTURE2D_SHADOW(textureName) Texture2D textureName
-#define SAMPLER_CMP(samplerName) SamplerComparisonState samplerName
-#define TEXTURE2D_SHADOW_PARAM(textureName, samplerName) Texture2D textureName, SamplerComparisonState samplerName
-#define TEXTURE2D_SHADOW_ARGS(textureName, samplerName) textureName, samplerName
-#define SAMPLE_TEXTURE2D_SHADOW(textureName, samplerName, coord3) \
-    textureName.SampleCmpLevelZero(samplerName, (coord3).xy, (coord3).z)
-)";
-
-// Core functions, of which one macro makes half and float twins.
-constexpr const char* kCommon = R"(
-#ifndef UNITY_COMMON_INCLUDED
-#define UNITY_COMMON_INCLUDED
-#define real float
-#include "Packages/test.core/ShaderLibrary/API/Vulkan.hlsl"
-#define TWINS(type) type Mean3(type a, type b, type c) { return (a + b + c) / type(3.0); }
-TWINS(half)
-TWINS(float)
-#endif
-)";
-
-// The mean of nine comparisons, one texel apart.
-constexpr const char* kShadows = R"(
-#include "Packages/test.core/ShaderLibrary/Common.hlsl"
-TEXTURE2D_SHADOW(_MainLightShadowmapTexture);
-SAMPLER_CMP(sampler_LinearClampCompare);
-float4x4 _MainLightWorldToShadow[5];
-float4 _MainLightShadowmapSize;
-float4 _NobodyProvidesThis;
-float4 _NobodyReadsThis;
-half Row(TEXTURE2D_SHADOW_PARAM(map, sampler_map), float3 at, half y)
-{
-    const float2 texel = _MainLightShadowmapSize.xy;
-    return Mean3(SAMPLE_TEXTURE2D_SHADOW(map, sampler_map, at + float3(float2(-1.0, y) * texel, 0.0)),
-                 SAMPLE_TEXTURE2D_SHADOW(map, sampler_map, at + float3(float2(0.0, y) * texel, 0.0)),
-                 SAMPLE_TEXTURE2D_SHADOW(map, sampler_map, at + float3(float2(1.0, y) * texel, 0.0)));
-}
-float MeanOfNine(float3 positionWS)
-{
-    const float3 at = mul(_MainLightWorldToShadow[0], float4(positionWS, 1.0)).xyz;
-    return Mean3(Row(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_LinearClampCompare), at, -1.0),
-                 Row(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_LinearClampCompare), at, 0.0),
-                 Row(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_LinearClampCompare), at, 1.0)) +
-           _NobodyProvidesThis.x;
-}
-)";
-
-constexpr const char* kAdapterOfNine = R"(
-#include "Packages/test.pipeline/ShaderLibrary/Shadows.hlsl"
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return MeanOfNine(positionWS); }
-)";
-
 class AdapterTest : public testing::Test {
  protected:
   std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -95,14 +42,15 @@ class AdapterTest : public testing::Test {
     return adapter;
   }
 
-  Adapter adapter_of_nine() const {
-    write("core/ShaderLibrary/API/Vulkan.hlsl", kApi);
-    write("core/ShaderLibrary/Common.hlsl", kCommon);
-    write("pipeline/ShaderLibrary/Shadows.hlsl", kShadows);
-    Adapter nine = adapter(kAdapterOfNine);
-    nine.package_roots = {{"test.core", folder_.path() / "core"},
-                          {"test.pipeline", folder_.path() / "pipeline"}};
-    return nine;
+  // A file of the folder adapters, which holds a small pipeline in URP's manner as well.
+  static Adapter from_folder(const std::string& file) {
+    const std::filesystem::path folder =
+        std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/adapters";
+    Adapter adapter;
+    adapter.name = "mine";
+    adapter.file = folder / file;
+    adapter.package_roots = {{"test.core", folder / "core"}, {"test.pipeline", folder / "pipeline"}};
+    return adapter;
   }
 
   // A half-plane over the columns left of the middle, and one receiver in the centre of each of the given
@@ -137,7 +85,7 @@ class AdapterTest : public testing::Test {
 TEST_F(AdapterTest, APipelinesOwnMacrosAreCountedAndItsAnswerIsRight) {
   for (const bool reversed_z : {true, false}) {
     const scene::Frame frame = half_plane({30, 31, 32, 33}, reversed_z);
-    const GraphResult result = run(adapter_shader(adapter_of_nine(), reversed_z), frame);
+    const GraphResult result = run(adapter_shader(from_folder("MeanOfNine.hlsl"), reversed_z), frame);
     const float expected[] = {0.0f, 1.0f / 3.0f, 2.0f / 3.0f, 1.0f};
     for (std::size_t i = 0; i < 4; ++i) {
       // The way through world space moves the samples off their texels' centres by 1e-4 texels.
@@ -148,18 +96,18 @@ TEST_F(AdapterTest, APipelinesOwnMacrosAreCountedAndItsAnswerIsRight) {
 }
 
 TEST_F(AdapterTest, TwinsAreNotedWithTheBodyThatIsKept) {
-  const CompiledGraph compiled = compile(adapter_shader(adapter_of_nine()));
+  const CompiledGraph compiled = compile(adapter_shader(from_folder("MeanOfNine.hlsl")));
   EXPECT_THAT(compiled.notes, ElementsAre(AllOf(HasSubstr("Common.hlsl:7: note: 'Mean3(half, half, half)'"),
                                                 HasSubstr("Common.hlsl:8 is used for both"))));
 }
 
 TEST_F(AdapterTest, OnlyUniformsThatAreReadAndNotProvidedAreNamed) {
-  const GraphResult result = run(adapter_shader(adapter_of_nine()), half_plane({0}, true));
+  const GraphResult result = run(adapter_shader(from_folder("MeanOfNine.hlsl")), half_plane({0}, true));
   EXPECT_THAT(result.unset_uniforms, ElementsAre("_NobodyProvidesThis"));
 }
 
 TEST_F(AdapterTest, AUniformOfTheAdapterIsRead) {
-  Adapter nine = adapter_of_nine();
+  Adapter nine = from_folder("MeanOfNine.hlsl");
   nine.uniforms["_NobodyProvidesThis"] = {0.25, 0.0, 0.0, 0.0};
   const GraphResult result = run(adapter_shader(nine), half_plane({30}, true));
   EXPECT_NEAR(result.visibility.at(0).at(0), 0.25f, 1e-3);
@@ -167,38 +115,14 @@ TEST_F(AdapterTest, AUniformOfTheAdapterIsRead) {
 }
 
 TEST_F(AdapterTest, ThePlatformMacrosOfTheLibraryServeToo) {
-  const GraphResult result = run(adapter_shader(adapter(R"(
-#include "Platform/Platform.hlsl"
-TEXTURE2D_SHADOW(_ShadowMap);
-SAMPLER_CMP(sampler_ShadowMap);
-float4x4 _PenumbraWorldToShadow[5];
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-{
-    const float3 at = mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).xyz;
-    return SAMPLE_TEXTURE2D_SHADOW(_ShadowMap, sampler_ShadowMap, at);
-}
-)")),
-                                 half_plane({10, 50}, true));
+  const GraphResult result =
+      run(adapter_shader(from_folder("PlatformMacros.hlsl")), half_plane({10, 50}, true));
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 1u));
 }
 
 TEST_F(AdapterTest, ReadsWithoutTheMacrosAreCountedToo) {
-  const GraphResult result = run(adapter_shader(adapter(R"(
-Texture2D _ShadowMap;
-SamplerComparisonState sampler_ShadowMap;
-SamplerState sampler_PointClamp;
-float4x4 _PenumbraWorldToShadow[5];
-float PeekAtMap(float3 at) { return _ShadowMap.SampleCmpLevelZero(sampler_ShadowMap, at.xy, at.z); }
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-{
-    const float3 at = mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).xyz;
-    float visibility = PeekAtMap(at);
-    if (visibility > 0.5) visibility += 0.0 * _ShadowMap.GatherRed(sampler_PointClamp, at.xy).x;
-    return visibility;
-}
-)")),
-                                 half_plane({10, 50}, true));
+  const GraphResult result = run(adapter_shader(from_folder("PlainReads.hlsl")), half_plane({10, 50}, true));
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 2u));
 }
@@ -340,18 +264,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
   EXPECT_THAT(result.fetches, Each(0U));
 }
 
-// Two texels of one row hold 0 and 1 in red; a sample beside the texture's edge tells how it is addressed.
-constexpr const char* kReadsAPicture = R"(
-#include "Platform/Platform.hlsl"
-TEXTURE2D(_Picture);
-SAMPLER(SAMPLER_NAME);
-float4 _Picture_TexelSize;
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-{
-    return SAMPLE_TEXTURE2D_LOD(_Picture, SAMPLER_NAME, float2(1.25, 0.5), 0.0).x + _Picture_TexelSize.z;
-}
-)";
-
+// The texels of the row hold 0 and 1 in red.
 TEST_F(AdapterTest, ATextureOfTheUsersIsReadByTheSamplerThatItsNameSays) {
   const scene::Texture picture{2, 1, {0, 0, 0, 255, 255, 0, 0, 255}};
   const std::map<std::string, float> samples{{"my_point_clamp_sampler", 1.0F},
@@ -360,7 +273,7 @@ TEST_F(AdapterTest, ATextureOfTheUsersIsReadByTheSamplerThatItsNameSays) {
                                              {"Point_Repeat", 0.0F},
                                              {"sampler_Picture", 0.0F}};
   for (const auto& [sampler, red] : samples) {
-    Adapter reads = adapter(kReadsAPicture);
+    Adapter reads = from_folder("Picture.hlsl");
     reads.keywords.clear();
     reads.textures = {{"_Picture", picture}};
     ShadowShader shader = adapter_shader(reads);
@@ -388,22 +301,8 @@ TEST_F(AdapterTest, ASamplersNameMustSayFilterAndAddressing) {
   }
 }
 
-// There is every kind of declaration; each number that is read has a decimal place of its own.
-constexpr const char* kReadsNumbers = R"(
-struct Light { float range; float2 shift[2]; int mode; float2x3 turn; };
-Light _Lights[2];
-float _Taps[3];
-uint _Count;
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-{
-    return _Lights[0].range + 10.0 * _Lights[1].shift[1].y + 100.0 * _Lights[1].mode +
-           1000.0 * _Lights[1].turn[1][2] + 10000.0 * mul(_Lights[1].turn, float3(1.0, 0.0, 0.0)).y +
-           100000.0 * _Taps[2] + 1000000.0 * _Count;
-}
-)";
-
 TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclaration) {
-  Adapter reads = adapter(kReadsNumbers);
+  Adapter reads = from_folder("Numbers.hlsl");
   reads.uniforms["_Lights[0]"] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   reads.uniforms["_Lights[1].shift"] = {0, 0, 0, 2};
   reads.uniforms["_Lights[1].mode"] = {3};
@@ -416,23 +315,23 @@ TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclarat
 }
 
 TEST_F(AdapterTest, NumbersThatDoNotFitTheirUniformAreRefused) {
-  const auto expect = [this](const std::string& name, const std::vector<double>& numbers,
-                             const testing::Matcher<std::string>& message) {
-    Adapter reads = adapter(kReadsNumbers);
+  const auto expect = [](const std::string& name, const std::vector<double>& numbers,
+                         const testing::Matcher<std::string>& message) {
+    Adapter reads = from_folder("Numbers.hlsl");
     reads.uniforms[name] = numbers;
     expect_input_error([&] { run(adapter_shader(reads), half_plane({0}, true)); }, message);
   };
   expect("_Taps", {1, 2}, AllOf(HasSubstr("'_Taps'"), HasSubstr("3 numbers"), HasSubstr("given 2")));
   expect("_Count", {1.5}, AllOf(HasSubstr("'_Count'"), HasSubstr("integer")));
   expect("_Count", {-1}, HasSubstr("integer"));
-  expect("_Count", {1, 2}, HasSubstr("Mine.hlsl:5: "));
+  expect("_Count", {1, 2}, HasSubstr("Numbers.hlsl:5: "));
   expect("_Tops", {1, 2, 3},
-         AllOf(HasSubstr("Mine.hlsl:6: "), HasSubstr("no uniform '_Tops'"),
+         AllOf(HasSubstr("Numbers.hlsl:6: "), HasSubstr("no uniform '_Tops'"),
                HasSubstr("did you mean '_Taps'?"), HasSubstr("it reads _Lights, _Taps, _Count")));
   expect("_Taps[3]", {1},
-         AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'_Taps' has _Taps[0], _Taps[1], _Taps[2]")));
+         AllOf(HasSubstr("Numbers.hlsl:4: "), HasSubstr("'_Taps' has _Taps[0], _Taps[1], _Taps[2]")));
   expect("_Lights[1].rnge", {1},
-         AllOf(HasSubstr("Mine.hlsl:3: "), HasSubstr("did you mean '_Lights[1].range'?"),
+         AllOf(HasSubstr("Numbers.hlsl:3: "), HasSubstr("did you mean '_Lights[1].range'?"),
                HasSubstr("'_Lights' has _Lights[0].range, ")));
 }
 
@@ -481,11 +380,11 @@ TEST_F(AdapterTest, AFileThatIsNotThereIsNoAdapter) {
 }
 
 TEST_F(AdapterTest, AMissingPackageRootIsNamed) {
-  Adapter nine = adapter_of_nine();
+  Adapter nine = from_folder("MeanOfNine.hlsl");
   nine.package_roots.pop_back();
   expect_input_error(
       [&] { compile(adapter_shader(nine)); },
-      AllOf(HasSubstr("Mine.hlsl:2"), HasSubstr("no package root is given for 'test.pipeline'")));
+      AllOf(HasSubstr("MeanOfNine.hlsl:2"), HasSubstr("no package root is given for 'test.pipeline'")));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hlsl/source_text.h"
 #include "validation/report_merge.h"
 #include "validation/shader_sources.h"
 #include "validation/validate_techniques.h"
@@ -145,13 +146,9 @@ TEST_F(StageLinkage, AnInoutPositionIsWritten) {
               IsEmpty());
 }
 
-constexpr const char* keyword_stages =
-    "struct Out { float4 p : SV_Position;\n#ifdef LIT\nfloat3 n : NORMAL;\n#endif\n#ifndef WAVES\nfloat id : "
-    "ID;\n#endif\n};\n"
-    "Out Vert(float4 v : POSITION) { return (Out)v.x; }\n"
-    "float4 Frag(float3 n : NORMAL, float id : ID) : SV_Target\n{\nfloat4 c = 0;\n#ifdef LIT\nc += "
-    "n.x;\n#endif\n"
-    "#if defined(FOG) || defined(WAVES)\nc += id;\n#endif\nreturn c;\n}\n";
+// The lines of messages are those of the whole shader.
+const std::string keyword_stages =
+    hlsl::read_source(PENUMBRA_SOURCE_DIR "/tests/validation/keyword_stages.hlsl").text;
 constexpr const char* keyword_pragmas =
     "#pragma multi_compile _ LIT\n#pragma multi_compile_vertex _ WAVES\n#pragma multi_compile_fragment _ FOG";
 

@@ -53,7 +53,8 @@ class RepeatedGlobals {
     text_.note(name, hlsl::Severity::error,
                "'" + spelling + "' is already declared, at " + text_.file_of(known->second) + ":" +
                    std::to_string(text_[known->second].line) + ": remove one of the two");
-    text_.replace(name, 1, text_.free_name(spelling + "_"));  // glslang crashes on two types
+    // glslang crashes on two types, so that each declaration gets a name of its own.
+    text_.replace(name, 1, text_.free_name(spelling + "_" + std::to_string(name)));
   }
 
   TokenText& text_;

@@ -56,6 +56,13 @@ class ResourceCalls {
     text_.note(at, hlsl::Severity::error, std::move(message));
   }
 
+  // As people write it: the preprocessor puts blanks around a '.'.
+  std::string spelled(std::size_t first, std::size_t count) const {
+    std::string text = text_.spelled(first, count);
+    std::erase(text, ' ');
+    return text;
+  }
+
   // glslang makes a constant of max(texture, number) and the like.
   void check_numbers(std::size_t name) {
     if (text_.matching_bracket(name + 1) == npos) return;
@@ -64,7 +71,7 @@ class ResourceCalls {
       const std::string_view type = types_.at(last).name;
       if (types_.begin(last) != argument.first || types_.at(last).dimensions > 0 || !is_resource(type))
         continue;
-      refuse(argument.first, "'" + text_.spelled(argument.first, argument.end - argument.first) + "' is a " +
+      refuse(argument.first, "'" + spelled(argument.first, argument.end - argument.first) + "' is a " +
                                  std::string(type) + ", and " + std::string(word(name)) + "() takes numbers" +
                                  (is_texture(type) ? ": read it with Sample or Load" : ""));
     }
@@ -82,7 +89,7 @@ class ResourceCalls {
         last = text_.matching_bracket(last);
     }
     if (last >= text_.size() || types_.begin(last) != name + 2 || !is_texture(types_.at(last).name)) return;
-    const std::string texture = text_.spelled(name + 2, last - name - 1);
+    const std::string texture = spelled(name + 2, last - name - 1);
     refuse(name, "'" + std::string(word(name)) + "' takes a sampler" + std::string(function->dimension) +
                      ", and '" + texture + "' is a " + std::string(types_.at(last).name) + ": write " +
                      texture + ".Sample() with a SamplerState");
@@ -127,10 +134,10 @@ class ResourceCalls {
       refuse(name, method + " takes no type in '<>' here: read or write uints, and convert them with " +
                        "asfloat(), asint() or asuint()");
     } else if (is_texture(type) && text_.is(name, "sample") && text_.is(name + 1, "[")) {
-      const std::string texture = text_.spelled(first, name - 1 - first);
+      const std::string texture = spelled(first, name - 1 - first);
       refuse(name, "'.sample[][]' is not supported: write " + texture + ".Load(texel, sample)");
     } else if (is_texture(type) && text_.is(name, "Store") && text_.is(name + 1, "(")) {
-      const std::string texture = text_.spelled(first, name - 1 - first);
+      const std::string texture = spelled(first, name - 1 - first);
       refuse(name, "a " + std::string(type) + " has no method 'Store': write " + texture + "[texel] = value");
     }
   }

@@ -197,13 +197,19 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-// Adds further errors, on other lines, for a source with errors. The validator's messages are omitted,
-// because they are about a module that the program's author did not write.
+// Returns whether a message is about a module that the program's author did not write, or only follows from
+// the errors before it.
+bool follows_from_errors(const std::string& message) {
+  return message.starts_with("SPIR-V ") || message.starts_with("link: ") ||
+         message.starts_with("the HLSL front end gave up: ");
+}
+
+// Adds further errors, on other lines, for a source with errors.
 void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
   CompileResult built;
   build(source, sources, built);
   for (hlsl::Diagnostic& said : built.diagnostics) {
-    if (said.message.starts_with("SPIR-V ")) continue;
+    if (follows_from_errors(said.message)) continue;
     const bool known = std::any_of(
         result.diagnostics.begin(), result.diagnostics.end(),
         [&](const hlsl::Diagnostic& other) { return other.file == said.file && other.line == said.line; });

@@ -1,0 +1,1 @@
+Texture2D<float4> _T : register(t0);

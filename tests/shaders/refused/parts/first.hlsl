@@ -1,0 +1,5 @@
+float First(float x)
+{
+    x = uno;
+    return x;
+}
