@@ -142,13 +142,39 @@ TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
   for (const char* pass : {"layers: Layers", "layers: Nearest"}) EXPECT_THAT(cost.output, HasSubstr(pass));
 }
 
+TEST_F(TechniqueListCommand, TheFirstExampleOfThePageIsMeasuredAsItStands) {
+  std::ostringstream text;
+  text << std::ifstream(PENUMBRA_SOURCE_DIR "/docs/add-technique.md").rdbuf();
+  const std::string page = text.str();
+  const auto first_block = [&](const std::string& fence) {
+    const std::size_t begin = page.find(fence) + fence.size();
+    return page.substr(begin, page.find("```", begin) - begin);
+  };
+  write("Ring.hlsl", first_block("```hlsl\n"));
+  const std::string manifest = write("Ring.technique.json", first_block("```json\n")).string();
+  const auto emitted = run({"emit", "--technique-list", manifest});
+  ASSERT_EQ(emitted.exit_code, 0) << emitted.errors;
+  const auto valid = run({"validate", "--technique-list", manifest, "--no-cache"});
+  EXPECT_EQ(valid.exit_code, 0) << valid.output;
+  const auto measured = run({"measure", "--technique-list", manifest, "--technique", "all", "--scene",
+                             "contact-boxes", "--size", "96x54", "--reference-samples", "32", "--light", "2",
+                             "--seeds", "1", "--timing-repeats", "0"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].at("technique"), "ring-8");
+  EXPECT_EQ(records[0].at("fetches_mean"), 8.0);
+  EXPECT_EQ(records[1].at("fetches_mean"), 16.0);
+}
+
 TEST_F(TechniqueListCommand, AMistakeIsNamedAtItsLine) {
   const std::string manifest =
       write("a.technique.json", "{\"techniques\": [\n {\"name\": \"a\", \"tilte\": \"A\"}]}").string();
   for (const char* subcommand : {"validate", "measure", "render", "cost"}) {
     const auto result = run({subcommand, "--technique-list", manifest});
     EXPECT_EQ(result.exit_code, 2) << subcommand;
-    EXPECT_THAT(result.errors, AllOf(HasSubstr("a.technique.json:2:"), HasSubstr("'title' is missing")))
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("a.technique.json:2:"), HasSubstr("unknown key 'tilte'"),
+                                     HasSubstr("did you mean 'title'?")))
         << subcommand;
   }
 }

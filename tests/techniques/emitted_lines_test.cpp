@@ -146,7 +146,7 @@ TEST_F(EmittedLines, ALineDoesNotContinue) {
     Json manifest = Json::parse(file_text(added_ / "Means.technique.json"));
     manifest["structs"][0]["doc"] = std::string("Of the test.") + end;
     EXPECT_THAT(problem_of(files_.write("Changed.technique.json", manifest.dump(1))),
-                HasSubstr("does not end in a backslash"));
+                HasSubstr("ends in a backslash"));
   }
 }
 

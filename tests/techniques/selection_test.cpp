@@ -300,7 +300,12 @@ TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
   };
   EXPECT_THAT(disc_problem(R"("value": 2, )", R"("value": 2, "keyword": "_PENUMBRA_DISC", )"),
               AllOf(at("15"), HasSubstr("'disc' ends in a texture"), HasSubstr("leave the keyword out")));
-  EXPECT_THAT(disc_problem(R"("value": 2, )", ""), AllOf(at("15"), HasSubstr("give it a value")));
+  const std::string offered = R"("value": 2, "technique": "disc", "fallback": "Ring",
+     "title": "Disc", "doc": "A disc.", "options": {"ringTaps": "taps"})";
+  EXPECT_THAT(disc_problem(offered, R"("technique": "disc", "fallback": "Ring")"),
+              AllOf(at("15"), HasSubstr("give it a value")));
+  EXPECT_THAT(disc_problem(R"("value": 2, )", ""),
+              AllOf(at("16"), HasSubstr("'doc' needs 'value', which is missing")));
   EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Disc")"),
               AllOf(at("15"), HasSubstr("unknown selection 'Disc'")));
   EXPECT_THAT(

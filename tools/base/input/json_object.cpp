@@ -7,9 +7,8 @@
 #include "input/nearest_name.h"
 
 namespace penumbra {
-namespace {
 
-std::string type_of(const nlohmann::json& value) {
+std::string json_type(const nlohmann::json& value) {
   if (value.is_number()) return "a number";
   if (value.is_string()) return "a string";
   if (value.is_boolean()) return "true or false";
@@ -18,13 +17,11 @@ std::string type_of(const nlohmann::json& value) {
   return "null";
 }
 
-}  // namespace
-
 JsonObject::JsonObject(const LocatedJson& document, LocatedJson::Pointer at)
     : document_(&document), at_(std::move(at)) {
   const nlohmann::json& value = document.at(at_);
   if (!value.is_object()) {
-    throw InputError(document.where(at_), "expected an object { ... }, found " + type_of(value));
+    throw InputError(document.where(at_), "expected an object { ... }, found " + json_type(value));
   }
 }
 
@@ -43,7 +40,7 @@ bool JsonObject::has(const std::string& key) {
 double JsonObject::number(const std::string& key, double fallback) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return fallback;
-  if (!value->is_number()) fail(key, "'" + key + "' must be a number, found " + type_of(*value));
+  if (!value->is_number()) fail(key, "'" + key + "' must be a number, found " + json_type(*value));
   const double result = value->get<double>();
   if (!std::isfinite(result)) fail(key, "'" + key + "' is too large for a number");
   return result;
@@ -59,14 +56,14 @@ int JsonObject::integer(const std::string& key, int fallback) {
 bool JsonObject::boolean(const std::string& key, bool fallback) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return fallback;
-  if (!value->is_boolean()) fail(key, "'" + key + "' must be true or false, found " + type_of(*value));
+  if (!value->is_boolean()) fail(key, "'" + key + "' must be true or false, found " + json_type(*value));
   return value->get<bool>();
 }
 
 std::string JsonObject::text(const std::string& key, const std::string& fallback) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return fallback;
-  if (!value->is_string()) fail(key, "'" + key + "' must be a string, found " + type_of(*value));
+  if (!value->is_string()) fail(key, "'" + key + "' must be a string, found " + json_type(*value));
   return value->get<std::string>();
 }
 
@@ -74,11 +71,11 @@ std::vector<double> JsonObject::numbers(const std::string& key, std::size_t coun
   const nlohmann::json* value = find(key);
   const std::string wanted = "'" + key + "' must be an array of " + std::to_string(count) + " numbers";
   if (value == nullptr) fail(key, wanted + ", but it is missing");
-  if (!value->is_array()) fail(key, wanted + ", found " + type_of(*value));
+  if (!value->is_array()) fail(key, wanted + ", found " + json_type(*value));
   if (value->size() != count) fail(key, wanted + ", found " + std::to_string(value->size()));
   std::vector<double> result;
   for (const nlohmann::json& element : *value) {
-    if (!element.is_number()) fail(key, wanted + ", one element is " + type_of(element));
+    if (!element.is_number()) fail(key, wanted + ", one element is " + json_type(element));
     result.push_back(element.get<double>());
     if (!std::isfinite(result.back())) fail(key, wanted + ", one element is too large");
   }
@@ -88,10 +85,10 @@ std::vector<double> JsonObject::numbers(const std::string& key, std::size_t coun
 std::vector<std::string> JsonObject::texts(const std::string& key) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return {};
-  if (!value->is_array()) fail(key, "'" + key + "' must be an array of strings, found " + type_of(*value));
+  if (!value->is_array()) fail(key, "'" + key + "' must be an array of strings, found " + json_type(*value));
   std::vector<std::string> result;
   for (const nlohmann::json& element : *value) {
-    if (!element.is_string()) fail(key, "'" + key + "' must hold only strings, one is " + type_of(element));
+    if (!element.is_string()) fail(key, "'" + key + "' must hold only strings, one is " + json_type(element));
     result.push_back(element.get<std::string>());
   }
   return result;
@@ -100,7 +97,7 @@ std::vector<std::string> JsonObject::texts(const std::string& key) {
 JsonObject JsonObject::object(const std::string& key) {
   const nlohmann::json* value = find(key);
   if (value != nullptr) {
-    if (!value->is_object()) fail(key, "'" + key + "' must be an object { ... }, found " + type_of(*value));
+    if (!value->is_object()) fail(key, "'" + key + "' must be an object { ... }, found " + json_type(*value));
     return JsonObject(*document_, at_ / key);
   }
   JsonObject empty = *this;
@@ -113,7 +110,7 @@ JsonObject JsonObject::object(const std::string& key) {
 std::vector<JsonObject> JsonObject::objects(const std::string& key) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return {};
-  if (!value->is_array()) fail(key, "'" + key + "' must be an array of objects, found " + type_of(*value));
+  if (!value->is_array()) fail(key, "'" + key + "' must be an array of objects, found " + json_type(*value));
   std::vector<JsonObject> result;
   for (std::size_t i = 0; i < value->size(); ++i) result.emplace_back(*document_, at_ / key / i);
   return result;

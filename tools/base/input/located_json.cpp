@@ -124,4 +124,9 @@ std::string LocatedJson::where(const Pointer& pointer) const {
   return place ? name_ + ":" + std::to_string(place->line) + ":" + std::to_string(place->column) : name_;
 }
 
+std::uint32_t LocatedJson::order(const Pointer& pointer) const {
+  const std::optional<Place> place = place_of(pointer);
+  return place ? place->number : 0;
+}
+
 }  // namespace penumbra

@@ -41,6 +41,7 @@ class LocatedJson {
   const nlohmann::json& value() const { return *value_; }
   const nlohmann::json& at(const Pointer& pointer) const { return value_->at(pointer); }
   std::string where(const Pointer& pointer) const;  // "name:line:column" of the value; in objects, of its key
+  std::uint32_t order(const Pointer& pointer) const;  // the value's place in the order of the text
 
  private:
   std::optional<Place> place_of(const Pointer& pointer) const;
@@ -50,6 +51,8 @@ class LocatedJson {
   Place root_;
   Places places_;
 };
+
+std::string json_type(const nlohmann::json& value);  // for messages: "a number"
 
 // An object of a LocatedJson, read field by field. Every accessor throws InputError at the value's location
 // if the type is wrong; finish() throws for keys that were not read, suggesting the nearest one that was.

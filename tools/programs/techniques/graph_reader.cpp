@@ -1,126 +1,72 @@
 #include "techniques/graph_reader.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <system_error>
 #include <utility>
 
-#include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "input/text_line.h"
 
 namespace penumbra::techniques {
 namespace {
 
+// Returns the value of that name: the schema lets no other name through.
 template <typename Value>
-Value chosen(JsonObject& object, const std::string& key, const std::string& fallback, const std::string& what,
-             const std::vector<std::pair<std::string, Value>>& choices) {
-  const std::string text = object.text(key, fallback);
-  if (text.empty()) object.fail(key, "'" + key + "' is missing");
-  std::vector<std::string> known;
-  for (const auto& [name, value] : choices) {
-    if (name == text) return value;
-    known.push_back(name);
-  }
-  require_known(object, key, what, text, known);
-  return {};
+Value of_name(const std::string& name, const std::vector<Value>& values) {
+  return *std::find_if(values.begin(), values.end(), [&](Value value) { return name == name_of(value); });
 }
 
 std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {
-  constexpr std::size_t kMost = 128;
-  const std::vector<std::string> keys = object.keys();
-  if (!keys.empty()) require_at_most(object, keys.front(), keys.size(), kMost, "names of one pass");
   std::vector<std::pair<std::string, std::string>> bindings;
-  for (const std::string& key : keys) bindings.emplace_back(key, required_text(object, key));
+  for (const std::string& key : object.keys()) bindings.emplace_back(key, object.text(key, ""));
   return bindings;
 }
 
-int whole(JsonObject& object, const std::string& key, double value, int most) {
-  if (value != std::floor(value) || value < 1.0 || value > most)
-    object.fail(key, "'" + key + "' has whole numbers from 1 to " + std::to_string(most));
-  return static_cast<int>(value);
+void read_numbers(JsonObject& object, const std::string& key, std::array<int, 3>& numbers) {
+  if (!object.has(key)) return;
+  const std::vector<double> given = object.numbers(key, numbers.size());
+  std::transform(given.begin(), given.end(), numbers.begin(), [](double n) { return static_cast<int>(n); });
 }
 
 GraphTexture read_texture(JsonObject object) {
   GraphTexture texture;
-  texture.name = required_identifier(object, "name");
+  texture.name = object.text("name", "");
   texture.where = object.where("name");
   texture.previous_of = object.text("previous_of", "");
-  if (!texture.previous_of.empty()) {
-    for (const char* key : {"extent", "divisor", "size", "format", "mips", "layers", "samples"})
-      if (object.has(key))
-        object.fail(key,
-                    "'" + texture.name + "' is '" + texture.previous_of + "' a frame ago, and has its " + key,
-                    "leave it out");
-    object.finish();
-    return texture;
-  }
-  texture.extent = chosen<ExtentOf>(object, "extent", "screen", "extent",
-                                    {{"screen", ExtentOf::screen},
-                                     {"map", ExtentOf::map},
-                                     {"tile", ExtentOf::tile},
-                                     {"fixed", ExtentOf::fixed}});
+  texture.extent = of_name<ExtentOf>(object.text("extent", name_of(ExtentOf::screen)),
+                                     {ExtentOf::screen, ExtentOf::map, ExtentOf::tile, ExtentOf::fixed});
   texture.divisor = object.integer("divisor", 1);
-  if (texture.extent == ExtentOf::fixed) {
-    const std::vector<double> size = object.numbers("size", 3);
-    if (object.has("divisor")) object.fail("divisor", "a fixed size has no divisor");
-    for (std::size_t i = 0; i < 3; ++i) texture.size[i] = whole(object, "size", size[i], 16384);
-  }
-  texture.format = required_text(object, "format");
+  read_numbers(object, "size", texture.size);
+  texture.format = object.text("format", texture.format);
   texture.mips = object.integer("mips", 1);
   texture.layers = object.integer("layers", 1);
   texture.samples = object.integer("samples", 1);
-  object.finish();
   return texture;
 }
 
 GraphBuffer read_buffer(JsonObject object) {
   GraphBuffer buffer;
-  buffer.name = required_identifier(object, "name");
+  buffer.name = object.text("name", "");
   buffer.where = object.where("name");
   buffer.words = object.integer("words", 0);
   buffer.words_per_texel = object.integer("words_per_texel", 0);
   buffer.texture = object.text("texture", "");
   buffer.divisor = object.integer("divisor", 1);
   buffer.indirect = object.boolean("indirect", false);
-  constexpr int kMost = 1 << 24;
-  if (buffer.words < 0 || buffer.words > kMost || buffer.words_per_texel < 0 || buffer.words_per_texel > 64)
-    object.fail("name", "'" + buffer.name + "' has 0 to 2^24 words and 0 to 64 words per texel");
-  if (buffer.words + buffer.words_per_texel == 0)
-    object.fail("name", "'" + buffer.name + "' has no words",
-                "give \"words\", or \"words_per_texel\" and \"texture\"");
-  if ((buffer.words_per_texel > 0) == buffer.texture.empty())
-    object.fail("name", "\"words_per_texel\" and \"texture\" must be used together");
-  if (buffer.divisor < 1 || buffer.divisor > 64) object.fail("divisor", "a divisor is 1 to 64");
-  if (buffer.divisor > 1 && buffer.texture.empty())
-    object.fail("divisor", "it divides the size of the buffer's texture, and there is none");
-  if (buffer.indirect && buffer.words < 3)
-    object.fail("name", "numbers of groups take three words: '" + buffer.name + "' has " +
-                            std::to_string(buffer.words));
-  object.finish();
   return buffer;
 }
 
 GroupCount read_groups(JsonObject object) {
   GroupCount groups;
-  if (object.has("fixed")) {
-    const std::vector<double> fixed = object.numbers("fixed", 3);
-    for (std::size_t i = 0; i < 3; ++i) {
-      groups.fixed[i] = whole(object, "fixed", fixed[i], 65535);
-    }
-  }
+  read_numbers(object, "fixed", groups.fixed);
   groups.texels_of = object.text("texels_of", "");
   groups.divisor = object.integer("divisor", 1);
-  if (groups.divisor < 1 || groups.divisor > 64) object.fail("divisor", "a divisor is 1 to 64");
-  if (groups.divisor > 1 && groups.texels_of.empty())
-    object.fail("divisor", "it divides the size of \"texels_of\", and there is none");
   groups.indirect = object.text("indirect", "");
-  object.finish();
   return groups;
 }
 
 void require_structs(JsonObject& object, const TechniqueList& list, const std::vector<std::string>& names) {
-  require_at_most(object, "parameters", names.size(), 64, "structs of one pass");
   for (const std::string& name : names) {
     if (list.find_struct(name) != nullptr) continue;
     std::vector<std::string> known;
@@ -129,15 +75,9 @@ void require_structs(JsonObject& object, const TechniqueList& list, const std::v
   }
 }
 
-// These names become C# and uniforms.
 std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) {
   std::vector<std::string> absent = object.texts("absent");
-  constexpr std::size_t kMost = 64;
-  if (absent.size() > kMost)
-    object.fail("absent", "a pass has at most " + std::to_string(kMost) + " absent textures");
   for (const std::string& name : absent) {
-    if (!hlsl::is_identifier(name))
-      object.fail("absent", "'" + name + "' is no identifier", "write what the program calls the texture");
     for (const auto& [shader_name, texture] : pass.reads)
       if (shader_name == name)
         object.fail("absent", "the pass reads '" + name + "'", R"(leave it out of "reads" or of "absent")");
@@ -149,16 +89,12 @@ std::vector<std::string> read_absent(JsonObject& object, const GraphPass& pass) 
 
 GraphPass read_pass(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {
   GraphPass pass;
-  pass.name = required_text(object, "name");
+  pass.name = object.text("name", "");
   pass.where = object.where("name");
-  pass.kind = chosen<PassKind>(object, "kind", "", "kind of pass",
-                               {{"filter", PassKind::filter},
-                                {"raster", PassKind::raster},
-                                {"casters", PassKind::casters},
-                                {"compute", PassKind::compute}});
-  pass.frequency = chosen<Frequency>(
-      object, "runs", "frame", "frequency",
-      {{"frame", Frequency::frame}, {"cascade", Frequency::cascade}, {"bake", Frequency::bake}});
+  pass.kind = of_name<PassKind>(object.text("kind", ""),
+                                {PassKind::filter, PassKind::raster, PassKind::casters, PassKind::compute});
+  pass.frequency = of_name<Frequency>(object.text("runs", name_of(Frequency::frame)),
+                                      {Frequency::frame, Frequency::cascade, Frequency::bake});
   if (object.has("filter")) pass.filter = read_filter(object.object("filter"), list, files);
   if (pass.kind != PassKind::filter) {
     const bool kernel = pass.kind == PassKind::compute;
@@ -175,20 +111,15 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
       for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);
-    if (!kernel) pass.stencil = object.text("stencil", "");
-    if (pass.kind == PassKind::raster) pass.absent = read_absent(object, pass);
-    if (pass.kind == PassKind::casters) {
-      pass.depth = object.text("depth", "");
-      pass.casters = chosen<DrawnCasters>(object, "casters", "opaque", "kind of casters",
-                                          {{name_of(DrawnCasters::opaque), DrawnCasters::opaque},
-                                           {name_of(DrawnCasters::blended), DrawnCasters::blended},
-                                           {name_of(DrawnCasters::volumes), DrawnCasters::volumes}});
-    } else {
-      pass.each_mip = object.boolean("each_mip", false);
-    }
-    if (kernel) pass.groups = read_groups(object.object("groups"));
+    pass.stencil = object.text("stencil", "");
+    pass.absent = read_absent(object, pass);
+    pass.depth = object.text("depth", "");
+    pass.casters =
+        of_name<DrawnCasters>(object.text("casters", name_of(DrawnCasters::opaque)),
+                              {DrawnCasters::opaque, DrawnCasters::blended, DrawnCasters::volumes});
+    pass.each_mip = object.boolean("each_mip", false);
+    pass.groups = read_groups(object.object("groups"));
   }
-  object.finish();
   return pass;
 }
 
@@ -224,13 +155,7 @@ void add_once(std::vector<Need>& needs, Need need) {
 }
 
 void read_needs(JsonObject& object, std::vector<Need>& needs) {
-  std::vector<std::string> known;
-  for (const Need need : all_needs()) known.emplace_back(name_of(need));
-  for (const std::string& name : object.texts("needs")) {
-    require_known(object, "needs", "input", name, known);
-    for (const Need need : all_needs())
-      if (name == name_of(need)) add_once(needs, need);
-  }
+  for (const std::string& name : object.texts("needs")) add_once(needs, of_name(name, all_needs()));
 }
 
 void add(PassGraph& graph, const PassGraph& part) {
@@ -265,7 +190,7 @@ ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::f
 }
 
 std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
-  const std::string name = required_line(object, key);
+  const std::string name = object.text(key, "");
   if (!can_be_emitted(name)) object.fail(key, kUnfitName, kFitName);
   const std::filesystem::path file = (folder_ / name).lexically_normal();
   if (!bounds_.contain(file))
@@ -290,21 +215,18 @@ std::string ManifestFiles::named(const std::filesystem::path& file) const {
 FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {
   FilterCall filter;
   filter.file = files.required(object, "file");
-  filter.function = required_identifier(object, "function");
+  filter.function = object.text("function", "");
   filter.arguments =
       object.has("arguments") ? object.texts("arguments") : std::vector<std::string>{"shadowMap"};
   filter.parameters = object.text("parameters", "");
   if (!filter.parameters.empty()) require_structs(object, list, {filter.parameters});
-  object.finish();
   return filter;
 }
 
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known) {
   PassGraph graph;
-  const std::vector<std::string> parts = object.texts("parts");
-  require_at_most(object, "parts", parts.size(), kMostItems, "parts of one graph");
-  for (const std::string& part : parts) {
+  for (const std::string& part : object.texts("parts")) {
     if (!known.contains(part)) {
       std::vector<std::string> names;
       for (const auto& [name, other] : known) names.push_back(name);
@@ -313,22 +235,20 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
     add(graph, known.at(part));
     require_bounded(object, graph);
   }
-  for (const JsonObject& texture : entries(object, "textures", graph.textures.size(), kMostItems))
+  for (const JsonObject& texture : object.objects("textures"))
     graph.textures.push_back(read_texture(texture));
-  for (const JsonObject& buffer : entries(object, "buffers", graph.buffers.size(), kMostItems))
-    graph.buffers.push_back(read_buffer(buffer));
-  for (const JsonObject& pass : entries(object, "passes", graph.passes.size(), kMostItems))
+  for (const JsonObject& buffer : object.objects("buffers")) graph.buffers.push_back(read_buffer(buffer));
+  for (const JsonObject& pass : object.objects("passes"))
     graph.passes.push_back(read_pass(pass, list, files));
   require_bounded(object, graph);
   give_shapes(graph.textures, PassGraph(graph));
-  append(graph.keywords, read_keywords(object, "keywords"));
+  append(graph.keywords, read_keywords(object));
   read_needs(object, graph.needs);
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
   append(graph.published, object.texts("published"));
   require_at_most(object, "published", graph.published.size(), kMostItems, "published textures");
   graph.source = object.text("source", graph.source);
-  object.finish();
   return graph;
 }
 

@@ -28,18 +28,10 @@ class ManifestFiles {
   project::IncludeBounds bounds_;
 };
 
-// {name, parts: [graphs above it, whose content it takes over],
-//  textures: [{name, extent, divisor, size, format, mips, layers, samples} or {name, previous_of}],
-//  buffers: [{name, words, words_per_texel, texture, divisor, indirect}],
-//  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
-//  name), reads: {name in the shader: name}, absent: [names in the shader],
-//            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters
-//            depth: name, groups: {fixed | texels_of, divisor | indirect}}],
-//  keywords, needs: [names], visibility, mask, source}
+// Reads a graph of technique.schema.json, over the graphs that are known by then.
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known);
 
-// {file, function, arguments, parameters}
 FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files);
 
 }  // namespace penumbra::techniques

@@ -4,17 +4,14 @@
 #include <set>
 #include <string_view>
 
-#include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
-#include "input/text_line.h"
 #include "techniques/graph_reader.h"
+#include "techniques/manifest_check.h"
 #include "techniques/technique_values.h"
 
 namespace penumbra::techniques {
 namespace {
-
-const std::vector<std::string> field_types = {"float", "float2", "float4", "int"};
 
 // These names are reserved words of C# and HLSL, and members that an emitted struct has besides its fields.
 bool is_reserved(const std::string& name) {
@@ -38,12 +35,12 @@ bool is_reserved(const std::string& name) {
 }
 
 ParameterField read_field(JsonObject object) {
-  ParameterField field;
-  field.name = required_identifier(object, "name");
-  field.type = required_text(object, "type");
-  field.unit = required_line(object, "unit");
-  field.doc = required_line(object, "doc");
-  require_known(object, "type", "type", field.type, field_types);
+  ParameterField field{object.text("name", ""),
+                       object.text("type", ""),
+                       object.text("unit", ""),
+                       object.text("doc", ""),
+                       {},
+                       {}};
   if (object.has("range")) {
     const std::vector<double> ends = object.numbers("range", 2);
     if (ends[0] > ends[1]) object.fail("range", "the smallest value comes after the largest");
@@ -54,14 +51,13 @@ ParameterField read_field(JsonObject object) {
     field.otherwise = components(object, "default", field);
     require_value(object, "default", field, field.otherwise);
   }
-  object.finish();
   return field;
 }
 
 ParameterStruct read_struct(JsonObject object) {
-  ParameterStruct parameters{required_identifier(object, "name"), required_line(object, "doc"), {}, {}};
+  ParameterStruct parameters{object.text("name", ""), object.text("doc", ""), {}, {}};
   std::set<std::string> seen;
-  for (JsonObject& field : entries(object, "fields", 0, most_choices)) {
+  for (JsonObject& field : object.objects("fields")) {
     parameters.fields.push_back(read_field(field));
     const std::string& name = parameters.fields.back().name;
     if (!seen.insert(name).second) field.fail("name", "there are two fields '" + name + "'");
@@ -69,45 +65,7 @@ ParameterStruct read_struct(JsonObject object) {
       field.fail("name", "'" + name + "' is a word of C#, of HLSL or of the emitted struct",
                  "choose another");
   }
-  if (parameters.fields.empty()) object.fail("fields", "'" + parameters.name + "' has no fields");
-  object.finish();
   return parameters;
-}
-
-double number_up_to(JsonObject& object, const std::string& key, double largest) {
-  const double value = object.number(key, 0.0);
-  if (!(value > 0.0 && value <= largest))
-    object.fail(key, "'" + key + "' is not above 0 and at most " + std::to_string(static_cast<int>(largest)));
-  return value;
-}
-
-// The ranges are those of the renderer feature's options.
-Look read_look(JsonObject object) {
-  Look look{required_name(object), required_line(object, "title"), required_line(object, "doc"),
-            number_up_to(object, "angularDiameterDegrees", 30.0),
-            number_up_to(object, "maxPenumbraMetres", 100.0)};
-  object.finish();
-  return look;
-}
-
-// The check covers every text and every key: they become code, comments and documents of several languages.
-// `name` is the name in messages of a text that is no key's value.
-void require_lines(const LocatedJson& document, const LocatedJson::Pointer& at, const std::string& name) {
-  const auto require = [&](const LocatedJson::Pointer& place, const std::string& text) {
-    if (!is_one_line(text))
-      throw InputError(document.where(place),
-                       "'" + name + "' is one line, without control characters and marks of direction",
-                       "write spaces in their place");
-  };
-  const nlohmann::json& value = document.at(at);
-  if (value.is_string()) require(at, value.get_ref<const std::string&>());
-  if (value.is_array())
-    for (std::size_t i = 0; i < value.size(); ++i) require_lines(document, at / i, name);
-  if (!value.is_object()) return;
-  for (const auto& member : value.items()) {
-    require(at / member.key(), member.key());
-    require_lines(document, at / member.key(), member.key());
-  }
 }
 
 }  // namespace
@@ -128,22 +86,6 @@ std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::s
   return objects;
 }
 
-std::string required_text(JsonObject& object, const std::string& key) {
-  std::string text = object.text(key, "");
-  if (text.empty()) object.fail(key, "'" + key + "' is missing or empty");
-  return text;
-}
-
-std::string required_name(JsonObject& object) {
-  std::string name = required_text(object, "name");
-  const bool plain =
-      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
-      std::string::npos;
-  if (!plain || name.size() > 100)
-    object.fail("name", "a name has letters, digits, '.', '_' and '-', at most 100 of them");
-  return name;
-}
-
 void require_value(JsonObject& object, const std::string& key, const ParameterField& field,
                    const std::vector<double>& components) {
   for (const double value : components) {
@@ -159,29 +101,12 @@ std::vector<double> components(JsonObject& object, const std::string& key, const
   return {value};
 }
 
-std::string required_line(JsonObject& object, const std::string& key) {
-  std::string text = required_text(object, key);
-  const std::size_t last = text.find_last_not_of(' ');
-  if (last == std::string::npos) object.fail(key, "'" + key + "' is blank");
-  if (text[last] == '\\')
-    object.fail(key, "'" + key + "' is one line, and does not end in a backslash, which would continue it");
-  return text;
-}
-
-std::vector<std::string> read_keywords(JsonObject& object, const std::string& key) {
-  std::vector<std::string> keywords = object.texts(key);
-  require_at_most(object, key, keywords.size(), 64, "keywords");
-  for (const std::string& keyword : keywords) {
-    if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is not a keyword");
-    if (keyword == "UNITY_REVERSED_Z") object.fail(key, "'UNITY_REVERSED_Z' is the platform's to define");
-  }
+std::vector<std::string> read_keywords(JsonObject& object) {
+  std::vector<std::string> keywords = object.texts("keywords");
+  for (const std::string& keyword : keywords)
+    if (keyword == "UNITY_REVERSED_Z")
+      object.fail("keywords", "'UNITY_REVERSED_Z' is the platform's to define");
   return keywords;
-}
-
-std::string required_identifier(JsonObject& object, const std::string& key) {
-  std::string name = required_text(object, key);
-  if (!hlsl::is_identifier(name)) object.fail(key, "'" + name + "' is not an HLSL identifier");
-  return name;
 }
 
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
@@ -193,7 +118,8 @@ void require_known(JsonObject& object, const std::string& key, const std::string
 // Names and values belong to one look each: the inspector recognises by the values which look is set.
 void add_looks(JsonObject& root, TechniqueList& list) {
   for (JsonObject& object : entries(root, "looks", list.looks.size(), most_choices)) {
-    const Look look = read_look(object);
+    const Look look{object.text("name", ""), object.text("title", ""), object.text("doc", ""),
+                    object.number("angularDiameterDegrees", 0.0), object.number("maxPenumbraMetres", 0.0)};
     for (const Look& other : list.looks) {
       if (other.name == look.name) object.fail("name", "there are two looks '" + look.name + "'");
       if (other.angular_diameter_degrees == look.angular_diameter_degrees &&
@@ -206,9 +132,8 @@ void add_looks(JsonObject& root, TechniqueList& list) {
 
 Manifest open_manifest(const std::filesystem::path& file) {
   Manifest manifest{file, LocatedJson::read(file), 0};
-  require_lines(manifest.document, LocatedJson::Pointer(), "manifest");
-  JsonObject root(manifest.document);
-  manifest.order = root.integer("order", 0);
+  check_manifest(manifest.document);
+  manifest.order = JsonObject(manifest.document).integer("order", 0);
   return manifest;
 }
 

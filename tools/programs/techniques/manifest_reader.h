@@ -1,4 +1,5 @@
-// Reads one manifest. Internal to this folder.
+// Reads one manifest. Internal to this folder. The readers check what its schema cannot say: names that refer
+// to something, names that may not repeat, values of declared fields, and files.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,8 @@ struct Manifest {
   int order = 0;  // its place among the manifests of a package
 };
 
-// Throws InputError with file:line:column, as all of this file does.
+// Throws InputError with file:line:column, as all of this file does. What it returns has been checked
+// (manifest_check.h).
 Manifest open_manifest(const std::filesystem::path& file);
 
 using Graphs = std::map<std::string, PassGraph>;
@@ -46,11 +48,7 @@ std::vector<JsonObject> entries(JsonObject& root, const std::string& key, std::s
                                 std::size_t most);
 void require_at_most(const JsonObject& object, const std::string& key, std::size_t count, std::size_t most,
                      const std::string& what);
-std::string required_text(JsonObject& object, const std::string& key);
-std::string required_line(JsonObject& object, const std::string& key);  // may end a line of emitted text
-std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
-std::string required_identifier(JsonObject& object, const std::string& key);
-std::string required_name(JsonObject& object);  // "name": commands and files use it for a technique or a look
+std::vector<std::string> read_keywords(JsonObject& object);
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);
 void add_looks(JsonObject& root, TechniqueList& list);

@@ -111,6 +111,20 @@ std::vector<Need> all_needs() {
   return {Need::ground_heights, Need::horizon_angles, Need::distance_fields, Need::noise_mask};
 }
 
+const char* name_of(ExtentOf extent) {
+  switch (extent) {
+    case ExtentOf::screen:
+      return "screen";
+    case ExtentOf::map:
+      return "map";
+    case ExtentOf::tile:
+      return "tile";
+    case ExtentOf::fixed:
+      break;
+  }
+  return "fixed";
+}
+
 const char* name_of(Frequency frequency) {
   switch (frequency) {
     case Frequency::bake:

@@ -82,7 +82,8 @@ enum class DrawnCasters { opaque, blended, volumes };
 
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
 
-const char* name_of(Frequency frequency);  // the name in manifests
+const char* name_of(ExtentOf extent);  // the name in manifests
+const char* name_of(Frequency frequency);
 const char* name_of(PassKind kind);
 const char* name_of(DrawnCasters casters);
 

@@ -9,22 +9,17 @@
 namespace penumbra::techniques {
 namespace {
 
-const std::vector<std::string> option_types = {"int", "float", "bool", "enum"};
-
 FeatureOption read_option(JsonObject object) {
-  FeatureOption option{required_identifier(object, "name"),
-                       required_text(object, "type"),
-                       required_line(object, "label"),
-                       required_line(object, "tooltip"),
+  FeatureOption option{object.text("name", ""),
+                       object.text("type", ""),
+                       object.text("label", ""),
+                       object.text("tooltip", ""),
                        {}};
-  require_known(object, "type", "type", option.type, option_types);
-  const bool is_number = option.type == "int" || option.type == "float";
-  if (is_number) {
+  if (object.has("range")) {
     const std::vector<double> ends = object.numbers("range", 2);
     if (!(ends[0] < ends[1])) object.fail("range", "the smallest value is not below the largest");
     option.range = {ends[0], ends[1]};
   }
-  object.finish();
   return option;
 }
 
@@ -37,7 +32,7 @@ void read_options_of(JsonObject object, const TechniqueList& list, Selection& se
   for (const ParameterField& field : fields) names.push_back(field.name);
   for (const std::string& name : object.keys()) {
     require_known(object, name, "option", name, options);
-    const std::string field = required_text(object, name);
+    const std::string field = object.text(name, "");
     require_known(object, name, "field", field, names);
     const auto option = std::find_if(list.options.begin(), list.options.end(),
                                      [&](const FeatureOption& one) { return one.name == name; });
@@ -53,12 +48,11 @@ void read_options_of(JsonObject object, const TechniqueList& list, Selection& se
 // Reads the enumerator, where the renderer feature offers the selection.
 void read_entry(JsonObject& object, const TechniqueList& list, Selection& selection) {
   selection.value = object.integer("value", 0);
-  if (*selection.value < 0) object.fail("value", "the value of an enumerator is not negative");
   for (const Selection& other : list.selections)
     if (other.value == selection.value)
       object.fail("value", "'" + other.name + "' has the value " + std::to_string(*selection.value));
-  selection.title = required_line(object, "title");
-  selection.doc = required_line(object, "doc");
+  selection.title = object.text("title", "");
+  selection.doc = object.text("doc", "");
   read_options_of(object.object("options"), list, selection);
 }
 
@@ -73,7 +67,8 @@ void read_fallback(JsonObject& object, const TechniqueList& list, Selection& sel
               "' reads no raw depths: its filter takes no point sampler, and no passes run before it");
     return;
   }
-  selection.fallback = required_text(object, "fallback");
+  if (!object.has("fallback")) object.fail("fallback", "'fallback' is missing");
+  selection.fallback = object.text("fallback", "");
   std::vector<std::string> known;
   for (const Selection& other : list.selections)
     if (selection.draws_visibility ? !other.draws_visibility : other.fallback.empty())
@@ -87,7 +82,7 @@ void read_fallback(JsonObject& object, const TechniqueList& list, Selection& sel
 // Returns a technique whose filter a keyword can select, under the sun, after passes or without any; or one
 // whose passes draw the visibility from the shadow map alone.
 const Technique& read_technique(JsonObject& object, const std::string& key, const TechniqueList& list) {
-  const std::string name = required_text(object, key);
+  const std::string name = object.text(key, "");
   std::vector<std::string> known;
   for (const Technique& technique : list.techniques) known.push_back(technique.name);
   require_known(object, key, "technique", name, known);
@@ -136,7 +131,7 @@ void read_computed_parameters(JsonObject& object, const TechniqueList& list, con
 
 Selection read_selection(JsonObject& object, const TechniqueList& list) {
   Selection selection;
-  selection.name = required_identifier(object, "name");
+  selection.name = object.text("name", "");
   selection.where = object.where("name");
   const Technique& technique = read_technique(object, "technique", list);
   selection.technique = technique.name;
@@ -155,9 +150,6 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
     if (!selection.draws_visibility && !other.draws_visibility && other.keyword == selection.keyword)
       object.fail("keyword", "'" + other.name + "' has the keyword '" + other.keyword + "'");
   }
-  if (!selection.keyword.empty() && !selection.keyword.starts_with("_PENUMBRA_"))
-    object.fail("keyword", "a keyword of the library begins with '_PENUMBRA_'");
-  if (!selection.keyword.empty()) required_identifier(object, "keyword");
   if (!selection.draws_visibility) selection.filter = *technique.graph.filter();
   for (const GraphTexture& texture : technique.graph.textures)
     if (selection.filter.takes(texture.name)) selection.textures.push_back(texture);
@@ -169,7 +161,6 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   read_half_resolution(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);
-  object.finish();
   return selection;
 }
 
@@ -233,12 +224,9 @@ void add_presets(JsonObject& root, TechniqueList& list) {
   std::vector<std::string> names;
   for (const Technique& technique : list.techniques) names.push_back(technique.name);
   for (JsonObject& object : entries(root, "presets", list.presets.size(), most_choices)) {
-    PresetChoice choice{required_text(object, "preset"), required_text(object, "fallback"), {}};
+    PresetChoice choice{object.text("preset", ""), object.text("fallback", ""), {}};
     require_known(object, "preset", "technique", choice.preset, names);
     require_known(object, "fallback", "technique", choice.fallback, names);
-    if (!choice.preset.starts_with(preset_prefix))
-      object.fail("preset", "'" + choice.preset + "' is not a preset",
-                  std::string("their names begin with ") + preset_prefix);
     for (const PresetChoice& other : list.presets)
       if (other.preset == choice.preset)
         object.fail("preset", "there are two fallbacks of '" + choice.preset + "'");
@@ -251,7 +239,6 @@ void add_presets(JsonObject& root, TechniqueList& list) {
                                   "', which '" + selection->name + "' falls back to");
     require_same_options(object, list, choice, *selection);
     choice.selection = selection->name;
-    object.finish();
     list.presets.push_back(std::move(choice));
   }
 }

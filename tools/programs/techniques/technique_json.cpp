@@ -10,20 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(ExtentOf extent) {
-  switch (extent) {
-    case ExtentOf::screen:
-      return "screen";
-    case ExtentOf::map:
-      return "map";
-    case ExtentOf::tile:
-      return "tile";
-    case ExtentOf::fixed:
-      break;
-  }
-  return "fixed";
-}
-
 Json of(const GraphTexture& texture) {
   Json json{{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
             {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},

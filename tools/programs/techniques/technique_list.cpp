@@ -61,7 +61,7 @@ Graphs add_package(std::vector<Manifest> manifests, TechniqueList& list) {
 // of the files that it leads to: they lie in the manifest's own tree.
 fs::path library_of(const Manifest& manifest, const project::IncludeBounds& tree) {
   JsonObject root(manifest.document);
-  const std::string name = required_line(root, "library");
+  const std::string name = root.text("library", "");
   const fs::path folder =
       (fs::absolute(manifest.file).parent_path() / name / "").lexically_normal().parent_path();
   if (!tree.contain_package(folder))

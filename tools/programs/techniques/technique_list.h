@@ -1,8 +1,7 @@
 // The techniques, their passes and their needs, as the manifests list them.
 //
 // A manifest, NAME.technique.json, stands beside the HLSL that it describes, so that a technique is added by
-// adding its files. Its keys are the members' names below and those of graph_reader.h. Files that it names
-// are relative to it.
+// adding its files. technique.schema.json says what its keys are. Files that it names are relative to it.
 #pragma once
 
 #include <filesystem>
@@ -35,8 +34,6 @@ struct CascadeRule {
   std::map<std::string, std::vector<double>> values;  // for the same filter, only those that differ
   std::map<std::string, double> unlimited;            // see Technique::unlimited
 };
-
-inline constexpr int most_cascades = 4;  // URP's main light has at most so many
 
 // The light of a technique's map: a sun, in parallel and in cascades, or a spot light, in perspective.
 enum class LightKind { directional, spot };

@@ -4,7 +4,6 @@
 #include <set>
 #include <utility>
 
-#include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "platform/data_directory.h"
 #include "techniques/graph_reader.h"
@@ -13,27 +12,12 @@
 namespace penumbra::techniques {
 namespace {
 
-const std::vector<std::string> soft_qualities = {"off", "low", "medium", "high"};
-const std::vector<std::string> target_names = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
-
-double read_bias_setting(JsonObject& bias, const std::string& key, double otherwise = -1.0) {
-  const double value = bias.number(key, otherwise);
-  if (value < 0.0 || value > 10.0) bias.fail(key, "'" + key + "' must be a number from 0 to 10");
-  return value;
-}
-
-std::string optional_line(JsonObject& object, const std::string& key) {
-  return object.has(key) ? required_line(object, key) : "";
-}
-
 TechniqueBias read_bias(JsonObject object) {
   TechniqueBias bias;
-  bias.depth = read_bias_setting(object, "depth");
-  bias.normal = read_bias_setting(object, "normal");
+  bias.depth = object.number("depth", bias.depth);
+  bias.normal = object.number("normal", bias.normal);
   bias.soft_quality = object.text("soft_quality", bias.soft_quality);
-  require_known(object, "soft_quality", "soft quality", bias.soft_quality, soft_qualities);
-  bias.slope = read_bias_setting(object, "slope", bias.slope);
-  object.finish();
+  bias.slope = object.number("slope", bias.slope);
   return bias;
 }
 
@@ -59,10 +43,6 @@ class TechniqueReader {
         graphs_(std::move(graphs)),
         defaults_(JsonObject(document_).object("defaults")),
         shared_values_(defaults_.object("values")) {
-    for (const char* key : {"family", "source", "use_when", "not_when", "bias", "lights", "graph", "filter",
-                            "keywords", "unlimited", "keyword_sets", "targets_absent"})
-      defaults_.has(key);
-    defaults_.finish();
     for (const Technique& technique : list.techniques) graph_items_ += item_count(technique.graph);
   }
 
@@ -94,10 +74,11 @@ class TechniqueReader {
     if (model == nullptr || model->keyword_sets == usual_keyword_sets(*model))
       technique.keyword_sets = usual_keyword_sets(technique);
     if (of("keyword_sets").has("keyword_sets"))
-      technique.keyword_sets = keyword_sets(of("keyword_sets"), document_.at(place("keyword_sets")));
+      document_.at(place("keyword_sets")).get_to(technique.keyword_sets);
     if (of("targets_absent").has("targets_absent")) technique.targets_absent.clear();
-    read_targets_absent(of("targets_absent").object("targets_absent"), technique);
-    object.finish();
+    JsonObject reasons = of("targets_absent").object("targets_absent");
+    for (const std::string& target : reasons.keys())
+      technique.targets_absent[target] = reasons.text(target, "");
     return technique;
   }
 
@@ -111,16 +92,22 @@ class TechniqueReader {
     return object.has(key) ? object : defaults_;
   }
 
+  std::string needed_text(JsonObject& object, const std::string& key) {
+    if (!giver(object, key).has(key))
+      object.fail(key, "'" + key + "' is missing", "give it here or in \"defaults\"");
+    return giver(object, key).text(key, "");
+  }
+
   void read_description(JsonObject& object, bool has_model, Technique& technique) {
     const auto has = [&](const std::string& key) { return !has_model || giver(object, key).has(key); };
-    technique.name = required_name(object);
+    technique.name = object.text("name", "");
     technique.where = object.where("name");
     technique.manifest = manifest_;
-    technique.title = required_line(object, "title");
-    if (has("family")) technique.family = required_line(giver(object, "family"), "family");
-    if (has("source")) technique.source = required_line(giver(object, "source"), "source");
-    technique.use_when = optional_line(giver(object, "use_when"), "use_when");
-    technique.not_when = optional_line(giver(object, "not_when"), "not_when");
+    technique.title = object.text("title", "");
+    if (has("family")) technique.family = needed_text(object, "family");
+    if (has("source")) technique.source = needed_text(object, "source");
+    technique.use_when = giver(object, "use_when").text("use_when", "");
+    technique.not_when = giver(object, "not_when").text("not_when", "");
   }
 
   // Reads the graph and the keywords, and with an earlier technique what its passes need.
@@ -128,7 +115,11 @@ class TechniqueReader {
     if (object.has("graph") && object.has("filter"))
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
     JsonObject& from = object.has("graph") || object.has("filter") ? object : defaults_;
-    if (!has_model || from.has("graph") || from.has("filter")) {
+    const bool has_passes = from.has("graph") || from.has("filter");
+    if (!has_passes && !has_model)
+      object.fail("graph", "'" + technique.name + "' has neither a filter nor a graph",
+                  "give it one, here or in \"defaults\"");
+    if (has_passes) {
       technique.cascades.clear();
       technique.graph_name.clear();
       technique.graph = graph(from, earlier, technique.graph_name);
@@ -142,19 +133,13 @@ class TechniqueReader {
     }
     JsonObject& keywords = giver(object, "keywords");
     if (has_model && keywords.has("keywords")) technique.keywords.clear();
-    for (const std::string& keyword : read_keywords(keywords, "keywords"))
-      technique.keywords.push_back(keyword);
+    for (const std::string& keyword : read_keywords(keywords)) technique.keywords.push_back(keyword);
   }
 
   static std::vector<LightKind> read_lights(JsonObject& object) {
-    const std::vector<std::string> names = object.texts("lights");
-    if (names.empty()) object.fail("lights", "'lights' is empty", "leave it out, or name a kind of light");
     std::vector<LightKind> lights;
-    for (const std::string& name : names) {
-      require_known(object, "lights", "kind of light", name,
-                    {name_of(LightKind::directional), name_of(LightKind::spot)});
+    for (const std::string& name : object.texts("lights"))
       lights.push_back(name == name_of(LightKind::spot) ? LightKind::spot : LightKind::directional);
-    }
     return lights;
   }
 
@@ -176,7 +161,7 @@ class TechniqueReader {
 
   // Returns an earlier technique that the entry differs from in what it gives itself.
   const Technique& model_of(JsonObject& object) const {
-    const std::string name = required_text(object, "like");
+    const std::string name = object.text("like", "");
     if (object.has("after"))
       object.fail("after", "'like' and 'after' both name a technique whose passes the entry has",
                   "leave out one of the two");
@@ -198,7 +183,7 @@ class TechniqueReader {
 
   // Returns an earlier technique whose visibility is a texture, which another graph can read.
   const Technique& over_screen(JsonObject& object) const {
-    const std::string name = required_text(object, "after");
+    const std::string name = object.text("after", "");
     std::vector<std::string> known;
     for (const Technique& other : list_.techniques)
       if (other.graph.over_screen()) known.push_back(other.name);
@@ -213,7 +198,7 @@ class TechniqueReader {
     if (alone) {
       graph = graph_of(read_filter(from.object(key), list_, files_), from.where(key));
     } else {
-      name = required_text(from, key);
+      name = from.text(key, "");
       if (!graphs_.contains(name)) {
         std::vector<std::string> known;
         for (const auto& [known_name, known_graph] : graphs_) known.push_back(known_name);
@@ -245,11 +230,8 @@ class TechniqueReader {
   CascadeRule read_rule(JsonObject& object, const Technique& technique) {
     CascadeRule rule;
     rule.from = object.integer("from", 0);
-    const int least = technique.cascades.empty() ? 1 : technique.cascades.back().from + 1;
-    if (rule.from < least || rule.from >= most_cascades)
-      object.fail("from", "'from' is the index of the first cascade that the rule is for, from " +
-                              std::to_string(least) + " to " + std::to_string(most_cascades - 1) +
-                              "; rules come in rising order");
+    if (!technique.cascades.empty() && rule.from <= technique.cascades.back().from)
+      object.fail("from", "'from' is not above that of the rule before it: rules come in rising order");
     const Technique& other = object.has("technique") ? filter_alone(object, technique) : technique;
     const GraphPass* pass = other.graph.filter_pass();
     if (pass == nullptr)
@@ -268,13 +250,12 @@ class TechniqueReader {
     own.finish();
     if (rule.technique.empty() && rule.values.empty())
       object.fail("from", "the rule changes nothing", "give it \"values\" or a \"technique\"");
-    object.finish();
     return rule;
   }
 
   // Returns the technique of a rule: one of the list so far that runs without passes and keywords of its own.
   const Technique& filter_alone(JsonObject& object, const Technique& technique) const {
-    const std::string name = required_text(object, "technique");
+    const std::string name = object.text("technique", "");
     std::vector<std::string> known;
     for (const Technique& other : list_.techniques) known.push_back(other.name);
     require_known(object, "technique", "technique", name, known);
@@ -342,33 +323,6 @@ class TechniqueReader {
     return sets;
   }
 
-  static std::vector<std::vector<std::string>> keyword_sets(JsonObject& object, const nlohmann::json& sets) {
-    const auto refuse = [&] { object.fail("keyword_sets", "must be an array of arrays of strings"); };
-    if (!sets.is_array()) refuse();
-    if (sets.empty()) object.fail("keyword_sets", "'keyword_sets' is empty", "leave it out, or give [[]]");
-    require_at_most(object, "keyword_sets", sets.size(), 64, "sets of keywords");
-    std::vector<std::vector<std::string>> result;
-    for (const nlohmann::json& set : sets) {
-      if (!set.is_array()) refuse();
-      require_at_most(object, "keyword_sets", set.size(), 64, "keywords of one set");
-      result.emplace_back();
-      for (const nlohmann::json& keyword : set) {
-        if (!keyword.is_string()) refuse();
-        result.back().push_back(keyword.get<std::string>());
-        if (!hlsl::is_identifier(result.back().back()))
-          object.fail("keyword_sets", "'" + result.back().back() + "' is not a keyword");
-      }
-    }
-    return result;
-  }
-
-  static void read_targets_absent(JsonObject object, Technique& technique) {
-    for (const std::string& target : object.keys()) {
-      require_known(object, target, "target", target, target_names);
-      technique.targets_absent[target] = required_text(object, target);
-    }
-  }
-
   const LocatedJson& document_;
   const TechniqueList& list_;
   ManifestFiles files_;
@@ -383,7 +337,7 @@ class TechniqueReader {
 Graphs read_graphs(JsonObject& root, const TechniqueList& list, const ManifestFiles& files, Graphs graphs) {
   std::size_t items = 0;
   for (JsonObject& object : entries(root, "graphs", list.graphs.size(), most_graphs)) {
-    const std::string name = required_text(object, "name");
+    const std::string name = object.text("name", "");
     if (!graphs.emplace(name, read_graph(object, list, files, graphs)).second)
       object.fail("name", "there are two graphs '" + name + "'",
                   "choose another name; the graphs of a manifest's library are known in it, too");
@@ -399,7 +353,7 @@ void add_graphs(JsonObject& root, const Graphs& graphs, const std::string& manif
   for (JsonObject& object : root.objects("graphs"))
     for (const std::string& part : object.texts("parts")) parts.insert(part);
   for (JsonObject& object : root.objects("graphs")) {
-    const std::string name = required_text(object, "name");
+    const std::string name = object.text("name", "");
     if (!parts.contains(name))
       list.graphs.push_back({name, manifest, object.where("name"), checked(object, "name", graphs.at(name))});
   }
@@ -409,8 +363,6 @@ void add_graphs(JsonObject& root, const Graphs& graphs, const std::string& manif
 
 Graphs add_techniques(const Manifest& manifest, TechniqueList& list, Graphs of_library) {
   JsonObject root(manifest.document);
-  for (const char* key : {"order", "library", "structs", "options", "defaults"})
-    root.has(key);  // read elsewhere
   const ManifestFiles files(manifest.file, list.package);
   const Graphs graphs = read_graphs(root, list, files, std::move(of_library));
   add_graphs(root, graphs, files.named(manifest.file), list);
@@ -428,7 +380,6 @@ Graphs add_techniques(const Manifest& manifest, TechniqueList& list, Graphs of_l
   add_selections(root, list);
   add_presets(root, list);
   add_looks(root, list);
-  root.finish();
   return graphs;
 }
 
