@@ -51,7 +51,7 @@ TEST(EarlierRows, AreAddedBehindTheOthersWithHowTheyWereMeasured) {
   EXPECT_EQ(parse_results(to_json(results), "again.json"), results);
   EXPECT_THAT(result_block(results, {}),
               AllOf(HasSubstr("at commit 0123456789abcdef"), HasSubstr("`bilinear`, `tent-5x5`"),
-                    HasSubstr("penumbra measure --technique bilinear\n")));
+                    HasSubstr("Command: `penumbra measure --technique bilinear`.\n")));
 }
 
 TEST(EarlierRows, TakenASecondTimeKeepTheRunThatMeasuredThem) {
