@@ -26,35 +26,36 @@ from results_table import read_table  # noqa: E402
 LONGEST = 16384
 
 
+def files(*patterns, folder=root):
+    for pattern in patterns:
+        for file in sorted(folder.glob(pattern)):
+            if file.is_file():
+                yield file.read_bytes()
+
+
+def sources(patterns):
+    return (text.decode() for text in files(*patterns, folder=tests))
+
+
 def raw_strings(*patterns):
     """The raw strings of C++ sources, and what stands between quotes on a line of its own."""
-    for pattern in patterns:
-        for source in sorted(tests.glob(pattern)):
-            for match in re.finditer(r'R"([^()\\\s]{0,16})\((.*?)\)\1"', source.read_text(), re.DOTALL):
-                yield match[2].encode()
+    for source in sources(patterns):
+        for match in re.finditer(r'R"([^()\\\s]{0,16})\((.*?)\)\1"', source, re.DOTALL):
+            yield match[2].encode()
 
 
 def quoted(*patterns):
-    for pattern in patterns:
-        for source in sorted(tests.glob(pattern)):
-            for match in re.finditer(r'"((?:[^"\\\n]|\\.)+)"', source.read_text()):
-                yield match[1].encode().decode('unicode_escape').encode('latin-1', 'replace')
+    for source in sources(patterns):
+        for match in re.finditer(r'"((?:[^"\\\n]|\\.)+)"', source):
+            yield match[1].encode().decode('unicode_escape').encode('latin-1', 'replace')
 
 
 def literals(*patterns):
     """The texts of C++ sources, each joined from the literals that stand side by side."""
-    for pattern in patterns:
-        for source in sorted(tests.glob(pattern)):
-            for match in re.finditer(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+', re.sub(r'(?m)^#include.*$', '', source.read_text())):
-                pieces = re.findall(r'"((?:[^"\\\n]|\\.)*)"', match[0])
-                yield ''.join(pieces).encode().decode('unicode_escape').encode('latin-1', 'replace')
-
-
-def files(*patterns):
-    for pattern in patterns:
-        for file in sorted(root.glob(pattern)):
-            if file.is_file():
-                yield file.read_bytes()
+    for source in sources(patterns):
+        for match in re.finditer(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+', re.sub(r'(?m)^#include.*$', '', source)):
+            pieces = re.findall(r'"((?:[^"\\\n]|\\.)*)"', match[0])
+            yield ''.join(pieces).encode().decode('unicode_escape').encode('latin-1', 'replace')
 
 
 def first_bytes(first, contents):
