@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -52,19 +53,37 @@ namespace Penumbra.Tests
         {
             var shader = new ComputeShader
             {
-                name = Path.GetFileNameWithoutExtension(file),
-                KeywordNames = Regex.Matches(Text(file), "#pragma multi_compile_local (.*)")
-                    .SelectMany(pragma => pragma.Groups[1].Value.Split(' ')).Where(name => name != "_").ToList(),
+                name = Path.GetFileNameWithoutExtension(file), KeywordNames = KernelKeywords(file).ToList(),
             };
-            foreach (Match kernel in Regex.Matches(Text(file), "#pragma kernel (\\w+)"))
-            {
-                string name = kernel.Groups[1].Value;
-                uint[] threads = Regex.Match(Text(file), "\\[numthreads\\((.*)\\)\\]\\s+void " + name + "\\(").Groups[1].Value
-                    .Split(", ").Select(count => Number(file, count)).ToArray();
+            foreach ((string name, uint[] threads) in KernelSizes(file))
                 shader.Kernels.Add(new ComputeShader.Kernel { Name = name, X = threads[0], Y = threads[1], Z = threads[2] });
-            }
             return shader;
         }
+
+        // What is read of a file is read once: every test installs the shaders anew.
+        private static Func<string, T> Once<T>(Func<string, T> read)
+        {
+            var known = new Dictionary<string, T>();
+            return file => known.TryGetValue(file, out T answer) ? answer : known[file] = read(file);
+        }
+
+        private static readonly Func<string, string> Text =
+            Once(file => File.ReadAllText(Path.Combine(PackageRoot(), "Shaders", file)));
+
+        private static readonly Func<string, string[]> Passes =
+            Once(file => Regex.Matches(Text(file), "Name \"(\\w+)\"").Select(name => name.Groups[1].Value).ToArray());
+
+        private static readonly Func<string, string[]> KernelKeywords =
+            Once(file => Regex.Matches(Text(file), "#pragma multi_compile_local (.*)")
+                     .SelectMany(pragma => pragma.Groups[1].Value.Split(' ')).Where(name => name != "_").ToArray());
+
+        private static readonly Func<string, (string name, uint[] threads)[]> KernelSizes =
+            Once(file => Regex.Matches(Text(file), "#pragma kernel (\\w+)")
+                     .Select(kernel => (kernel.Groups[1].Value, Threads(file, kernel.Groups[1].Value))).ToArray());
+
+        private static uint[] Threads(string file, string kernel) =>
+            Regex.Match(Text(file), "\\[numthreads\\((.*)\\)\\]\\s+void " + kernel + "\\(").Groups[1].Value
+                .Split(", ").Select(count => Number(file, count)).ToArray();
 
         // The count may be a macro of the file, or of one that it includes.
         private static uint Number(string file, string count)
@@ -90,13 +109,6 @@ namespace Penumbra.Tests
         internal static string PackageRoot([CallerFilePath] string here = "") =>
             Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", ".."));
 
-        private static string Text(string file) => File.ReadAllText(Path.Combine(PackageRoot(), "Shaders", file));
-
-        private static IEnumerable<string> Passes(string file)
-        {
-            foreach (Match name in Regex.Matches(Text(file), "Name \"(\\w+)\"")) yield return name.Groups[1].Value;
-        }
-
         /// <summary>The variants of the frame's shader.</summary>
         internal static Dictionary<string, List<HashSet<string>>> FragmentVariants() => VariantsOf(FrameFile);
 
@@ -111,7 +123,7 @@ namespace Penumbra.Tests
         internal static Dictionary<string, List<HashSet<string>>> FarVariants() => VariantsOf(FarFile);
 
         // The keyword sets of the fragment programs, by pass: one keyword of every multi_compile line.
-        private static Dictionary<string, List<HashSet<string>>> VariantsOf(string file)
+        private static readonly Func<string, Dictionary<string, List<HashSet<string>>>> VariantsOf = Once(file =>
         {
             var variants = new Dictionary<string, List<HashSet<string>>>();
             foreach (Match pass in Regex.Matches(Text(file), "Name \"(\\w+)\"(.*?)ENDHLSL", RegexOptions.Singleline))
@@ -123,7 +135,7 @@ namespace Penumbra.Tests
                 variants.Add(pass.Groups[1].Value, sets);
             }
             return variants;
-        }
+        });
 
         private static HashSet<string> With(HashSet<string> set, string name) =>
             new HashSet<string>(name == "_" ? set : set.Append(name));
