@@ -365,9 +365,10 @@ namespace Penumbra.Tests
             frame.updatedCascades = 0b0101;
             CommandBuffer.Silent = true;
             for (int i = 0; i < 3; ++i) Record(target);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 1000; ++i) Record(target);
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(Allocations.Of(() =>
+            {
+                for (int i = 0; i < 1000; ++i) Record(target);
+            }), Is.Zero);
         }
 
         /// <summary>Two cameras under different Volumes must not make their chains anew by turns.</summary>
@@ -378,13 +379,14 @@ namespace Penumbra.Tests
             Prepare();
             ShadowOptions[] turns = { frame.options, ShadowPresets.Options(QualityPreset.Ultra) };
             for (int i = 0; i < turns.Length; ++i) draw.Prepare(ref turns[i], 1);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 1000; ++i)
+            Assert.That(Allocations.Of(() =>
             {
-                turns[1].angularDiameterDegrees += 1e-3f;
-                draw.Prepare(ref turns[i % 2], 1);
-            }
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+                for (int i = 0; i < 1000; ++i)
+                {
+                    turns[1].angularDiameterDegrees += 1e-3f;
+                    draw.Prepare(ref turns[i % 2], 1);
+                }
+            }), Is.Zero);
         }
     }
 }

@@ -453,9 +453,10 @@ namespace Penumbra.Tests
             }
 
             OneFrame();
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 1000; ++i) OneFrame();
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(Allocations.Of(() =>
+            {
+                for (int i = 0; i < 1000; ++i) OneFrame();
+            }), Is.Zero);
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
         }
 

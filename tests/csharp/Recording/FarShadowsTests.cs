@@ -430,9 +430,7 @@ namespace Penumbra.Tests
 
             Frames(3);
             Assert.That((feature.LastSkip, feature.MissingGround), Is.EqualTo((SkipReason.None, (string)null)));
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            Frames(1000);
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(Allocations.Of(() => Frames(1000)), Is.Zero);
         }
 
         // This is GetMainLightShadowFade of URP's Shadows.hlsl.
