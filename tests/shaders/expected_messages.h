@@ -34,7 +34,7 @@ inline std::string name_of_file(const testing::TestParamInfo<std::filesystem::pa
   return file.param.stem().string();
 }
 
-// What the first lines ask for.
+// The first lines of a file name its messages and its compilations.
 struct Expected {
   std::string messages;  // one per line
   std::vector<std::string> compilations;

@@ -3,7 +3,7 @@ from figures import DOCS, ROOT, code, read_json
 from markdown import table
 
 SCHEMA = ROOT / "tools" / "programs" / "techniques" / "technique.schema.json"
-# What the page calls one, and several, of each kind of object.
+# The page has these words for one object of each kind, and for several.
 OBJECTS = {"manifest": ("a manifest", ""), "struct": ("a struct", "structs"), "field": ("a field", "fields"),
            "filter": ("a filter", ""), "entry": ("an entry", "entries"), "bias": ("a bias", ""),
            "rule": ("a rule", "rules"), "graph": ("a graph", "graphs"), "texture": ("a texture", "textures"),

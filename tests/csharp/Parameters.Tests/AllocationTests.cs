@@ -13,9 +13,10 @@ namespace Penumbra.Tests
         private static long BytesOf(Action<int> frame)
         {
             for (var i = 0; i < 100; ++i) frame(i);
-            var before = GC.GetAllocatedBytesForCurrentThread();
-            for (var i = 0; i < Calls; ++i) frame(i);
-            return GC.GetAllocatedBytesForCurrentThread() - before;
+            return Allocations.Of(() =>
+            {
+                for (var i = 0; i < Calls; ++i) frame(i);
+            });
         }
 
         [Test]

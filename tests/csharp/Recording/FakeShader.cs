@@ -60,7 +60,7 @@ namespace Penumbra.Tests
             return shader;
         }
 
-        // What is read of a file is read once: every test installs the shaders anew.
+        // Each file is read once, since every test installs the shaders anew.
         private static Func<string, T> Once<T>(Func<string, T> read)
         {
             var known = new Dictionary<string, T>();

@@ -56,7 +56,7 @@ class ResourceCalls {
     text_.note(at, hlsl::Severity::error, std::move(message));
   }
 
-  // As people write it: the preprocessor puts blanks around a '.'.
+  // Returns the tokens as people write them: the preprocessor puts blanks around a '.'.
   std::string spelled(std::size_t first, std::size_t count) const {
     std::string text = text_.spelled(first, count);
     std::erase(text, ' ');

@@ -294,8 +294,8 @@ std::optional<Finding> missing_key(const Refused& refused) {
   return std::nullopt;
 }
 
-// What valijson says of a value that breaks a keyword of the schema, and the message. Where a value breaks
-// several, the first row counts: a misspelt key is also a missing one.
+// A row has a keyword of the schema, valijson's words for a value that breaks it, and the message. Where a
+// value breaks several keywords, the first row counts: a misspelt key is also a missing one.
 struct Message {
   const char* keyword;
   const char* phrase;

@@ -115,6 +115,18 @@ void require_known(JsonObject& object, const std::string& key, const std::string
     object.fail(key, "unknown " + what + " '" + name + "'", unknown_name_remedy(name, known));
 }
 
+const Technique& named_technique(JsonObject& object, const std::string& key, const TechniqueList& list,
+                                 const std::string& kind, bool (*fits)(const Technique&)) {
+  const std::string name = object.text(key, "");
+  const auto is_fit = [fits](const Technique& technique) { return fits == nullptr || fits(technique); };
+  for (const Technique& technique : list.techniques)
+    if (technique.name == name && is_fit(technique)) return technique;
+  std::vector<std::string> known;
+  for (const Technique& technique : list.techniques)
+    if (is_fit(technique)) known.push_back(technique.name);
+  object.fail(key, "unknown " + kind + " '" + name + "'", unknown_name_remedy(name, known));
+}
+
 // Names and values belong to one look each: the inspector recognises by the values which look is set.
 void add_looks(JsonObject& root, TechniqueList& list) {
   for (JsonObject& object : entries(root, "looks", list.looks.size(), most_choices)) {

@@ -51,6 +51,11 @@ void require_at_most(const JsonObject& object, const std::string& key, std::size
 std::vector<std::string> read_keywords(JsonObject& object);
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);
+// Returns the technique that the key names, one of the list so far that `fits`; without `fits`, any. Throws
+// InputError with the nearest of their names.
+const Technique& named_technique(JsonObject& object, const std::string& key, const TechniqueList& list,
+                                 const std::string& kind = "technique",
+                                 bool (*fits)(const Technique&) = nullptr);
 void add_looks(JsonObject& root, TechniqueList& list);
 void add_selections(JsonObject& root, TechniqueList& list);  // called after the techniques
 void add_presets(JsonObject& root, TechniqueList& list);     // called after the selections

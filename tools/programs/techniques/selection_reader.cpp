@@ -82,11 +82,8 @@ void read_fallback(JsonObject& object, const TechniqueList& list, Selection& sel
 // Returns a technique whose filter a keyword can select, under the sun, after passes or without any; or one
 // whose passes draw the visibility from the shadow map alone.
 const Technique& read_technique(JsonObject& object, const std::string& key, const TechniqueList& list) {
-  const std::string name = object.text(key, "");
-  std::vector<std::string> known;
-  for (const Technique& technique : list.techniques) known.push_back(technique.name);
-  require_known(object, key, "technique", name, known);
-  const Technique& technique = list.find(name);
+  const Technique& technique = named_technique(object, key, list);
+  const std::string& name = technique.name;
   const PassGraph& graph = technique.graph;
   const bool ends =
       graph.filter_pass() != nullptr || (graph.over_screen() && graph.source.empty() && graph.needs.empty());

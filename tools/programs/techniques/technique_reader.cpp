@@ -161,17 +161,10 @@ class TechniqueReader {
 
   // Returns an earlier technique that the entry differs from in what it gives itself.
   const Technique& model_of(JsonObject& object) const {
-    const std::string name = object.text("like", "");
     if (object.has("after"))
       object.fail("after", "'like' and 'after' both name a technique whose passes the entry has",
                   "leave out one of the two");
-    const auto is_named = [&name](const Technique& other) { return other.name == name; };
-    const auto found = std::find_if(list_.techniques.begin(), list_.techniques.end(), is_named);
-    if (found != list_.techniques.end()) return *found;
-    std::vector<std::string> known;
-    for (const Technique& other : list_.techniques) known.push_back(other.name);
-    require_known(object, "like", "technique", name, known);
-    return list_.find(name);
+    return named_technique(object, "like", list_);
   }
 
   // The model's values without limit stand where none are given, and where the passes have their fields.
@@ -183,12 +176,8 @@ class TechniqueReader {
 
   // Returns an earlier technique whose visibility is a texture, which another graph can read.
   const Technique& over_screen(JsonObject& object) const {
-    const std::string name = object.text("after", "");
-    std::vector<std::string> known;
-    for (const Technique& other : list_.techniques)
-      if (other.graph.over_screen()) known.push_back(other.name);
-    require_known(object, "after", "technique over the screen", name, known);
-    return list_.find(name);
+    return named_technique(object, "after", list_, "technique over the screen",
+                           [](const Technique& technique) { return technique.graph.over_screen(); });
   }
 
   PassGraph graph(JsonObject& from, const Technique* earlier, std::string& name) {
@@ -255,11 +244,8 @@ class TechniqueReader {
 
   // Returns the technique of a rule: one of the list so far that runs without passes and keywords of its own.
   const Technique& filter_alone(JsonObject& object, const Technique& technique) const {
-    const std::string name = object.text("technique", "");
-    std::vector<std::string> known;
-    for (const Technique& other : list_.techniques) known.push_back(other.name);
-    require_known(object, "technique", "technique", name, known);
-    const Technique& other = list_.find(name);
+    const Technique& other = named_technique(object, "technique", list_);
+    const std::string& name = other.name;
     if (other.graph.passes.size() != 1 || other.graph.filter_pass() == nullptr)
       object.fail("technique", "'" + name + "' is not a filter alone: it has passes of its own");
     if (other.all_keywords() != technique.all_keywords())
