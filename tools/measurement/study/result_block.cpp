@@ -55,30 +55,68 @@ bool has_operations(const Results& results) {
                      [](const Record& record) { return record.operations_per_pixel.has_value(); });
 }
 
+// A figure of the tables: its column's head, and its cell.
+struct FigureColumn {
+  const char* head;
+  std::string (*cell)(const SummaryLine&);
+};
+
+const FigureColumn kPenumbraError{"RMSE in penumbra",
+                                  [](const SummaryLine& line) { return figure_text(line.rmse_penumbra); }};
+const FigureColumn kError{"RMSE of all pixels",
+                          [](const SummaryLine& line) { return figure_text(line.rmse_all); }};
+const FigureColumn kLeaks{"light leaks, %",
+                          [](const SummaryLine& line) { return figure_text(line.leak_rate, 100.0); }};
+const FigureColumn kFalseShadow{
+    "false shadow, %", [](const SummaryLine& line) { return figure_text(line.false_shadow_rate, 100.0); }};
+const FigureColumn kFetches{"fetches per pixel",
+                            [](const SummaryLine& line) { return fetches_text(line.fetches); }};
+const FigureColumn kPenumbraFetches{
+    "fetches in penumbrae", [](const SummaryLine& line) { return fetches_text(line.fetches_in_penumbra); }};
+const FigureColumn kOperations{"operations per pixel",
+                               [](const SummaryLine& line) { return operations_text(line.operations); }};
+
+// Says of a mean over fewer scenes than others how many they are.
+std::string scenes_if_fewer(const SummaryLine& line) {
+  return line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
+}
+
 // One row for each light and technique; without its column for one light.
-std::string mean_table(const Results& results, const std::vector<double>& lights, BlockForm form) {
-  const bool with_operations = form == BlockForm::full && has_operations(results);
-  std::vector<std::string> heads{"Technique",           "RMSE in penumbra", "RMSE of all pixels",
-                                 "light leaks, %",      "false shadow, %",  "fetches per pixel",
-                                 "fetches in penumbrae"};
-  if (with_operations) heads.push_back("operations per pixel");
-  if (lights.size() > 1) heads.insert(std::next(heads.begin()), "light");
+std::string mean_table(const Results& results, const std::vector<double>& lights) {
+  const std::vector<FigureColumn> columns{kPenumbraError, kError,   kLeaks,
+                                          kFalseShadow,   kFetches, kPenumbraFetches};
+  std::vector<std::string> heads{"Technique"};
+  if (lights.size() > 1) heads.emplace_back("light");
+  for (const FigureColumn& column : columns) heads.emplace_back(column.head);
   const std::vector<SummaryLine> lines = summarise(results);
   std::vector<std::vector<std::string>> rows;
   for (const double light : lights) {
     for (const SummaryLine& line : lines) {
       if (line.light_degrees != light) continue;
-      const std::string partial =
-          line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
-      const std::string name = form == BlockForm::full ? title_and_name(line.choice) : title_of(line.choice);
-      rows.push_back({name + partial, figure_text(line.rmse_penumbra), figure_text(line.rmse_all),
-                      figure_text(line.leak_rate, 100.0), figure_text(line.false_shadow_rate, 100.0),
-                      fetches_text(line.fetches), fetches_text(line.fetches_in_penumbra)});
-      if (with_operations) rows.back().push_back(operations_text(line.operations));
-      if (lights.size() > 1) rows.back().insert(std::next(rows.back().begin()), light_name(light));
+      std::vector<std::string>& row = rows.emplace_back();
+      row.push_back(title_of(line.choice) + scenes_if_fewer(line));
+      if (lights.size() > 1) row.push_back(light_name(light));
+      for (const FigureColumn& column : columns) row.push_back(column.cell(line));
     }
   }
   return markdown_table(heads, rows);
+}
+
+// Adds to each row, of one technique, the figure under each light.
+void add_by_light(const Results& results, const std::vector<double>& lights, const FigureColumn& column,
+                  std::vector<std::string>& heads, std::vector<std::vector<std::string>>& rows) {
+  const std::vector<SummaryLine> lines = summarise(results);
+  const std::vector<Choice> techniques = choices(results);
+  for (const double light : lights) {
+    heads.push_back(std::string(column.head) +
+                    (light_sizes(results).size() > 1 ? ", " + light_name(light) : ""));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const auto line = std::find_if(lines.begin(), lines.end(), [&](const SummaryLine& each) {
+        return each.choice == techniques[row] && each.light_degrees == light;
+      });
+      rows[row].push_back(line == lines.end() ? "–" : column.cell(*line) + scenes_if_fewer(*line));
+    }
+  }
 }
 
 // Returns those records alone, technique by technique.
@@ -93,10 +131,6 @@ Results with_rows(const Results& results, const std::vector<std::string>& rows) 
     }
   }
   return shown;
-}
-
-std::string folded(const std::string& title, const std::string& content) {
-  return "<details><summary>" + title + "</summary>\n\n" + content + "\n</details>\n";
 }
 
 std::string origin(const Results& results) {
@@ -156,7 +190,7 @@ std::string how_to_read(const Results& results, BlockForm form) {
       "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
       "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
       "technique that can stop early does all its work; of the presets and Cell PCSS, whose pixels share "
-      "fetches, over the whole picture.{}{}\n\n",
+      "fetches, over the whole picture.{}{}",
       figure, kLeakAbove, kFalseShadowBelow,
       has_map_passes(results) ? " Both include the passes over the shadow map, divided by the pixels of the "
                                 "pictures, which are of " +
@@ -169,35 +203,24 @@ std::string how_to_read(const Results& results, BlockForm form) {
           : "");
 }
 
-// Lists the cost of passes over the map, which does not depend on the picture's size: means over the scenes
-// at the middle light. The table is empty without such a pass.
-std::string map_pass_table(const Results& results) {
-  if (!has_map_passes(results)) return {};
-  std::vector<std::vector<std::string>> rows;
-  for (const Choice& choice : choices(results)) {
-    double of_map = 0.0, others = 0.0;
-    int scenes = 0;
-    for (const std::string& scene : scene_names(results)) {
-      const Record* record = find_record(results, choice.label, scene, middle_light(results));
-      if (record == nullptr || !record->metrics.fetches_mean || !has_map_passes(*record)) continue;
-      ++scenes;
-      others += *record->metrics.fetches_mean + record->metrics.preprocess_fetches_per_pixel;
-      for (const PassRecord& pass : record->passes) {
-        if (!pass.fetches_per_cascade) continue;
-        of_map += *pass.fetches_per_cascade * record->cascades;
-        others -= pass.fetches_per_pixel;
-      }
+// Returns what the passes over the map take, which does not depend on the picture's size, and the other
+// fetches: means over the scenes at the middle light.
+std::vector<std::string> map_pass_cells(const Results& results, const Choice& choice) {
+  double of_map = 0.0, others = 0.0;
+  int scenes = 0;
+  for (const std::string& scene : scene_names(results)) {
+    const Record* record = find_record(results, choice.label, scene, middle_light(results));
+    if (record == nullptr || !record->metrics.fetches_mean || !has_map_passes(*record)) continue;
+    ++scenes;
+    others += *record->metrics.fetches_mean + record->metrics.preprocess_fetches_per_pixel;
+    for (const PassRecord& pass : record->passes) {
+      if (!pass.fetches_per_cascade) continue;
+      of_map += *pass.fetches_per_cascade * record->cascades;
+      others -= pass.fetches_per_pixel;
     }
-    if (scenes == 0) continue;
-    rows.push_back({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
-                    fmt::format("{:.1f}", others / scenes)});
   }
-  return folded("Passes over the shadow map, " + light_name(middle_light(results)) +
-                    " light: their fetches in a frame that draws every cascade",
-                markdown_table(
-                    {"Technique", "fetches of the passes over the map, millions", "other fetches per pixel"},
-                    rows)) +
-         "\n";
+  if (scenes == 0) return {"–", "–"};
+  return {fmt::format("{:.1f}", of_map / scenes / 1e6), fmt::format("{:.1f}", others / scenes)};
 }
 
 // Returns "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units are
@@ -232,39 +255,60 @@ std::string brief_block(const Results& results) {
   const std::vector<double> lights = lights_in_order(results);
   std::vector<std::string> samples;
   for (const double light : lights) samples.push_back(sample_text(results, light));
-  return fmt::format("{}:\n\n", fmt::join(samples, "; ")) + mean_table(results, lights, BlockForm::brief) +
-         "\n" + how_to_read(results, BlockForm::brief) + command(results);
+  return fmt::format("{}:\n\n", fmt::join(samples, "; ")) + mean_table(results, lights) + "\n" +
+         how_to_read(results, BlockForm::brief) + "  \n" + command(results);
 }
 
-// Returns one row for each technique; empty if nothing is known of any.
-std::string technique_table(const Results& results, const FactsOfTechniques& facts) {
-  const std::vector<TechniqueRow> rows = technique_rows(results, facts);
-  if (rows.empty()) return {};
+// Returns one row for each technique: errors, leaks and false shadow under each light.
+std::string error_table(const Results& results) {
   std::vector<std::string> heads{"Technique"};
-  for (const double light : light_sizes(results)) heads.push_back("RMSE in penumbra, " + light_name(light));
-  heads.insert(heads.end(), {"fetches per pixel, " + light_name(middle_light(results)), "maps, MiB"});
-  if (!facts.cycles_of.empty()) heads.push_back("cycles, " + markdown_cell(facts.cycles_of));
-  const bool advice = has_advice(rows);
-  if (advice) heads.insert(heads.end(), {"Use it when", "Not when"});
-  std::vector<std::vector<std::string>> table;
-  for (const TechniqueRow& row : rows) {
-    std::vector<std::string>& cells = table.emplace_back(1, markdown_code(row.choice.label));
-    for (const std::optional<Estimate>& rmse : row.rmse_penumbra) cells.push_back(figure_text(rmse));
-    cells.push_back(fetches_text(row.fetches));
-    cells.push_back(fmt::format("{:.1f}", row.map_mebibytes));
-    if (!facts.cycles_of.empty()) cells.push_back(cycles_text(row.cycles));
-    if (advice) cells.insert(cells.end(), {markdown_cell(row.use_when), markdown_cell(row.not_when)});
+  std::vector<std::vector<std::string>> rows;
+  for (const Choice& choice : choices(results)) rows.push_back({title_and_name(choice)});
+  for (const FigureColumn& column : {kPenumbraError, kLeaks, kFalseShadow})
+    add_by_light(results, light_sizes(results), column, heads, rows);
+  return markdown_table(heads, rows);
+}
+
+// Returns one row for each technique: the error of all pixels, what it costs, and what is known of it.
+std::string cost_table(const Results& results, const FactsOfTechniques& facts) {
+  const std::vector<double> middle{middle_light(results)};
+  std::vector<std::string> heads{"Technique"};
+  std::vector<std::vector<std::string>> rows;
+  for (const Choice& choice : choices(results)) rows.push_back({markdown_code(choice.label)});
+  add_by_light(results, light_sizes(results), kError, heads, rows);
+  add_by_light(results, light_sizes(results), kFetches, heads, rows);
+  add_by_light(results, middle, kPenumbraFetches, heads, rows);
+  if (has_operations(results)) add_by_light(results, light_sizes(results), kOperations, heads, rows);
+  if (has_map_passes(results)) {
+    heads.insert(heads.end(), {"fetches of the passes over the map, millions", "other fetches per pixel"});
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      for (const std::string& cell : map_pass_cells(results, choices(results)[row]))
+        rows[row].push_back(cell);
   }
-  return "One row for each technique. " + rows_explained(rows, facts) + "\n\n" +
-         markdown_table(heads, table, advice ? 2 : 0) + "\n";
+  const std::vector<TechniqueRow> known = technique_rows(results, facts);
+  const bool advice = has_advice(known);
+  if (!known.empty()) heads.emplace_back("maps, MiB");
+  if (!known.empty() && !facts.cycles_of.empty())
+    heads.push_back("cycles, " + markdown_cell(facts.cycles_of));
+  if (advice) heads.insert(heads.end(), {"Use it when", "Not when"});
+  for (std::size_t row = 0; row < known.size(); ++row) {
+    rows[row].push_back(fmt::format("{:.1f}", known[row].map_mebibytes));
+    if (!facts.cycles_of.empty()) rows[row].push_back(cycles_text(known[row].cycles));
+    if (!advice) continue;
+    rows[row].push_back(markdown_cell(known[row].use_when));
+    rows[row].push_back(markdown_cell(known[row].not_when));
+  }
+  return (known.empty() ? "" : rows_explained(known, facts) + "\n\n") +
+         markdown_table(heads, rows, advice ? 2 : 0) + "\n";
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {
-  std::string block = how_to_read(results, BlockForm::full);
-  for (const double light : light_sizes(results))
-    block += sample_text(results, light) + ":\n\n" + mean_table(results, {light}, BlockForm::full) + "\n";
-  block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
-  return block + technique_table(results, style.facts) + map_pass_table(results) + command(results);
+  std::vector<std::string> samples;
+  for (const double light : light_sizes(results)) samples.push_back(sample_text(results, light));
+  return how_to_read(results, BlockForm::full) +
+         fmt::format("\n\n{}:\n\n{}\n", fmt::join(samples, "; "), error_table(results)) +
+         fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path) +
+         cost_table(results, style.facts) + command(results);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The result blocks of README and pages: the run's settings, then a table per light.
+// The result blocks of README and pages: tables of means over the scenes, and the run's settings.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace penumbra::study {
 inline constexpr std::string_view kResultBlock = "results";
 
 enum class BlockForm {
-  full,   // a table per light, the chart, a row for each technique, and the passes over the shadow map
-  brief,  // the table of the middle light; those of the other lights folded
+  full,   // a table of errors, the chart, and a table of costs, with a row for each technique
+  brief,  // a table with a row for each light and technique, those of the middle light first
   line,   // one sentence: penumbra RMSE and fetches under the middle light
 };
 
