@@ -21,7 +21,7 @@ constexpr const char* kChart = "Documentation~/results/pareto-fetches.svg";
 TEST(ResultBlock, ErrorsOfEveryLightThenChartCostsAndOrigin) {
   const std::string block = result_block(synthetic::results(), {kChart, {}});
   const std::vector<std::string> order{
-      "0.53° light, 2 scenes, 18000 penumbra pixels, at least 9000 per scene:",
+      "0.53° light, 2 scenes, 18000 penumbra pixels, at least 9000 per scene;",
       "2° light, 2 scenes",
       "| Technique | RMSE in penumbra, 0.53° | RMSE in penumbra, 2° | light leaks, %, 0.53° | light leaks, "
       "%, "
@@ -140,7 +140,7 @@ TEST(ResultBlock, TablesHoldMeans) {
   results.records[0].metrics.intervals.rmse_penumbra = Interval{0.19, 0.22, 0.008};
   results.records[8].metrics.intervals.rmse_penumbra = Interval{0.12, 0.13, 0.0025};
   const std::string block = result_block(results, {kChart, {}});
-  EXPECT_THAT(block, HasSubstr("Title of bilinear, `bilinear` | 0.2 [0, 0.6] | 0.0"));
+  EXPECT_THAT(block, HasSubstr("Title of bilinear, `bilinear` | 0.2 [0, 0.6] | 0."));
   EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
 }
 

@@ -1,8 +1,7 @@
-"""What docs/command-line.md, docs/cpp-library.md and Documentation~/screen-passes.md say of the program, from its own
-help."""
+"""What docs/command-line.md and docs/cpp-library.md say of the program, from its own help."""
 import subprocess
 
-from figures import DOCS, DOCUMENTATION, code
+from figures import DOCS, code
 from markdown import Problem, table
 
 
@@ -62,6 +61,4 @@ def parts(program):
     described = "\n\n".join(f"## penumbra {name}\n\n{subcommand(output(program, 'help', name))}"
                             for name in subcommands(program))
     return {DOCS / "command-line.md": {"exit codes": exit_codes(program), "subcommands": described},
-            DOCUMENTATION / "screen-passes.md": {
-                "noise mask": f"```\n{output(program, 'tables', '--noise-mask')}\n```"},
             DOCS / "cpp-library.md": {"settings": output(program, "constants", "--list-settings")}}

@@ -4,7 +4,7 @@ import math
 from figures import (COMMAND, DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, all_fetches,
                      by_light, code,
                      distinct, figure, groups, interval_of, light_heads, made, mean, mean_of, measured, part_of, read,
-                     sample, with_interval)
+                     sample)
 from markdown import Problem, table
 from presets import FALLBACK
 
@@ -84,21 +84,25 @@ def with_and_without(*runs):
     """One row per light and technique of each run."""
     rows, notes = [], []
     for results in runs:
-        notes.append(f"{results['device']}, {sample(results['records'])}.  \n{made(results)}.")
+        notes += [f"{results['device']}, {sample(results['records'])}.", f"{made(results)}."]
         for (light, name), own in groups(results["records"], "light_degrees", "technique"):
             rows.append([code(name), f"{own[0]['settings']['normal_bias']:g}", f"{light:g}°",
                          *(cell(own) for cell in PLAIN.values())])
-    return "\n\n".join(notes) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
+    return "  \n".join(dict.fromkeys(notes)) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
+
+
+TRACE_DEFAULTS = {"traceLengthMetres": 0.5, "traceThicknessMetres": 0.05, "traceSteps": 12}
 
 
 def trace_settings(results):
-    """One row per length, thickness and number of steps, the technique without a trace first."""
-    keys = ("traceLengthMetres", "traceThicknessMetres", "traceSteps")
+    """The technique without a trace, then a row for each setting that is the default or differs from it in one
+    value."""
     rows = []
     for _, own in groups(results["records"], "technique"):
-        values = own[0]["parameters"]
-        rows.append([*(f"{values[key][0]:g}" if key in values else "-" for key in keys),
-                     *(cell(own) for cell in PLAIN.values())])
+        values = {key: own[0]["parameters"][key][0] for key in TRACE_DEFAULTS if key in own[0]["parameters"]}
+        if sum(values[key] != TRACE_DEFAULTS[key] for key in values) <= 1:
+            rows.append([*(f"{values[key]:g}" if values else "-" for key in TRACE_DEFAULTS),
+                         *(cell(own) for cell in PLAIN.values())])
     return measured(results, ["length, m", "thickness, m", "steps", *PLAIN], rows, 0)
 
 
@@ -128,63 +132,31 @@ def plain_title(record):
 
 
 def noise_rows(results):
-    """One row per light and technique: single frames, and the history."""
+    """One row per technique: the errors of single frames and of the history, and the history's flicker, by light."""
     names, share = without_history(results)
-    rows = []
-    for (light,), own in groups(results["records"], "light_degrees"):
-        for name in names:
-            one, many = of_history(own, name, 1.0), of_history(own, name, share)
-            rows.append([f"{light:g}°", plain_title(one[0]), ERROR(one), ERROR_OF_ALL(one), ERROR(many),
-                         ERROR_OF_ALL(many),
-                         interval_of(flicker, 4)(many), FETCHES_ALONE(one)])
-    return measured(results,
-                    ["light", "technique", "RMSE in penumbra", "RMSE of all pixels", "RMSE in penumbra, history",
-                              "RMSE of all pixels, history", "flicker, history", "fetches per pixel"], rows, 2)
-
-
-def paired_difference(before, after, digits):
-    """Of figures by scene: "-0.0010 ± 0.0002"."""
-    step = with_interval([after[scene] - before[scene] for scene in before])
-    if step is None:
-        return "-"
-    centre = round(step[0], digits)
-    return f"{centre:{'+' if centre else ''}.{digits}f} ± {step[1]:.{digits}f}".removeprefix("-" if centre == 0.0
-                                                                                             else "")
-
-
-def noise_differences(results):
-    """The mask's figures less the gradient noise's on the same scenes, by light."""
-    records = results["records"]
-    names, share = without_history(results)
+    lights = light_heads(results["records"], "{}")
     rows = []
     for name in names:
-        if "-gradient" not in name:
-            continue
-        for what, of_share, value in (("RMSE in penumbra, one frame", 1.0, lambda record: record["rmse_penumbra"]),
-                                      ("RMSE in penumbra, history", share, lambda record: record["rmse_penumbra"]),
-                                      ("flicker, history", share, flicker)):
-            def cell(own):
-                return paired_difference(*({record["scene"]: value(record) for record in of_history(own, one, of_share)}
-                                           for one in (name, name.replace("-gradient", "-mask"))), 4)
-
-            title = plain_title(of_history(records, name, 1.0)[0]).replace(", gradient noise", "")
-            rows.append([title, what, *by_light(records, cell)])
-    return (f"Command: `{COMMAND}`. It reads the file of the table above.\n\n"
-            + table(["technique", "figure", *light_heads(records)], rows, 2))
+        one, many = of_history(results["records"], name, 1.0), of_history(results["records"], name, share)
+        rows.append([plain_title(one[0]), *by_light(one, ERROR), *by_light(many, ERROR),
+                     *by_light(many, interval_of(flicker, 4)), *by_light(one, FETCHES_ALONE)])
+    heads = [f"{what}, {light}" for what in ("RMSE in penumbra", "RMSE in penumbra, history", "flicker, history",
+                                             "fetches per pixel") for light in lights]
+    return measured(results, ["technique", *heads], rows, 1)
 
 
 CELL_PCSS_MAPS = (1024, 2048, 4096)
 
 
 def cell_pcss_noise(results):
-    """By the map's size, one row per technique and light."""
-    rows = [[f"{size}", f"{light:g}°", own[0]["title"], ERROR(own), ERROR_OF_ALL(own), interval_of(flicker, 4)(own),
-             FETCHES_ALONE(own)]
-            for size in CELL_PCSS_MAPS for (light, name),
-            own in groups(results[size]["records"], "light_degrees", "technique")
+    """One row per size of the map and technique, by light."""
+    rows = [[f"{size}", own[0]["title"], *by_light(own, ERROR), *by_light(own, interval_of(flicker, 4)),
+             *by_light(own, FETCHES_ALONE)]
+            for size in CELL_PCSS_MAPS for (name,), own in groups(results[size]["records"], "technique")
             if not name.endswith("-denoised")]
-    head = ["map", "light", "technique", "RMSE in penumbra", "RMSE of all pixels", "flicker", "fetches per pixel"]
-    return measured(results[CELL_PCSS_MAPS[0]], head, rows, 3, and_so_on=True)
+    lights = light_heads(results[CELL_PCSS_MAPS[0]]["records"], "{}")
+    heads = [f"{what}, {light}" for what in ("RMSE in penumbra", "flicker", "fetches per pixel") for light in lights]
+    return measured(results[CELL_PCSS_MAPS[0]], ["map", "technique", *heads], rows, 2, and_so_on=True)
 
 
 def denoise_radii(results):
@@ -216,21 +188,19 @@ def of_one_scene(record, key, digits):
 
 
 def ring_cells(results):
-    """By the sun's height and diameter, one row per scene and number of cells."""
-    rows = []
+    """One row per number of cells: the error, and the fetches of the windows, of each picture."""
+    pictures, rows = [], {}
     for sun in RING_SUNS:
-        for record in results[sun]["records"]:
-            rows.append([f"{sun}°", f"{record['light_degrees']:g}°", record["scene"],
-                         *record["technique"].split("-")[1:3],
-                         *(of_one_scene(record, key, 4) for key in ("rmse_penumbra", "rmse_all")),
-                         record["penumbra_pixels"],
-                         figure(pass_fetches([record], "ResolveTiles"), 2)])
-    head = ["sun's height", "light", "scene", "cells", "cells of the search", "RMSE in penumbra", "RMSE of all pixels",
-            "penumbra pixels", "fetches per pixel of the windows"]
-    notes = "\n".join(f"{made(results[sun])}.\n" for sun in RING_SUNS)
-    return (f"{results[RING_SUNS[0]]['device']}; ± is half the width of the 95 % confidence interval over blocks of"
-            f" the picture.\n\n"
-            f"{notes}\n{table(head, rows, 5)}")
+        for (light, scene), records in groups(results[sun]["records"], "light_degrees", "scene"):
+            pictures.append(f"{scene}, sun {sun}° high, {light:g}° light")
+            for record in records:
+                cells = rows.setdefault(record["technique"], record["technique"].split("-")[1:3])
+                cells.append(f"{of_one_scene(record, 'rmse_penumbra', 4)}"
+                             f" ({figure(pass_fetches([record], 'ResolveTiles'), 2)})")
+    notes = "  \n".join(f"{made(results[sun])}." for sun in RING_SUNS)
+    return (f"{results[RING_SUNS[0]]['device']}; RMSE in penumbra ± half the width of its 95 % confidence interval over"
+            f" blocks of the picture (fetches per pixel of `ResolveTiles`).  \n{notes}\n\n"
+            + table(["cells", "cells of the search", *pictures], rows.values(), 2))
 
 
 def parts(_):
@@ -239,7 +209,6 @@ def parts(_):
                    "contact-shadows": with_and_without(read("contact-shadows"), read("contact-shadows-urp-bias")),
                    "contact-settings": trace_settings(read("contact-shadow-settings")),
                    "noise": noise_rows(read("noise")),
-                   "noise-differences": noise_differences(read("noise")),
                    "denoise-radii": denoise_radii(read("denoise-radius")),
                    "cell-pcss-noise": cell_pcss_noise({size: read(f"cell-pcss-noise/{size}") for size in CELL_PCSS_MAPS}),
                    "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})},
