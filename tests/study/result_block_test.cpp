@@ -161,17 +161,25 @@ TEST(ResultBlock, RowsAreChosenAndOrdered) {
       HasSubstr("did you mean 'bilinear'?"));
 }
 
-TEST(ResultBlock, ABriefOneIsATableOfAllLightsTheMiddleOneFirst) {
+TEST(ResultBlock, ABriefOneIsATableOfAllLights) {
   const std::string block = result_block(synthetic::results(), {kChart, {}, BlockForm::brief});
-  EXPECT_TRUE(block.starts_with("2° light, 2 scenes")) << block;
-  EXPECT_THAT(block, HasSubstr("per scene; 0.53° light, 2 scenes"));
-  EXPECT_THAT(block, HasSubstr("| Technique | light | RMSE in penumbra |"));
-  const std::size_t middle = block.find("| Title of bilinear | 2° | ");
-  ASSERT_NE(middle, std::string::npos) << block;
-  EXPECT_NE(block.find("| Title of bilinear | 0.53° | ", middle), std::string::npos) << block;
+  EXPECT_TRUE(block.starts_with("0.53° light, 2 scenes")) << block;
+  EXPECT_THAT(block, HasSubstr("per scene; 2° light, 2 scenes"));
+  EXPECT_THAT(block,
+              HasSubstr("| false shadow, %, 2° | fetches per pixel, 0.53° | fetches per pixel, 2° |\n"));
+  EXPECT_THAT(block, HasSubstr("\n| Title of bilinear | "));
   EXPECT_THAT(block, Not(HasSubstr(kChart)));
   EXPECT_THAT(block, Not(HasSubstr("| boxes |")));
   EXPECT_THAT(block, HasSubstr("Command: `penumbra measure --seed 1`"));
+}
+
+TEST(ResultBlock, ABriefOneOfOneLightHasFetchesInPenumbrae) {
+  Results results = synthetic::results();
+  std::erase_if(results.records, [](const Record& record) { return record.light_degrees < 1.0; });
+  EXPECT_THAT(
+      result_block(results, {kChart, {}, BlockForm::brief}),
+      HasSubstr("| Technique | RMSE in penumbra | RMSE of all pixels | light leaks, % | false shadow, % | "
+                "fetches per pixel | fetches in penumbrae |\n"));
 }
 
 TEST(ResultBlock, TheLineIsOneSentenceOfTheMiddleLight) {

@@ -2,7 +2,7 @@
 import math
 
 from figures import (DOCUMENTATION, ERROR, RESULTS, by_light, code, distinct, groups, interval_of, light_heads, made,
-                     mean_and_interval, measured, read, read_json, sample, scenes, techniques_by_light)
+                     mean_and_interval, measured, read, read_json, sample, scenes)
 from markdown import Problem, table
 from screen_passes import noise_pan
 
@@ -25,13 +25,16 @@ def cycles_per_pixel(record, programs):
     return sum(of["invocations_per_pixel"] * programs[of["pass"]] / 64 for of in passes)
 
 
+FAMILIES = ("polaris10", "navi21")  # of which the others differ little
+
+
 def weighted_costs(results, cost):
     """The compiler's cycles per pixel, each pass weighted by the threads that it has: one row per family and technique;
     then operations that are executed."""
     of_cost = {variant["technique"] for row in cost["rows"] for variant in row["variants"]}
     techniques = {name: own for (name,), own in groups(results["records"], "technique") if name in of_cost}
     rows = []
-    for family in distinct(cost["rows"], "family"):
+    for family in FAMILIES:
         for name, own in techniques.items():
             programs = cycles_of_programs(cost, family, name)
             rows.append([f"cycles, {family}", code(name),
@@ -56,28 +59,9 @@ def figures_of_passes(results, technique, key, head):
                  [[code(name), *by_light(records, cell(name))] for name in distinct(records[0]["passes"], "pass")], 1)
 
 
-def shares_of_passes(results, technique):
-    """Threads per pixel."""
-    return figures_of_passes(results, technique, "invocations_per_pixel", "pass, threads per pixel")
-
-
 def times_of_passes(results, technique):
     """Milliseconds of a GPU, waits for the passes before included."""
     return figures_of_passes(results, technique, "time_ms_median", f"pass of `{technique}`, ms")
-
-
-def relative_times(results, alternative):
-    """Times in terms of the alternative's, measured in the same run: one row per technique; mean over the scenes of
-    the ratio."""
-    records = results["records"]
-    if any(record["time_ms_median"] is None for record in records):
-        raise Problem("a record has no time: measure with --timing-repeats")
-    others = {(record["light_degrees"], record["scene"]): record["time_ms_median"] for record in records
-              if record["technique"] == alternative}
-    ratio = interval_of(lambda record: record["time_ms_median"] / others[record["light_degrees"], record["scene"]], 2,
-                        math.inf)
-    return measured(results, *techniques_by_light(results, f"time, `{alternative}` = 1", ratio),
-                    what=f"{', '.join(distinct(records, 'time_kind'))}, {sample(records)}")
 
 
 def times_of_gpu(results):
@@ -105,12 +89,6 @@ TEXEL_ESTIMATORS = {
     "learned": "learned for each pattern of 4 x 4, from all shapes",
     "learned everywhere": "the same, from receivers outside of penumbrae, too"}
 TEXEL_FLOORS = ("disc", "shipped")  # of which the best smallest radius is looked for
-# Each row names what is compared and with what, each with its smallest radius; None stands for the best one.
-TEXEL_GAINS = (("mean edge", None, "disc", None), ("revectorised 16 x 16", 0.5, "disc", None),
-               ("learned of its kind", None, "disc", None),
-               ("learned", None, "disc", None), ("shipped", 1.0, "shipped", 1.25), ("shipped", 1.125, "shipped", 1.25))
-
-
 class TexelErrors:
     """(error, half its interval) by estimator and smallest radius, a column for each radius of the light's disc and
     kind of shapes."""
@@ -161,33 +139,13 @@ def texel_errors(results, figure):
             f" \n{made(results)}.\n\n{table(['estimator', *errors.head], rows, 1)}")
 
 
-def texel_gains(results):
-    """By how much the error of one estimator is larger than that of another, %."""
-    errors = TexelErrors(results, "penumbra")
-    rows = []
-    for estimator, floor, other, other_floor in TEXEL_GAINS:
-        row = [texel_title(estimator, floor), "the best disc" if other_floor is None
-               else texel_title(other, other_floor)]
-        for column in errors.columns:
-            one, half = errors.of(column, estimator, floor)
-            base, base_half = errors.best(column, other) if other_floor is None else errors.of(column, other,
-                                                                                               other_floor)
-            ratio = one / base
-            row.append(f"{100 * (ratio - 1):+.1f} ± {100 * ratio * math.hypot(half / one, base_half / base):.1f}")
-        rows.append(row)
-    return table(["estimator", "against", *errors.head], rows, 2)
-
-
 def parts(_):
     texels = read_json(RESULTS / "texel-edges.json")
     at_full_hd = read("cell-pcss-gpu-times/1920x1080")
     return {DOCUMENTATION / "cell-pcss.md": {
         "cell-pcss-pan": noise_pan(read("cell-pcss-pan")),
         "cell-pcss-cycles": weighted_costs(read("cell-pcss-operations"), read_json(RESULTS / "cell-pcss-cost.json")),
-        "cell-pcss-times": relative_times(read("cell-pcss-times"), "screen-pcss-angular-24-16"),
         "cell-pcss-gpu-times": times_of_gpu(at_full_hd),
         "cell-pcss-gpu-passes": times_of_passes(at_full_hd, "cell-pcss"),
         "cell-pcss-gpu-times-4k": times_of_gpu(read("cell-pcss-gpu-times/3840x2160")),
-        "cell-pcss-threads": shares_of_passes(read("cell-pcss-operations"), "cell-pcss"),
-        "texel-errors": texel_errors(texels, "penumbra"),
-        "texel-gains": texel_gains(texels)}}
+        "texel-errors": texel_errors(texels, "penumbra")}}

@@ -4,7 +4,7 @@ import math
 import subprocess
 from pathlib import Path
 
-from figures import (COMMAND, DOCUMENTATION, RESULTS, ROOT, all_fetches, by_light, code, distinct, figure, groups,
+from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, distinct, figure, groups,
                      interval_of,
                      light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes,
                      techniques_by_light,
@@ -83,33 +83,6 @@ def masks(results):
             + table([f"mean of {len(distinct(records, 'scene'))} scenes", *light_heads(records)], rows, 1))
 
 
-COST_FAMILY = "navi21"
-COST_ROWS = {"tent-5": "Tent 5x5, URP's filter at Medium", "tent-7": "Tent 7x7, URP's filter at High",
-             "pcss-angular-24-16-hdrp": "PCSS with HDRP's rules"}
-
-
-def preset_costs(cost):
-    """One row per program: the filters of URP and HDRP, then every program of the presets and of their fallbacks."""
-    def of(technique):
-        """(program, its figures) of the variants for a map in which near is 1."""
-        figures = ("instructions", "vgprs", "inverse_throughput_cycles")
-        return [(row["entry"], *(str(row["figures"][name]) for name in figures))
-                for row in cost["rows"] if row["family"] == COST_FAMILY and any(
-                    variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
-                    and "PENUMBRA_UNLIMITED" not in variant["keywords"] for variant in row["variants"])]
-
-    rows = [[title, "the filter alone", *figures] for name, title in COST_ROWS.items() for _, *figures in of(name)]
-    programs = {}
-    for prefix, what in (("preset-", ""), (FALLBACK, "fallback of ")):
-        for preset in ("low", "medium", "high", "ultra"):
-            for program in of(prefix + preset):
-                programs.setdefault(program, []).append(what + preset.capitalize())
-    rows += [[", ".join(names), *program] for program, names in programs.items()]
-    return (f"{COST_FAMILY}, {cost['driver']}. The mask's programs run for blocks of pixels.  \n"
-            f"Command: `{cost['command']}`\n\n"
-            + table(["technique or presets", "program", "instructions", "VGPRs", "cycles per 64 lanes"], rows, 2))
-
-
 def on_frontier(points):
     """Of (fetches, error): whether no other point has less of one and no more of the other."""
     return [not any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points)
@@ -129,8 +102,8 @@ def against_most_samples(records, most):
 
 
 def sample_split(results):
-    """One row per number of blocker and of filter samples: error and fetches by light, means over scenes. The last
-    technique of the results is the one with most samples."""
+    """One row per number of blocker and of filter samples that no other has both fewer fetches and less error than:
+    error and fetches by light, means over scenes. The last technique of the results is the one with most samples."""
     records = results["records"]
     techniques = [own for _, own in groups(records, "technique")]
     rows, points = [], []
@@ -140,7 +113,7 @@ def sample_split(results):
         fetches = [mean(map(all_fetches, some)) for some in per_light]
         points.append((mean(fetches), mean(mean(record["rmse_penumbra"] for record in some) for some in per_light)))
         rows.append([*samples, *map(against_most_samples, per_light, most), *(figure(count, 1) for count in fetches)])
-    rows = [[f"**{cell}**" for cell in row] if best else row for row, best in zip(rows, on_frontier(points))]
+    rows = [row for row, best in zip(rows, on_frontier(points)) if best]
     head = ["blocker samples", "filter samples", *light_heads(records, "RMSE in penumbra {}"),
             *light_heads(records, "fetches {}")]
     return measured(results, head, rows, 0)
@@ -213,7 +186,6 @@ def parts(_):
     return {PAGE: {"preset-steps": preset_steps(read("presets")),
                    "preset-operations": executed_operations(read("preset-operations")),
                    "masks": masks(read("masks")),
-                   "preset-costs": preset_costs(read_json(RESULTS / "cost.json")),
                    "sample-split": sample_split(read("sample-split")),
                    "player-programs": player_programs(read_json(VARIANTS / "presets.json")),
                    "receiver-variants": receiver_variants(read_json(RECEIVERS))}}

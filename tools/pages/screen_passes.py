@@ -170,11 +170,13 @@ def denoise_radii(results):
 
 
 def noise_pan(results):
-    """One row per light and technique: change from frame to frame of a pan."""
-    rows = [[f"{light:g}°", own[0]["title"],
-             *(interval_of(part_of("shimmer", key), 4)(own) for key in ("static_noise", "per_frame_noise"))]
-            for (light, _), own in groups(results["records"], "light_degrees", "technique")]
-    return measured(results, ["light", "technique", "shimmer, static noise", "shimmer, noise per frame"], rows, 2)
+    """One row per technique: change from frame to frame of a pan, by light."""
+    kinds = {"static noise": "static_noise", "noise per frame": "per_frame_noise"}
+    rows = [[own[0]["title"], *(shown for key in kinds.values()
+                                for shown in by_light(own, interval_of(part_of("shimmer", key), 4)))]
+            for _, own in groups(results["records"], "technique")]
+    heads = [f"shimmer, {kind}, {light}" for kind in kinds for light in light_heads(results["records"], "{}")]
+    return measured(results, ["technique", *heads], rows, 1)
 
 
 RING_SUNS = (42, 8)

@@ -81,23 +81,17 @@ std::string scenes_if_fewer(const SummaryLine& line) {
   return line.complete ? "" : fmt::format(" ({} scene{})", line.scenes, line.scenes == 1 ? "" : "s");
 }
 
-// One row for each light and technique; without its column for one light.
-std::string mean_table(const Results& results, const std::vector<double>& lights) {
+// Returns one row for each technique, of one light.
+std::string mean_table(const Results& results) {
   const std::vector<FigureColumn> columns{kPenumbraError, kError,   kLeaks,
                                           kFalseShadow,   kFetches, kPenumbraFetches};
   std::vector<std::string> heads{"Technique"};
-  if (lights.size() > 1) heads.emplace_back("light");
   for (const FigureColumn& column : columns) heads.emplace_back(column.head);
-  const std::vector<SummaryLine> lines = summarise(results);
   std::vector<std::vector<std::string>> rows;
-  for (const double light : lights) {
-    for (const SummaryLine& line : lines) {
-      if (line.light_degrees != light) continue;
-      std::vector<std::string>& row = rows.emplace_back();
-      row.push_back(title_of(line.choice) + scenes_if_fewer(line));
-      if (lights.size() > 1) row.push_back(light_name(light));
-      for (const FigureColumn& column : columns) row.push_back(column.cell(line));
-    }
+  for (const SummaryLine& line : summarise(results)) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(title_of(line.choice) + scenes_if_fewer(line));
+    for (const FigureColumn& column : columns) row.push_back(column.cell(line));
   }
   return markdown_table(heads, rows);
 }
@@ -243,30 +237,29 @@ std::string line_block(const Results& results) {
       light_name(light), scenes, scenes == 1 ? "" : "s", figures);
 }
 
-// Returns the lights of the results, and of several the middle one first.
-std::vector<double> lights_in_order(const Results& results) {
-  std::vector<double> lights = light_sizes(results);
-  const auto middle = std::find(lights.begin(), lights.end(), middle_light(results));
-  std::rotate(lights.begin(), middle, std::next(middle));
-  return lights;
+// Returns one row for each technique, which has these figures under each light.
+std::string table_by_light(const Results& results, const std::vector<FigureColumn>& columns,
+                           std::string (*name)(const Choice&)) {
+  std::vector<std::string> heads{"Technique"};
+  std::vector<std::vector<std::string>> rows;
+  for (const Choice& choice : choices(results)) rows.push_back({name(choice)});
+  for (const FigureColumn& column : columns) add_by_light(results, light_sizes(results), column, heads, rows);
+  return markdown_table(heads, rows);
+}
+
+std::string samples_text(const Results& results) {
+  std::vector<std::string> samples;
+  for (const double light : light_sizes(results)) samples.push_back(sample_text(results, light));
+  return fmt::format("{}:\n\n", fmt::join(samples, "; "));
 }
 
 std::string brief_block(const Results& results) {
-  const std::vector<double> lights = lights_in_order(results);
-  std::vector<std::string> samples;
-  for (const double light : lights) samples.push_back(sample_text(results, light));
-  return fmt::format("{}:\n\n", fmt::join(samples, "; ")) + mean_table(results, lights) + "\n" +
-         how_to_read(results, BlockForm::brief) + "  \n" + command(results);
-}
-
-// Returns one row for each technique: errors, leaks and false shadow under each light.
-std::string error_table(const Results& results) {
-  std::vector<std::string> heads{"Technique"};
-  std::vector<std::vector<std::string>> rows;
-  for (const Choice& choice : choices(results)) rows.push_back({title_and_name(choice)});
-  for (const FigureColumn& column : {kPenumbraError, kLeaks, kFalseShadow})
-    add_by_light(results, light_sizes(results), column, heads, rows);
-  return markdown_table(heads, rows);
+  const std::string table =
+      light_sizes(results).size() == 1
+          ? mean_table(results)
+          : table_by_light(results, {kPenumbraError, kLeaks, kFalseShadow, kFetches}, title_of);
+  return samples_text(results) + table + "\n" + how_to_read(results, BlockForm::brief) + "  \n" +
+         command(results);
 }
 
 // Returns one row for each technique: the error of all pixels, what it costs, and what is known of it.
@@ -303,11 +296,9 @@ std::string cost_table(const Results& results, const FactsOfTechniques& facts) {
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {
-  std::vector<std::string> samples;
-  for (const double light : light_sizes(results)) samples.push_back(sample_text(results, light));
-  return how_to_read(results, BlockForm::full) +
-         fmt::format("\n\n{}:\n\n{}\n", fmt::join(samples, "; "), error_table(results)) +
-         fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path) +
+  return how_to_read(results, BlockForm::full) + "\n\n" + samples_text(results) +
+         table_by_light(results, {kPenumbraError, kLeaks, kFalseShadow}, title_and_name) +
+         fmt::format("\n![Penumbra error against fetches per pixel]({})\n\n", style.chart_path) +
          cost_table(results, style.facts) + command(results);
 }
 

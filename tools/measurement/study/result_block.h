@@ -15,7 +15,7 @@ inline constexpr std::string_view kResultBlock = "results";
 
 enum class BlockForm {
   full,   // a table of errors, the chart, and a table of costs, with a row for each technique
-  brief,  // a table with a row for each light and technique, those of the middle light first
+  brief,  // one table, with a row for each technique
   line,   // one sentence: penumbra RMSE and fetches under the middle light
 };
 
