@@ -182,10 +182,11 @@ class FarSteps(unittest.TestCase):
                           parameters={"heightSteps": [float(steps)]})
 
         text = far_shadows.far_steps(results(of("a", 8, 0.2, 0.5), of("b", 8, 0.4, 0.25), of("a", 16, 0.1, 0.1),
-                                             of("b", 16, 0.0, 0.0)))
+                                             of("b", 16, 0.0, 0.0)),
+                                     results(of("a", 8, 0.4, 0.75), of("a", 16, 0.2, 0.5)))
         # The second figure of 8 is the root of 3 / 4 of the first ring's.
-        self.assertIn("| 8 | 0.173 | 0.346 | 50.0 | 25.0 | 0.00 | 0.00 | 4.0 |\n| 16 | 0.087 | 0.000 | 10.0 | 0.0 |",
-                      text)
+        self.assertIn("| 8 | 0.173 | 0.346 | 0.346 | 50.0 | 25.0 | 75.0 | 0.00 | 0.00 | 0.00 | 4.0 | 4.0 |\n"
+                      "| 16 | 0.087 | 0.000 | 0.173 | 10.0 | 0.0 | 50.0 |", text)
 
 
 class PresetSteps(unittest.TestCase):
