@@ -1,24 +1,27 @@
 """Tables of Documentation~/other-shadows.md: volumes, rays through fog, distance fields."""
-from figures import (COMMAND, DOCUMENTATION, FETCHES_ALONE, PLAIN, RESULTS, code, distinct, groups, interval_of, made,
-                     mean, measured, read,
-                     read_json, scenes)
-from markdown import Problem, table
+from figures import (COMMAND, DOCUMENTATION, FETCHES_ALONE, PLAIN, RESULTS, by_light, code, distinct, groups, interval_of,
+                     light_heads, made, mean, measured, read, read_json, scenes)
+from markdown import table
 
 
 def volume_rows(results):
-    """One row per light and technique: means over the scenes, with the smallest and the largest."""
+    """One row per technique: means over the scenes by light, with the smallest and the largest."""
     columns = (("rmse_penumbra", 3, 1.0), ("rmse_all", 3, 1.0), ("leak_rate", 2, 100.0),
                ("false_shadow_rate", 2, 100.0))
-    rows = []
-    for (light, name), own in groups(results["records"], "light_degrees", "technique"):
-        def cell(key, digits, scale):
+
+    def cell(key, digits, scale):
+        def of(own):
             values = [scale * record[key] for record in own if record[key] is not None]
             return f"{mean(values):.{digits}f} ({min(values):.{digits}f} – {max(values):.{digits}f})"
+        return of
 
-        rows.append([f"{light:g}°", code(name), *(cell(*column) for column in columns), FETCHES_ALONE(own)])
+    rows = [[code(name), *(shown for column in columns for shown in by_light(own, cell(*column))), FETCHES_ALONE(own)]
+            for (name,), own in groups(results["records"], "technique")]
+    lights = light_heads(results["records"], "{}")
+    *figures, fetches = PLAIN
     count = len(distinct(results["records"], "scene"))
-    return measured(results, ["light", "technique", *PLAIN], rows, 2,
-                    f"means of {count} scenes, with the smallest and the largest")
+    return measured(results, ["technique", *(f"{what}, {light}" for what in figures for light in lights), fetches],
+                    rows, 1, f"means of {count} scenes, with the smallest and the largest")
 
 
 def volumetric(results):
@@ -53,50 +56,36 @@ WAYS = {"product": "product", "minimum": "minimum", "sum": "sum of what is cover
         "minimum_of_parts": "minimum of each part", "sum_of_parts": "sum of each part"}
 
 
-def only(records, **wanted):
-    found = [record for record in records if all(record[key] == value for key, value in wanted.items())]
-    if len(found) != 1:
-        raise Problem(f"{FIELDS.name} has {len(found)} records of {wanted}, not one")
-    return found[0]
-
-
 def march_errors(results):
+    """One row per march: means over the shapes, the smallest and the largest, and fetches, by the penumbra's width."""
     records = results["marches"]
     widths = distinct(records, "width_metres")
-    rows = [[shape, MARCHES[march],
-             *(f"{only(records, shape=shape, march=march, width_metres=width)['rmse']:.3f}" for width in widths)]
-            for shape in distinct(records, "shape") for march in MARCHES]
-    return (f"{results['device']}; {min(record['receivers'] for record in records)} receivers in the penumbra or more"
-            f" of each shape and"
-            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m. "
-            f" \n{made(results)}.\n\n"
-            + table(["shape", "march", *(f"{width:g} m" for width in widths)], rows, 2))
 
+    def of(march, width, key):
+        return [one[key] for one in records if (one["march"], one["width_metres"]) == (march, width)]
 
-def march_fetches(results):
-    """Means over the shapes."""
-    records = results["marches"]
-    widths = distinct(records, "width_metres")
-    rows = [[MARCHES[march],
-             *(f"{mean(one['fetches'] for one in records if (one['march'], one['width_metres']) == (march, width)):.0f}"
-                               for width in widths)] for march in MARCHES]
-    return table(["march", *(f"{width:g} m" for width in widths)], rows, 1)
+    rows = [[title, *(f"{mean(errors):.3f} ({min(errors):.3f} – {max(errors):.3f})"
+                      for errors in (of(march, width, "rmse") for width in widths)),
+             *(f"{mean(of(march, width, 'fetches')):.0f}" for width in widths)] for march, title in MARCHES.items()]
+    return (f"{results['device']}; means over {len(distinct(records, 'shape'))} shapes, with the smallest and the largest;"
+            f" {min(record['receivers'] for record in records)} receivers in the penumbra or more of each shape and"
+            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m.  "
+            f"\n{made(results)}.\n\n"
+            + table(["march", *(f"{what} {width:g} m" for what in ("RMSE,", "fetches,") for width in widths)], rows, 1))
 
 
 def object_errors(results):
-    records = results["objects"]
-    rows = [[record["scene"], f"{record['width_metres']:g} m", record["receivers"],
-             *(f"{record[way]:.3f}" for way in WAYS)]
-            for record in records]
-    rows.append(["mean of the rows", "", "", *(f"{mean(record[way] for record in records):.3f}" for way in WAYS)])
-    return (f"{results['device']}; fields of 32 voxels along each object's longest side; {results['rays']} rays for"
-            f" each receiver.  \n"
-            f"{made(results)}.\n\n" + table(["scene", "width", "receivers", *WAYS.values()], rows, 1))
+    """One row per width of the penumbra: means over the scenes."""
+    rows = [[f"{width:g} m", sum(record["receivers"] for record in own),
+             *(f"{mean(record[way] for record in own):.3f}" for way in WAYS)]
+            for (width,), own in groups(results["objects"], "width_metres")]
+    return (f"{results['device']}; means over {len(distinct(results['objects'], 'scene'))} scenes; fields of 32 voxels"
+            f" along each object's longest side; {results['rays']} rays for each receiver.  \n"
+            f"{made(results)}.\n\n" + table(["width", "receivers", *WAYS.values()], rows, 0))
 
 
 def fields(results):
-    return {"march-errors": march_errors(results), "march-fetches": march_fetches(results),
-            "object-errors": object_errors(results)}
+    return {"march-errors": march_errors(results), "object-errors": object_errors(results)}
 
 
 def parts(_):
