@@ -331,34 +331,6 @@ class TimesOfGpu(unittest.TestCase):
         self.assertIn("| `Classify` | 0.500 ± 0.000 |\n| `Resolve` | 1.500 ± 0.000 |", text)
 
 
-class DepthFetches(unittest.TestCase):
-    SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0),
-                     record("pcss-angular-24-16", "b", fetches_mean=20.0),
-                     record("screen-pcss-angular-24-16", fetches_mean=35.5),
-                     record("screen-pcss-angular-24-16", "b", fetches_mean=25.5))
-
-    def test_the_pass_without_a_mask_and_the_masked_presets(self):
-        def masked(name, scene, light, fetches, saved):
-            return record("fallback-" + name, scene, light, (saved, 0.0), preprocess_fetches_per_pixel=fetches)
-
-        text = screen_passes.depth_fetches(results(record("fallback-low"), *(
-            row for name in ("high", "ultra") for row in (
-                masked(name, "a", 2.0, 2.0, 0.1), masked(name, "b", 2.0, 3.0, 0.3),
-                masked(name, "a", 5.0, 1.0, 0.0), masked(name, "b", 5.0, 1.0, 0.02)))), self.SCREEN)
-        self.assertTrue(text.endswith(
-            "| fetches per pixel | 2° light | 5° light |\n|:--|--:|--:|\n"
-            "| position and normal from the camera's depth, of the pass without a mask | 5.5 | - |\n"
-            "| fallbacks of High, Ultra: the passes of the mask | 2.5 | 1.0 |\n"
-            "| fallbacks of High, Ultra: pixels where the mask skips the filter, % | 20 | 1 |"), text)
-
-    def test_different_masks_are_refused(self):
-        with self.assertRaisesRegex(markdown.Problem, "different masks"):
-            screen_passes.depth_fetches(results(record("fallback-high", mask=(0.1, 0.0),
-                                                       preprocess_fetches_per_pixel=1.0),
-                                       record("fallback-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)),
-                                       self.SCREEN)
-
-
 class ScreenFigures(unittest.TestCase):
     def test_means_over_scenes_of_all_passes(self):
         text = screen_passes.screen_figures(results(

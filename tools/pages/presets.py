@@ -12,7 +12,6 @@ from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, 
 from markdown import Problem, table
 
 PAGE = DOCUMENTATION / "presets.md"
-FALLBACK = "fallback-"  # techniques that presets fall back to
 
 
 def preset_steps(results):

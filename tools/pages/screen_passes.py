@@ -1,12 +1,10 @@
-"""Tables of Documentation~/screen-passes.md, and the fetches of the fallbacks in Documentation~/installation.md."""
+"""Tables of Documentation~/screen-passes.md."""
 import math
 
-from figures import (COMMAND, DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, all_fetches,
-                     by_light, code,
+from figures import (DOCUMENTATION, ERROR, ERROR_OF_ALL, FETCHES, FETCHES_ALONE, INTERVALS, PLAIN, by_light, code,
                      distinct, figure, groups, interval_of, light_heads, made, mean, mean_of, measured, part_of, read,
                      sample)
 from markdown import Problem, table
-from presets import FALLBACK
 
 PAGE = DOCUMENTATION / "screen-passes.md"
 
@@ -20,37 +18,6 @@ def screen_figures(results):
     rows = [[name, *(cell(own) for cell in columns.values())] for (name,),
             own in groups(results["records"], "technique")]
     return measured(results, ["technique", *columns], rows, 1)
-
-
-UNMASKED = ("pcss-angular-24-16", "screen-pcss-angular-24-16")  # the filter alone, and the pass that calls it
-
-
-def depth_fetches(presets, screen):
-    """What the presets' fallbacks read besides the filter's own fetches, by light: one row without a mask, two of the
-    masked ones."""
-    records = presets["records"]
-    masked = [record for record in records if record["technique"].startswith(FALLBACK) and "mask" in record]
-    shared = {(record["scene"], record["light_degrees"], record["preprocess_fetches_per_pixel"]) for record in masked}
-    if len(shared) != len(distinct(masked, "scene")) * len(distinct(records, "light_degrees")):
-        raise Problem("the masked fallbacks of results/presets/results.tsv have different masks")
-
-    def of_pass(own):
-        alone, called = ([all_fetches(record) for record in own if record["technique"] == name] for name in UNMASKED)
-        return figure(mean(called) - mean(alone), 1) if alone and called else "-"
-
-    lights = distinct(records, "light_degrees")
-    names = ", ".join(name.removeprefix(FALLBACK).capitalize() for name in distinct(masked, "technique"))
-    rows = [["position and normal from the camera's depth, of the pass without a mask",
-             *by_light(screen["records"], of_pass, lights)],
-            [f"fallbacks of {names}: the passes of the mask",
-             *by_light(masked, mean_of("preprocess_fetches_per_pixel", 1), lights)],
-            [f"fallbacks of {names}: pixels where the mask skips the filter, %",
-             *by_light(masked, mean_of(part_of("mask", "pixels_saved"), 0, 100.0), lights)]]
-    return (f"Command: `{COMMAND}`. It reads `results.tsv` of [the screen passes' figures](screen-passes.md#figures)"
-            f" for the first"
-            " row and of [the presets'](presets.md) for the others, each written by the command named there; means"
-            " over their"
-            f" scenes.\n\n{table(['fetches per pixel', *light_heads(records)], rows, 1)}")
 
 
 EDGE_PASSES = ("MarkSamples", "MarkSurfaces", "ShadePixels", "ShadeSamples", "MeanOfSamples")
@@ -213,5 +180,4 @@ def parts(_):
                    "noise": noise_rows(read("noise")),
                    "denoise-radii": denoise_radii(read("denoise-radius")),
                    "cell-pcss-noise": cell_pcss_noise({size: read(f"cell-pcss-noise/{size}") for size in CELL_PCSS_MAPS}),
-                   "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})},
-            DOCUMENTATION / "installation.md": {"depth-fetches": depth_fetches(read("presets"), read("screen-passes"))}}
+                   "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})}}
