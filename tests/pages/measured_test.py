@@ -202,9 +202,8 @@ class PresetSteps(unittest.TestCase):
         second = run("two", [("b", 2.0, {"fetches_mean": 4.5}), ("a", 2.0, {"rmse_penumbra": 0.21}),
                              ("a", 5.0, {"rmse_penumbra": 0.25, "leak_rate": 0.002}), ("b", 5.0, {})])
         text = measuring.device_differences(first, second)
-        self.assertIn("| `a` | 0.3000 | 0.2500 | 0.0500 | 0.200 | 0.000 |", text)
-        self.assertIn("| `b` | 0.1000 | 0.1000 | 0.0000 | 0.000 | 0.500 |", text)
         self.assertIn("penumbrae is 0.0500", text)
+        self.assertIn("of fetches per pixel 0.500 and", text)
         self.assertIn("Commands: `penumbra measure --device one` and `penumbra measure --device two`", text)
         self.assertIn("3000 penumbra pixels", text)
         second["records"].pop()
@@ -219,8 +218,6 @@ class PresetSteps(unittest.TestCase):
             measuring.front_end_differences(glslang, fxc)
         fxc["front_end"] = "FXC 10"
         text = measuring.front_end_differences(glslang, fxc)
-        self.assertIn("| `tent` | 0.1000 | 0.1000 | 4.00 | 3.00 | 100 | 50 | 0.50 |", text)
-        self.assertIn("| `pcss` | 0.1000 | 0.1500 | 4.00 | 4.00 | 400 | 100 | 0.25 |", text)
         self.assertIn("from 0.25 to 0.50. The largest difference of the RMSE in penumbrae is 0.0500.", text)
         with self.assertRaises(markdown.Problem):
             measuring.front_end_differences(glslang, {**fxc, "records": fxc["records"][:1]})

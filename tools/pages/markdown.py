@@ -12,11 +12,6 @@ def table(head, rows, left):
     return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
 
 
-def cell(text):
-    """Text of others as code in a cell."""
-    return "`" + text.replace("|", "\\|").replace("`", "'") + "`"
-
-
 def written(page, parts):
     """The page's text with the parts, a text by name, put into their places."""
     for name, text in parts.items():

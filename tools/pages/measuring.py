@@ -1,11 +1,11 @@
-"""Tables of docs/measuring.md: the same techniques on two devices, and from two compilers."""
-from figures import DOCS, all_fetches, code, distinct, figure, light_heads, mean, read
-from markdown import Problem, table
+"""What docs/measuring.md says of the same techniques on two devices, and from two compilers."""
+from figures import DOCS, distinct, figure, light_heads, mean, read
+from markdown import Problem
+
 
 PAGE = DOCS / "measuring.md"
-AGREEING = {"rmse_penumbra": 4, "rmse_all": 4, "bias": 4, "leak_rate": 4, "false_shadow_rate": 4, "fetches_mean": 3,
+AGREEING = {"rmse_penumbra": 4, "rmse_all": 4, "bias": 4, "fetches_mean": 3,
             "fetches_penumbra_mean": 3}  # with their digits
-DEVICE_ROWS = 8
 
 
 def paired(first, second):
@@ -20,8 +20,8 @@ def paired(first, second):
             for name in distinct(first["records"], "technique")]
 
 
-def made_both(first, second, command="command", more=""):
-    return (f"Commands: `{first[command]}` and `{second[command]}`,{more} at commits {first['commit']} and"
+def made_both(first, second, command="command"):
+    return (f"Commands: `{first[command]}` and `{second[command]}`, at commits {first['commit']} and"
             f" {second['commit']}.")
 
 
@@ -31,59 +31,34 @@ def what_both(first):
 
 
 def front_end_differences(glslang, fxc):
-    """One row per technique: error, fetches and operations of glslang's modules before optimisation and of FXC's
-    bytecode."""
+    """How far errors and operations of glslang's modules before optimisation and of FXC's bytecode lie apart."""
     if "front_end" in glslang or "front_end" not in fxc:
         raise Problem("the first run is by glslang, and the second by FXC")
-    rows, apart = [], 0.0
-    for technique, pairs in paired(glslang, fxc):
-        errors, fetches, operations = ([mean(map(of, records)) for records in zip(*pairs)] for of in (
-            lambda record: record["rmse_penumbra"], all_fetches, lambda record: record["operations_per_pixel"]))
+    ratios, apart = [], 0.0
+    for _, pairs in paired(glslang, fxc):
+        operations = [mean(record["operations_per_pixel"] for record in records) for records in zip(*pairs)]
+        ratios.append(operations[1] / operations[0])
         apart = max(apart, *(abs(one["rmse_penumbra"] - other["rmse_penumbra"]) for one, other in pairs))
-        rows.append([code(technique), *(figure(value, 4) for value in errors), *(figure(value, 2) for value in fetches),
-                     *(figure(value, 0) for value in operations), figure(operations[1] / operations[0], 2)])
-    ratios = sorted(float(row[-1]) for row in rows)
-    head = ["technique", "RMSE in penumbra, glslang", "FXC", "fetches per pixel, glslang", "FXC",
-            "operations per pixel, glslang", "FXC",
-            "ratio"]
+    ratios.sort()
     return (f"glslang against {fxc['front_end']}; {what_both(glslang)}; lights of"
-            f" {', '.join(light_heads(glslang['records'], '{}'))}.  \n"
-            f"{made_both(glslang, fxc)}\n\n{table(head, rows, 1)}"
-            f"\n\nOf {len(rows)} techniques the median ratio of operations is {ratios[len(ratios) // 2]:.2f}, from"
-            f" {ratios[0]:.2f}"
-            f" to {ratios[-1]:.2f}. The largest difference of the RMSE in penumbrae is {apart:.4f}.")
+            f" {', '.join(light_heads(glslang['records'], '{}'))}. Of {len(ratios)} techniques the median ratio of FXC's"
+            f" operations to glslang's is {ratios[len(ratios) // 2]:.2f}, from {ratios[0]:.2f} to {ratios[-1]:.2f}. The"
+            f" largest difference of the RMSE in penumbrae is {apart:.4f}.  \n{made_both(glslang, fxc)}")
 
 
 def device_differences(first, second):
-    """The figures of a run on each of two devices, of the techniques whose errors differ most under one of the
-    lights."""
-    records = first["records"]
-    lights = distinct(records, "light_degrees")
-    middle = lights[len(lights) // 2]
-    rows, largest = [], dict.fromkeys(AGREEING, 0.0)
-    for technique, pairs in paired(first, second):
-        apart = {name: max(abs(one[name] - other[name]) for one, other in pairs) for name in AGREEING}
-        largest = {name: max(largest[name], apart[name]) for name in AGREEING}
-        pair = next(pair for pair in pairs if pair[0]["light_degrees"] == middle)
-        rows.append((apart["rmse_penumbra"], [
-            code(technique), *(figure(record["rmse_penumbra"], 4) for record in pair),
-            figure(apart["rmse_penumbra"], 4),
-            figure(max(apart["leak_rate"], apart["false_shadow_rate"]), 3, 100.0), figure(apart["fetches_mean"], 3)]))
-    most = [row for _, row in sorted(rows, key=lambda row: -row[0])[:DEVICE_ROWS]]
-    head = ["technique", f"RMSE in penumbra, {middle:g}° light: {first['device']}", second["device"],
-            "largest difference of RMSE", "of leaks and false shadow, %", "of fetches per pixel"]
-    shown = {name: figure(largest[name], digits) for name, digits in AGREEING.items()}
+    """How far the figures of a run on each of two devices lie apart."""
+    records, runs = first["records"], paired(first, second)
+    shown = {name: figure(max(abs(one[name] - other[name]) for _, pairs in runs for one, other in pairs), digits)
+             for name, digits in AGREEING.items()}
     return (f"{first['device']} (driver {first['driver']}) against {second['device']} (driver {second['driver']});"
             f" {what_both(first)}, lights of {', '.join(light_heads(records, '{}'))},"
-            f" {min(record['penumbra_pixels'] for record in records)} penumbra pixels or more for each. Results that"
-            f" are not finite or not in [0, 1]: {sum(record['invalid'] for record in records + second['records'])}.  \n"
-            f"{made_both(first, second, 'measured_by', f' of {len(rows)} techniques,')} The table has the {len(most)} whose errors"
-            f" differ most.\n\n"
-            f"{table(head, most, 1)}\n\nOver all techniques the largest difference of the RMSE in penumbrae is"
-            f" {shown['rmse_penumbra']},"
-            f" of the RMSE over all pixels {shown['rmse_all']}, of the bias {shown['bias']}, of fetches per pixel"
-            f" {shown['fetches_mean']}"
-            f" and in penumbrae {shown['fetches_penumbra_mean']}.")
+            f" {min(record['penumbra_pixels'] for record in records)} penumbra pixels or more for each. Over {len(runs)}"
+            f" techniques the largest difference of the RMSE in penumbrae is {shown['rmse_penumbra']}, of the RMSE over all"
+            f" pixels {shown['rmse_all']}, of the bias {shown['bias']}, of fetches per pixel {shown['fetches_mean']} and in"
+            f" penumbrae {shown['fetches_penumbra_mean']}. Results that are not finite or not in [0, 1]:"
+            f" {sum(record['invalid'] for record in records + second['records'])}.  \n"
+            f"{made_both(first, second, 'measured_by')}")
 
 
 def parts(_):

@@ -1,7 +1,7 @@
 """Tables of Documentation~/other-shadows.md: volumes, rays through fog, distance fields."""
 from figures import (COMMAND, DOCUMENTATION, FETCHES_ALONE, PLAIN, RESULTS, by_light, code, distinct, groups, interval_of,
                      light_heads, made, mean, measured, read, read_json, scenes)
-from markdown import table
+from markdown import Problem, table
 
 
 def volume_rows(results):
@@ -62,7 +62,10 @@ def march_errors(results):
     widths = distinct(records, "width_metres")
 
     def of(march, width, key):
-        return [one[key] for one in records if (one["march"], one["width_metres"]) == (march, width)]
+        found = [one for one in records if (one["march"], one["width_metres"]) == (march, width)]
+        if sorted(one["shape"] for one in found) != sorted(distinct(records, "shape")):
+            raise Problem(f"{FIELDS.name} has not one record of {march} at {width} m for each shape")
+        return [one[key] for one in found]
 
     rows = [[title, *(f"{mean(errors):.3f} ({min(errors):.3f} – {max(errors):.3f})"
                       for errors in (of(march, width, "rmse") for width in widths)),

@@ -3,8 +3,8 @@ import json
 import re
 from pathlib import Path
 
-from figures import DOCS, ROOT, code, read_json
-from markdown import Problem, cell, table
+from figures import DOCS, ROOT, read_json
+from markdown import Problem, table
 
 PAGE = DOCS / "validating.md"
 CORPUS = ROOT / "tests" / "corpus"
@@ -36,24 +36,16 @@ def of_first_run(entry):
         "editor_only"]
 
 
-def third_party(first, last):
-    before = {entry["repository"]: of_first_run(entry) for entry in first["results"]}
-    rows = [[entry["repository"], share(*before[entry["repository"]]), *of_blocks(entry["blocks"])]
-            for entry in last["third_party"]]
-    rows.append(["**all**", share(*map(sum, zip(*before.values()))),
-                 *of_blocks(total([one["blocks"] for one in last["third_party"]]))])
-    return table(["repository", "SPIR-V, first run", *BLOCKS], rows, 1)
-
-
-def urp(last):
-    return table(["version", *BLOCKS], [[entry["version"], *of_blocks(entry["blocks"])] for entry in last["urp"]], 1)
-
-
-def lighting(last):
-    rows = [[entry["version"], entry["keyword_sets"],
-             *(share(entry[key], entry["keyword_sets"]) for key in ("spirv", "all_targets"))]
-            for entry in last["lighting"]]
-    return table(["version", "keyword sets", "SPIR-V", "all targets"], rows, 1)
+def corpus(first, last):
+    """One row for all third-party repositories, and one for each version of URP: blocks, and of URP all keyword sets of
+    its Lighting.hlsl."""
+    before = [of_first_run(entry) for entry in first["results"]]
+    lighting = {entry["version"]: share(entry["all_targets"], entry["keyword_sets"]) for entry in last["lighting"]}
+    rows = [[f"{len(last['third_party'])} repositories", share(*map(sum, zip(*before))),
+             *of_blocks(total([one["blocks"] for one in last["third_party"]])), "-"]]
+    rows += [[f"URP {entry['version']}", "-", *of_blocks(entry["blocks"]), lighting[entry["version"]]]
+             for entry in last["urp"]]
+    return table(["shaders", "SPIR-V, first run", *BLOCKS, "keyword sets of Lighting.hlsl, all targets"], rows, 1)
 
 
 def named_causes(last):
@@ -63,6 +55,7 @@ def named_causes(last):
 
 
 def causes(last, explanations):
+    """One row for each kind of cause."""
     found = [[] for _ in explanations]
     for where, cause in named_causes(last):
         matching = [i for i, one in enumerate(explanations) if one["message"] in cause["message"]
@@ -71,61 +64,30 @@ def causes(last, explanations):
             raise Problem(f"{len(matching)} explanations fit '{cause['message']}' of {where}; explanations.json needs"
                           f" one")
         found[matching[0]].append((where, cause))
-    rows = []
+    kinds = {}
     for explanation, of in zip(explanations, found):
         if not of:
             raise Problem(f"nothing fails with '{explanation['message']}' any more; take it out of explanations.json")
-        example = max((cause for _, cause in of), key=lambda one: one["blocks"])
-        targets = sorted({target for _, cause in of for target in cause["targets"]})
-        in_emitted_text = example["example"].split(":")[0] in example["targets"]
-        rows.append([cell(example["message"]), ", ".join(sorted({where for where, _ in of})),
-                     code(example["shader"] if in_emitted_text else example["example"]),
-                     "all" if "spirv" in targets else ", ".join(targets), explanation["kind"],
-                     explanation["explanation"], sum(cause["blocks"] for _, cause in of)])
-    rows.sort(key=lambda row: -row[-1])
-    return table(["message", "found in", "example", "targets", "cause", "explanation", "blocks"], rows, 6)
-
-
-def of_front_ends(data):
-    """(name, its counts) of every repository and of URP's versions."""
-    return ([(entry["repository"], entry) for entry in data["third_party"]] +
-            [("URP " + entry["version"], entry) for entry in data["urp"]])
+        kinds.setdefault(explanation["kind"], []).append(sum(cause["blocks"] for _, cause in of))
+    rows = sorted(([kind, len(blocks), sum(blocks)] for kind, blocks in kinds.items()), key=lambda row: -row[-1])
+    return table(["cause", "messages", "blocks"], rows, 1)
 
 
 def front_ends(data):
-    counts = [(name, {**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
+    """One row for all third-party repositories, and one for each version of URP."""
+    def row(name, entries):
+        one = total([{**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
                       **{kind: sum(cause["variants"] for cause in entry[kind])
-                         for kind in ("false_passes", "false_refusals")}})
-              for name, entry in of_front_ends(data)]
-    counts.append(("**all**", total([one for _, one in counts])))
-    rows = [[name, one["variants"], share(one["accepted_by_fxc"], one["variants"]),
-             share(one["passed_by_us"], one["variants"]),
-             one["false_passes"], one["false_refusals"]] for name, one in counts]
+                         for kind in ("false_passes", "false_refusals")}} for entry in entries])
+        return [name, one["variants"], share(one["accepted_by_fxc"], one["variants"]),
+                share(one["passed_by_us"], one["variants"]), one["false_passes"], one["false_refusals"]]
+
+    rows = [row(f"{len(data['third_party'])} repositories", data["third_party"]),
+            *(row(f"URP {entry['version']}", [entry]) for entry in data["urp"])]
     return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes",
                                           "false refusals"], rows, 1)
 
 
-def most_frequent(data, kind, count=10):
-    """Of all shaders, what the compiler that refuses alone says, without names."""
-    causes = {}
-    for name, entry in of_front_ends(data):
-        for cause in entry[kind]:
-            one = causes.setdefault(cause["message"], {**cause, "variants": 0, "found": []})
-            one["variants"] += cause["variants"]
-            one["found"].append(name)
-    rows = [[one["variants"], cell(one["says"]), code(one["example"]), ", ".join(one["found"])]
-            for one in sorted(causes.values(), key=lambda one: (-one["variants"], one["says"]))[:count]]
-    return table(["variants", "message", "example", "found in"], rows, 0) if rows else "None."
-
-
-# In the order in which each adds something to the one before.
-WAYS = {"alone": "the same seven steps in one process",
-        "cold": "and unreachable code is parsed only once",
-        "shared": "and identical sources and modules are processed once",
-        "driver": "and GLSL and ESSL are compiled with Mesa",
-        "lint": "and lint rules are applied: the whole command with `--api vulkan`",
-        "default": "the whole command without `--api`: a source for each target's graphics API",
-        "warm": "the same again, with a filled cache"}
 SETS = {"techniques": "this library's techniques", "urp_lighting": "URP's Lighting.hlsl"}
 
 
@@ -153,12 +115,12 @@ def ratio(value):
     return f"{value:.2f}" if value < 100 else f"{value:.0f}"
 
 
-def of_way(of, way, digits, more=""):
-    """The library's techniques have one source for all targets, and so no figure of the default."""
-    name = way + more
-    if name not in of:
+def of_way(of, way):
+    """Milliseconds and speed-up. The library's techniques have one source for all targets, and so no figure of the
+    default."""
+    if way + "_ms" not in of:
         return "–"
-    return ratio(of[name]) if more.endswith("ratio") else f"{of[name]:.{2 if way == 'warm' else digits}f}"
+    return f"{of[way + '_ms']:.{2 if way == 'warm' else 0}f} ({ratio(of[way + '_ratio'])} ×)"
 
 
 def machine(results):
@@ -169,32 +131,11 @@ def title(of):
     return f"{SETS[of['name']]}, {of['variants']:.0f} variants"
 
 
-def speed(results):
-    sets = results["sets"]
-    head = ["", *(f"{title(of)}: ms per variant" for of in sets),
-            *(f"{of['variants']:.0f} variants: speed-up" for of in sets),
-            *(f"{of['variants']:.0f} variants: speed-up in CPU time" for of in sets)]
-    rows = [["the shell pipeline", *(f"{of['shell_ms']:.1f}" for of in sets), *("1" for _ in sets),
-             *("1" for _ in sets)]]
-    rows += [[f"*{way}*: {words}",
-              *(of_way(of, way, 1, more) for more in ("_ms", "_ratio", "_cpu_ratio") for of in sets)]
-             for way, words in WAYS.items()]
-    counts = ("variants", "texts", "modules", "every_api_texts", "every_api_modules")
-    equal = [[SETS[of["name"]], *(f"{of[key]:.0f}" if key in of else "–" for key in counts)] for of in sets]
-    return (f"{machine(results)}\n\n{table(head, rows, 1)}\n\n"
-            + table(["", "variants", "distinct sources", "distinct SPIR-V modules", "sources for every API",
-                     "SPIR-V modules of them"],
-                    equal, 1))
-
-
 def speed_summary(results):
-    def shown(of, way):
-        return f"{of_way(of, way, 0, '_ms')} ({of_way(of, way, 0, '_ratio')} ×)" if way + "_ms" in of else "–"
-
-    rows = [[title(of), f"{of['shell_ms']:.0f}", *(shown(of, way) for way in ("shared", "lint", "default", "warm"))]
-            for of in results["sets"]]
-    head = ["milliseconds per variant (speed-up)", "shell pipeline", "the same steps", "the command, `--api vulkan`",
-            "the command", "again, with a filled cache"]
+    rows = [[title(of), f"{of['shell_ms']:.0f}",
+             *(of_way(of, way) for way in ("alone", "shared", "lint", "default", "warm"))] for of in results["sets"]]
+    head = ["milliseconds per variant (speed-up)", "shell pipeline", "the same steps, in one process",
+            "shared", "the command, `--api vulkan`", "the command", "again, with a filled cache"]
     return f"{machine(results)}\n\n{table(head, rows, 1)}"
 
 
@@ -242,9 +183,5 @@ def parts(_):
     first, last, explanations, both = (read_json(CORPUS / f"{name}.json")
                                        for name in ("first_run", "last_run", "explanations", "front_ends"))
     measured = read_json(SPEED)
-    return {PAGE: {"front-ends": front_ends(both), "false-passes": most_frequent(both, "false_passes"),
-                   "false-refusals": most_frequent(both, "false_refusals"), "third-party": third_party(first, last),
-                   "urp": urp(last),
-                   "lighting": lighting(last), "causes": causes(last, explanations),
-                   "speed": speed(measured), "validation-speed": speed_summary(measured),
-                   "programs": random_programs(read_json(PROGRAMS))}}
+    return {PAGE: {"front-ends": front_ends(both), "corpus": corpus(first, last), "causes": causes(last, explanations),
+                   "validation-speed": speed_summary(measured), "programs": random_programs(read_json(PROGRAMS))}}
