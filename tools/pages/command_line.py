@@ -34,22 +34,50 @@ def option_rows(lines):
     return [[in_cell(code(name)), in_cell(text).replace("<", "&lt;")] for name, text in rows if name != "-h, --help"]
 
 
-def subcommand(text):
-    """The help of a subcommand: its options as a table, its examples as a block of code."""
-    what, examples = text.split("\nExit codes:")[0].rstrip().split("\nExamples:\n")
-    headline, usage = what.split("\n\n")[0].splitlines()
-    rows, remarks = [], []
+def groups_of(what):
+    """(heading, option rows) of each group of a subcommand's help, and its remarks."""
+    groups, remarks = [], []
     for group in what.split("\n\n")[1:]:
         heading, *options = group.strip("\n").splitlines()
-        if not heading.endswith(":"):
+        if heading.endswith(":"):
+            groups.append((heading.removesuffix(":"), option_rows(options)))
+        else:
             remarks.append(" ".join(line.strip() for line in [heading, *options]).replace("<", "&lt;"))
-            continue
-        if heading not in ("Options:", "Positionals:"):
-            rows.append([f"**{heading.removesuffix(':')}**", ""])
-        rows += option_rows(options)
+    return groups, remarks
+
+
+def parts_of(text):
+    """A subcommand's help: what it does with its options, and its examples."""
+    return text.split("\nExit codes:")[0].rstrip().split("\nExamples:\n")
+
+
+def shared_options(helps):
+    """(option, what it does): the subcommands that have it, where these are several."""
+    found = {}
+    for name, text in helps.items():
+        for _, rows in groups_of(parts_of(text)[0])[0]:
+            for row in rows:
+                found.setdefault(tuple(row), []).append(name)
+    return {row: names for row, names in found.items() if len(names) > 1}
+
+
+def subcommand(text, shared):
+    """The help of a subcommand: its own options as a table, the names of the shared ones, its examples as a block of
+    code."""
+    what, examples = parts_of(text)
+    headline, usage = what.split("\n\n")[0].splitlines()
+    groups, remarks = groups_of(what)
+    rows, others = [], []
+    for heading, options in groups:
+        own = [row for row in options if tuple(row) not in shared]
+        others += [row[0] for row in options if tuple(row) in shared]
+        if own and heading not in ("Options", "Positionals"):
+            rows.append([f"**{heading}**", ""])
+        rows += own
+    also = [f"[Shared options](#shared-options): {', '.join(others)}."] if others else []
     options = [table(["option", "what it does"], rows, 2)] if rows else []
     examples = "```\n" + "\n".join(line.strip() for line in examples.splitlines()) + "\n```"
-    return "\n\n".join([f"{headline}.", code(usage.removeprefix("Usage: ")), *options, *remarks, examples])
+    return "\n\n".join([f"{headline}.", code(usage.removeprefix("Usage: ")), *options, *also, *remarks, examples])
 
 
 def exit_codes(program):
@@ -58,7 +86,11 @@ def exit_codes(program):
 
 
 def parts(program):
-    described = "\n\n".join(f"## penumbra {name}\n\n{subcommand(output(program, 'help', name))}"
-                            for name in subcommands(program))
-    return {DOCS / "command-line.md": {"exit codes": exit_codes(program), "subcommands": described},
+    helps = {name: output(program, "help", name) for name in subcommands(program)}
+    shared = shared_options(helps)
+    described = "\n\n".join(f"## penumbra {name}\n\n{subcommand(text, shared)}" for name, text in helps.items())
+    several = table(["option", "what it does", "of"],
+                    [[*row, ", ".join(map(code, names))] for row, names in shared.items()], 3)
+    return {DOCS / "command-line.md": {"exit codes": exit_codes(program), "shared options": several,
+                                       "subcommands": described},
             DOCS / "cpp-library.md": {"settings": output(program, "constants", "--list-settings")}}

@@ -10,6 +10,8 @@ OBJECTS = {"manifest": ("a manifest", ""), "struct": ("a struct", "structs"), "f
            "buffer": ("a buffer", "buffers"), "pass": ("a pass", "passes"), "groups": ("`groups`", ""),
            "selection": ("a selection", "selections"), "preset": ("a preset", "presets"),
            "option": ("an option", "options"), "look": ("a look", "looks")}
+TABLES = (("manifest",), ("entry", "filter", "struct", "field", "bias", "rule"), ("selection", "option", "preset", "look"),
+          ("graph", "texture", "buffer", "pass", "groups"))
 TYPES = {"string": "text", "integer": "whole number"}
 UNBOUNDED = 10 ** 6  # a bound as large as this is the program's, not the key's
 
@@ -50,17 +52,20 @@ def value(rule, definitions):
     return TYPES.get(kind, kind) + least + most
 
 
-def keys(name, definition, definitions):
+def keys(names, definitions):
+    """One table of the keys of these kinds of objects, the first of which its head names."""
     rows = []
-    for key, given in definition["properties"].items():
-        rule = merged(given, definitions)
-        required = ", required" if key in definition.get("required", []) else ""
-        rows.append([code(key), value(rule, definitions) + required, rule["description"]])
-    return table([f"key of {OBJECTS[name][0]}", "value", "meaning"], rows, 3)
+    for name in names:
+        if name != names[0]:
+            rows.append([f"**{OBJECTS[name][0]}**", "", ""])
+        for key, given in definitions[name]["properties"].items():
+            rule = merged(given, definitions)
+            required = ", required" if key in definitions[name].get("required", []) else ""
+            rows.append([code(key), value(rule, definitions) + required, rule["description"]])
+    return table([f"key of {OBJECTS[names[0]][0]}", "value", "meaning"], rows, 3)
 
 
 def parts(_program):
     schema = read_json(SCHEMA)
     definitions = {**schema["definitions"], "manifest": schema}
-    return {DOCS / "add-technique.md": {f"keys: {name}": keys(name, definitions[name], definitions)
-                                        for name in OBJECTS}}
+    return {DOCS / "add-technique.md": {f"keys: {names[0]}": keys(names, definitions) for names in TABLES}}
