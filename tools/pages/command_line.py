@@ -61,6 +61,17 @@ def shared_options(helps):
     return {row: names for row, names in found.items() if len(names) > 1}
 
 
+def examples_of(text):
+    """The commands; what is said of one in a line before it stands behind it, where both fit into a line."""
+    lines = []
+    for line in map(str.strip, text.splitlines()):
+        if lines and lines[-1].startswith("# ") and len(lines[-1]) + len(line) < 117:
+            lines[-1] = f"{line}  {lines[-1]}"
+        else:
+            lines.append(line)
+    return lines
+
+
 def subcommand(text, shared):
     """The help of a subcommand: its own options as a table, the names of the shared ones, its examples as a block of
     code."""
@@ -76,7 +87,7 @@ def subcommand(text, shared):
         rows += own
     also = [f"[Shared options](#shared-options): {', '.join(others)}."] if others else []
     options = [table(["option", "what it does"], rows, 2)] if rows else []
-    examples = "```\n" + "\n".join(line.strip() for line in examples.splitlines()) + "\n```"
+    examples = "```\n" + "\n".join(examples_of(examples)) + "\n```"
     return "\n\n".join([f"{headline}.", code(usage.removeprefix("Usage: ")), *options, *also, *remarks, examples])
 
 
