@@ -101,14 +101,6 @@ class Noise(unittest.TestCase):
         with self.assertRaisesRegex(markdown.Problem, "not one history"):
             screen_passes.noise_rows(results(record("pcss-gradient history=1")))
 
-    def test_a_row_of_the_denoiser_has_its_radius_and_the_error_of_each_light(self):
-        def of(radius, light, error):
-            return record(f"t denoiseRadius={radius}", light=light, rmse_penumbra=error,
-                          parameters={"denoiseRadius": [float(radius)]})
-
-        text = screen_passes.denoise_radii(results(of(0, 2.0, 0.3), of(4, 2.0, 0.2), of(0, 5.0, 0.5), of(4, 5.0, 0.1)))
-        self.assertIn("| 0 | 0.300 | 0.500 | 4.0 |\n| 4 | 0.200 | 0.100 | 4.0 |", text)
-
     def test_a_row_of_a_pan_has_both_kinds_of_noise(self):
         text = screen_passes.noise_pan(results(record("t", title="T", shimmer=(0.02, 0.03)),
                                                record("t", "b", title="T", shimmer=(0.04, 0.05))))
@@ -338,7 +330,7 @@ class ScreenFigures(unittest.TestCase):
             "device, mean of 2 scenes, at least 2017 penumbra pixels per scene and light; ± is half the width of the"
             " 95 % confidence interval over the scenes; where it is cut off at 0 or at the largest possible value, [a,"
             " b] gives its"
-            f" ends.  \nCommand: `penumbra measure --made`, at commit {COMMIT}.\n"), text)
+            f" ends. Command: `penumbra measure --made`, at commit {COMMIT}.\n"), text)
         # The interval of two values is 12.706 times half their difference; here it goes below 0.
         self.assertIn("| t | 0.150 [0, 0.785] | 4.5 [0, 10.9] | 30 | 1.00 | 0.200 | 0.200 |", text)
         self.assertIn("| plain | - | - | - | - | - | - |", text)

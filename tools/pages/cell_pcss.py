@@ -41,8 +41,8 @@ def weighted_costs(results, cost):
                          *by_light(own, interval_of(lambda record: cycles_per_pixel(record, programs), 0, math.inf))])
     rows += [["operations of bytecode", code(name), *by_light(own, interval_of("operations_per_pixel", 0, math.inf))]
              for name, own in techniques.items()]
-    return (f"{cost['driver']}, {scenes(results['records'])}.  \n"
-            f"Command of the cycles: `{cost['command']}`.  \n"
+    return (f"{cost['driver']}, {scenes(results['records'])}. "
+            f"Command of the cycles: `{cost['command']}`. "
             f"Of the threads and operations: {made(results).removeprefix('Command: ')}.\n\n"
             + table(["per pixel", "technique", *light_heads(results["records"])], rows, 2))
 
@@ -135,8 +135,8 @@ def texel_errors(results, figure):
               f"{results['receivers']} of each kind")
     return (f"Receivers: {counts}; learned from {results['trained']} others of each kind. Half the width of a 95 %"
             f" confidence interval"
-            f" is {math.ceil(1e4 * widest) / 1e4:.4f} at most. "
-            f" \n{made(results)}.\n\n{table(['estimator', *errors.head], rows, 1)}")
+            f" is {math.ceil(1e4 * widest) / 1e4:.4f} at most."
+            f" {made(results)}.\n\n{table(['estimator', *errors.head], rows, 1)}")
 
 
 def parts(_):

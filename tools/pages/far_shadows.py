@@ -49,7 +49,7 @@ def far_steps(results, worst):
                      FETCHES_ALONE(own[:-1]), FETCHES_ALONE(others)])
     head = ["steps", *(f"{what}, {scene}" for what in ("RMSE", "light leaks, %", "false shadow, %") for scene in scenes),
             "fetches per pixel", "fetches per pixel, at the worst azimuth"]
-    return f"{results['device']}. {made(results)}.  \n{made(worst)}.\n\n{table(head, rows, 0)}"
+    return f"{results['device']}. {made(results)}. {made(worst)}.\n\n{table(head, rows, 0)}"
 
 
 def far_seams(results):

@@ -173,7 +173,7 @@ def scenes(records):
 def measured(results, head, rows, left, what=None, and_so_on=False):
     """A table below what it was measured on, what its figures are of, and the command."""
     what = what or sample(results["records"])
-    return (f"{results['device']}, {what}.  \n{made(results)}{', and so on' if and_so_on else ''}.\n\n"
+    return (f"{results['device']}, {what}. {made(results)}{', and so on' if and_so_on else ''}.\n\n"
             + table(head, rows, left))
 
 

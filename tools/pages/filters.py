@@ -30,13 +30,17 @@ def half_precision(results):
     def digits(number):
         return "not finite" if number is None else f"{number:.2g}"
 
-    rows = [[f"`{one['function'].split(',')[0]}`" + "".join(one["function"].partition(",")[1:]),
-             "fit" if is_fit(one) else "**unfit**", one["unit"], digits(one["largest"]), digits(one["accepted"])]
-            for one in sorted(results["functions"], key=lambda one: not is_fit(one))]
+    kinds = {}
+    for one in results["functions"]:
+        name, _, which = one["function"].partition(",")
+        of_unit = kinds.setdefault((one["unit"], one["accepted"]), ([], []))
+        of_unit[0 if is_fit(one) else 1].append(f"`{name}`{which}: {digits(one['largest'])}")
+    rows = [[unit, digits(accepted), *(", ".join(ones) or "-" for ones in of_unit)]
+            for (unit, accepted), of_unit in kinds.items()]
     return (f"{results['device']}; {results['cases']} for each function. Command:"
             f" `build/release/penumbra_ShaderLibrary_tests"
             " --gtest_filter='*HalfPrecision*' > TEXT; scripts/pages --take half TEXT`\n\n"
-            + table(["function", "in half", "the difference's unit", "largest difference", "accepted"], rows, 3))
+            + table(["largest difference, in", "accepted", "fit", "unfit"], rows, 4))
 
 
 def take_half(file):

@@ -43,7 +43,7 @@ def front_end_differences(glslang, fxc):
     return (f"glslang against {fxc['front_end']}; {what_both(glslang)}; lights of"
             f" {', '.join(light_heads(glslang['records'], '{}'))}. Of {len(ratios)} techniques the median ratio of FXC's"
             f" operations to glslang's is {ratios[len(ratios) // 2]:.2f}, from {ratios[0]:.2f} to {ratios[-1]:.2f}. The"
-            f" largest difference of the RMSE in penumbrae is {apart:.4f}.  \n{made_both(glslang, fxc)}")
+            f" largest difference of the RMSE in penumbrae is {apart:.4f}. {made_both(glslang, fxc)}")
 
 
 def device_differences(first, second):
@@ -57,7 +57,7 @@ def device_differences(first, second):
             f" techniques the largest difference of the RMSE in penumbrae is {shown['rmse_penumbra']}, of the RMSE over all"
             f" pixels {shown['rmse_all']}, of the bias {shown['bias']}, of fetches per pixel {shown['fetches_mean']} and in"
             f" penumbrae {shown['fetches_penumbra_mean']}. Results that are not finite or not in [0, 1]:"
-            f" {sum(record['invalid'] for record in records + second['records'])}.  \n"
+            f" {sum(record['invalid'] for record in records + second['records'])}. "
             f"{made_both(first, second, 'measured_by')}")
 
 

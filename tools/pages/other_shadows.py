@@ -72,8 +72,8 @@ def march_errors(results):
              *(f"{mean(of(march, width, 'fetches')):.0f}" for width in widths)] for march, title in MARCHES.items()]
     return (f"{results['device']}; means over {len(distinct(records, 'shape'))} shapes, with the smallest and the largest;"
             f" {min(record['receivers'] for record in records)} receivers in the penumbra or more of each shape and"
-            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m.  "
-            f"\n{made(results)}.\n\n"
+            f" width, {results['rays']} rays each; fields of {results['voxels']} voxels along 1.2 m."
+            f" {made(results)}.\n\n"
             + table(["march", *(f"{what} {width:g} m" for what in ("RMSE,", "fetches,") for width in widths)], rows, 1))
 
 
@@ -83,7 +83,7 @@ def object_errors(results):
              *(f"{mean(record[way] for record in own):.3f}" for way in WAYS)]
             for (width,), own in groups(results["objects"], "width_metres")]
     return (f"{results['device']}; means over {len(distinct(results['objects'], 'scene'))} scenes; fields of 32 voxels"
-            f" along each object's longest side; {results['rays']} rays for each receiver.  \n"
+            f" along each object's longest side; {results['rays']} rays for each receiver. "
             f"{made(results)}.\n\n" + table(["width", "receivers", *WAYS.values()], rows, 0))
 
 

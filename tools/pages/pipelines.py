@@ -40,7 +40,7 @@ def light_fits(results):
                 "light leaks, share",
                 "false shadow, share"]
         tables.append(f"{light:g}° light, {sample(records)}:\n\n{table(head, rows, 2)}")
-    return f"{results['device']}.  \n{made(results)}.\n\n" + "\n\n".join(tables)
+    return f"{results['device']}. {made(results)}.\n\n" + "\n\n".join(tables)
 
 
 def cascade_blends(results):

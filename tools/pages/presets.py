@@ -78,7 +78,7 @@ def masks(results):
              *cells(names[1:], mean_of(lambda record: record["mask"]["penumbra_pixels_missed"], 2, 100))]]
     return (f"{results['device']}. Not counted: {once.pop() / 1e6:.2f} million fetches for each cascade of 1024 x 1024"
             f" texels that is"
-            f" drawn anew, for the conservative mask.  \n{made(results)}.\n\n"
+            f" drawn anew, for the conservative mask. {made(results)}.\n\n"
             + table([f"mean of {len(distinct(records, 'scene'))} scenes", *light_heads(records)], rows, 1))
 
 
@@ -175,7 +175,7 @@ def receiver_variants(counts):
     head = ["project", "shader", "passes that grow", "vertex programs before", "added", "fragment programs before",
             "added"]
     command = " ".join(["penumbra", *receivers_command("PROJECT", "DIR")])
-    return f"URP {counts['urp']}, Direct3D 11.  \nCommand: `{command}`\n\n{table(head, rows, 3)}"
+    return f"URP {counts['urp']}, Direct3D 11. Command: `{command}`\n\n{table(head, rows, 3)}"
 
 
 TAKES = {"receivers": take_receivers}

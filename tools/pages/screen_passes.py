@@ -55,7 +55,7 @@ def with_and_without(*runs):
         for (light, name), own in groups(results["records"], "light_degrees", "technique"):
             rows.append([code(name), f"{own[0]['settings']['normal_bias']:g}", f"{light:g}°",
                          *(cell(own) for cell in PLAIN.values())])
-    return "  \n".join(dict.fromkeys(notes)) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
+    return " ".join(dict.fromkeys(notes)) + "\n\n" + table(["technique", "normal bias", "light", *PLAIN], rows, 1)
 
 
 TRACE_DEFAULTS = {"traceLengthMetres": 0.5, "traceThicknessMetres": 0.05, "traceSteps": 12}
@@ -126,16 +126,6 @@ def cell_pcss_noise(results):
     return measured(results[CELL_PCSS_MAPS[0]], ["map", "technique", *heads], rows, 2, and_so_on=True)
 
 
-def denoise_radii(results):
-    """One row per radius: errors by light."""
-    records = results["records"]
-    rows = [[f"{own[0]['parameters']['denoiseRadius'][0]:g}", *by_light(own, ERROR), FETCHES_ALONE(own)]
-            for _, own in groups(records, "technique")]
-    return measured(results,
-                    ["radius, pixels", *light_heads(records, "RMSE in penumbra, {} light"), "fetches per pixel"], rows,
-                    1)
-
-
 def noise_pan(results):
     """One row per technique: change from frame to frame of a pan, by light."""
     kinds = {"static noise": "static_noise", "noise per frame": "per_frame_noise"}
@@ -166,9 +156,9 @@ def ring_cells(results):
                 cells = rows.setdefault(record["technique"], record["technique"].split("-")[1:3])
                 cells.append(f"{of_one_scene(record, 'rmse_penumbra', 4)}"
                              f" ({figure(pass_fetches([record], 'ResolveTiles'), 2)})")
-    notes = "  \n".join(f"{made(results[sun])}." for sun in RING_SUNS)
+    notes = " ".join(f"{made(results[sun])}." for sun in RING_SUNS)
     return (f"{results[RING_SUNS[0]]['device']}; RMSE in penumbra ± half the width of its 95 % confidence interval over"
-            f" blocks of the picture (fetches per pixel of `ResolveTiles`).  \n{notes}\n\n"
+            f" blocks of the picture (fetches per pixel of `ResolveTiles`). {notes}\n\n"
             + table(["cells", "cells of the search", *pictures], rows.values(), 2))
 
 
@@ -178,6 +168,5 @@ def parts(_):
                    "contact-shadows": with_and_without(read("contact-shadows"), read("contact-shadows-urp-bias")),
                    "contact-settings": trace_settings(read("contact-shadow-settings")),
                    "noise": noise_rows(read("noise")),
-                   "denoise-radii": denoise_radii(read("denoise-radius")),
                    "cell-pcss-noise": cell_pcss_noise({size: read(f"cell-pcss-noise/{size}") for size in CELL_PCSS_MAPS}),
                    "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})}}

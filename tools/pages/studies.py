@@ -339,7 +339,7 @@ BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetc
          "equal-fetches-small-map": "filters.md",
          "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md",
          "distance-field-scenes": "other-shadows.md",
-         "wires": "other-shadows.md", "cell-pcss-low-sun": "cell-pcss.md", "cell-pcss-full-hd": "cell-pcss.md",
+         "wires": "other-shadows.md", "cell-pcss-full-hd": "cell-pcss.md",
          "cell-pcss-full-hd-low-sun": "cell-pcss.md", "cell-pcss-kept": "cell-pcss.md", "cell-pcss-half": "cell-pcss.md"}
 
 
@@ -347,7 +347,9 @@ def shown():
     of = "measure --from Documentation~/results/{study}/results.tsv".format
     readme = " --readme {page} --block "
     # The advice and the cycles of the variants stand in files of their own.
-    more = {"techniques": f" --technique-list {ROOT}/{VARIANTS.split()[1]} --cost Documentation~/results/variants-cost.json"}
+    # Disks of other sizes have the same errors.
+    rows = ",".join(name for name in NAMES if name not in {f"pcss-poisson-{samples}" for samples in (32, 100, 128)})
+    more = {"techniques": f" --rows {rows} --technique-list {ROOT}/{VARIANTS.split()[1]} --cost Documentation~/results/variants-cost.json"}
     full = [Shown(DOCUMENTATION / page, of(study=study) + readme + study + more.get(study, "")) for study, page in FULL.items()]
     brief = [Shown(DOCUMENTATION / page, f"{of(study=study)}{readme}{study} --brief"
                    f" {'--rows ' + EQUAL_BIAS if study.startswith('equal-bias') else ''}") for study, page in BRIEF.items()]

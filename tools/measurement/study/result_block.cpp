@@ -144,7 +144,7 @@ std::string earlier_command(const EarlierRun& run) {
 }
 
 std::string command(const Results& results) {
-  std::string text = fmt::format("Command: {}.  \n", markdown_code(results.command)) + origin(results);
+  std::string text = fmt::format("Command: {}. ", markdown_code(results.command)) + origin(results);
   for (const EarlierRun& run : results.earlier) text += earlier_command(run);
   return text;
 }
