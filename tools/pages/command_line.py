@@ -88,7 +88,7 @@ def subcommand(text, shared):
     also = [f"[Shared options](#shared-options): {', '.join(others)}."] if others else []
     options = [table(["option", "what it does"], rows, 2)] if rows else []
     examples = "```\n" + "\n".join(examples_of(examples)) + "\n```"
-    return "\n\n".join([f"{headline}.", code(usage.removeprefix("Usage: ")), *options, *also, *remarks, examples])
+    return "\n\n".join([f"{headline}: {code(usage.removeprefix('Usage: '))}", *options, *also, *remarks, examples])
 
 
 def exit_codes(program):
