@@ -135,7 +135,7 @@ TEST_F(GithubTag, ACachedProgramIsOfOneImageAndOneSetOfSources) {
 // Runs the last step with its inputs, as the runner sets its environment.
 class GithubRun : public ProjectFolder {
  protected:
-  platform::ChildResult run_step(std::map<std::string, std::string> inputs) {
+  platform::ChildResult run_step(std::map<std::string, std::string> inputs, const std::string& folder = ".") {
     for (const auto& input : action()["inputs"])
       inputs.try_emplace(input.first.as<std::string>(), input.second["default"].as<std::string>());
     const YAML::Node steps = action()["runs"]["steps"];
@@ -150,7 +150,7 @@ class GithubRun : public ProjectFolder {
       EXPECT_EQ(expression, "${{ inputs." + input + " }}");
       variables.push_back(variable.first.as<std::string>() + "=" + inputs.at(input));
     }
-    return run_in_project(step["run"].as<std::string>(), variables);
+    return run_in_project("cd '" + folder + "'\n" + step["run"].as<std::string>(), variables);
   }
 
   nlohmann::json read_json(const std::string& name) const { return nlohmann::json::parse(read(name)); }
@@ -172,6 +172,15 @@ TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
   EXPECT_EQ(read("output"),
             "json=penumbra-reports/penumbra.json\nsarif=penumbra-reports/penumbra.sarif\n"
             "junit=penumbra-reports/penumbra.xml\n");
+}
+
+TEST_F(GithubRun, ReportsOfAProjectBelowTheWorkspaceAreNamedFromThere) {
+  write("Game/Assets/Broken.hlsl", read("Assets/Broken.hlsl"));
+  const auto result =
+      run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Broken.hlsl --target spirv"}}, "Game");
+  EXPECT_THAT(result.output, HasSubstr("::error file=Game/Assets/Broken.hlsl,line=3"));
+  EXPECT_THAT(read("output"), HasSubstr("sarif=Game/penumbra-reports/penumbra.sarif\n"));
+  EXPECT_EQ(read_json("Game/penumbra-reports/penumbra.sarif").at("runs").at(0).at("results").size(), 1u);
 }
 
 // A line of a shader closes a fence and goes on in Markdown.

@@ -81,6 +81,28 @@ TEST_F(PreCommit, IncludesMayLeadAnywhereInTheRepositoryAndNotOutOfIt) {
   EXPECT_THAT(outside.output, HasSubstr("outside of the project"));
 }
 
+// Unity's packages lie in Library/, which is not in git.
+TEST_F(PreCommit, ReadsThePackagesThatUnityDownloaded) {
+  write(".gitignore", "Library/\n");
+  write("Packages/manifest.json", R"({"dependencies": {"com.acme.fx": "1.0.0", "com.acme.own": "1.0.0"}})");
+  write("ProjectSettings/ProjectVersion.txt", "m_EditorVersion: 2021.3.5f1\n");
+  write("Library/PackageCache/com.acme.fx@1.0.0/package.json",
+        R"({"name": "com.acme.fx", "version": "1.0.0"})");
+  write("Library/PackageCache/com.acme.fx@1.0.0/Half.hlsl",
+        "float Half(float x) { return 0.5 * x; }\n#define UNITY UNITY_VERSION\n");
+  write("Packages/com.acme.own/package.json", R"({"name": "com.acme.own", "version": "1.0.0"})");
+  write("Packages/com.acme.own/Twice.hlsl", "float Twice(float x) { return 2.0 * x; }\n");
+  write("Assets/Good.hlsl",
+        "#include \"Packages/com.acme.fx/Half.hlsl\"\n#include \"Packages/com.acme.own/Twice.hlsl\"\n"
+        "#if UNITY != 202135\n#error another version\n#endif\n"
+        "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Twice(Half(uv.x)); }\n");
+  git("git add .");
+  for (const char* arguments : {"--project . -- Assets/Good.hlsl", "-- Assets/Good.hlsl"}) {
+    const auto result = hook(arguments);
+    EXPECT_EQ(result.exit_code, 0) << arguments << '\n' << result.output << result.errors;
+  }
+}
+
 TEST_F(PreCommit, AFilesNameIsNoOption) {
   write("--output=taken.hlsl", read("Assets/Good.hlsl"));
   git("git add .");
