@@ -29,19 +29,33 @@ bool samples_implicitly(spv::Op op) {
   }
 }
 
+std::vector<std::string> functions() {
+  return {"Sample", "ddx", "ddy", "fwidth", "tex2D", "texCUBE", "tex1D", "tex3D", "tex2Dbias", "tex2Dproj"};
+}
+
 struct Gradient {
   const spirv::Instruction& instruction;
   std::size_t node = 0;
+  spirv::Place place;
 };
+
+// An instruction of a Direct3D 9 function (preparation/dx9_samplers.h), which is inlined, has no line of its
+// own: the call's arguments were read just before it.
+spirv::Place place_of(const LintedCode& linted, std::size_t first, std::size_t at) {
+  const auto& all = linted.code.instructions();
+  std::size_t placed = at;
+  while (placed > first && all[placed].place.line == 0) --placed;
+  return all[placed].place.line == 0 ? all[at].place : all[placed].place;
+}
 
 hlsl::Diagnostic in_loop(const LintedCode& linted, const spirv::Function& function,
                          const Divergence& divergence, const Gradient& gradient, std::size_t branch) {
   const std::size_t header = divergence.loop_left_by(branch, gradient.node);
   const bool bounded =
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
-  const spirv::Place place = gradient.instruction.place;
+  const spirv::Place place = gradient.place;
   hlsl::Diagnostic finding =
-      finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
+      finding_at(linted, "gradient-in-varying-loop", place, functions(),
                  "derivatives are taken in divergent control flow: the loop's number of iterations "
                  "differs between pixels, by the condition" +
                      place_of_condition(linted, function, branch, place) +
@@ -55,9 +69,9 @@ hlsl::Diagnostic in_loop(const LintedCode& linted, const spirv::Function& functi
 hlsl::Diagnostic under_condition(const LintedCode& linted, const spirv::Function& function,
                                  const Gradient& gradient, std::size_t branch) {
   const bool derivative = is_derivative(gradient.instruction.op);
-  const spirv::Place place = gradient.instruction.place;
+  const spirv::Place place = gradient.place;
   return finding_at(
-      linted, "divergent-derivative", place, {"Sample", "ddx", "ddy", "fwidth"},
+      linted, "divergent-derivative", place, functions(),
       std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
           " where only some pixels of a quad may be active, by the condition" +
           place_of_condition(linted, function, branch, place) +
@@ -92,7 +106,9 @@ std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted) {
     const Divergence divergence(linted.code, function, Together::quad);
     for (const std::size_t node : divergence.flow().order)
       for (std::size_t i = function.blocks[node].begin; i < function.blocks[node].end; ++i)
-        if (is_gradient(all[i])) check(linted, function, divergence, {all[i], node}, findings);
+        if (is_gradient(all[i]))
+          check(linted, function, divergence,
+                {all[i], node, place_of(linted, function.blocks[node].begin, i)}, findings);
   }
   return findings;
 }

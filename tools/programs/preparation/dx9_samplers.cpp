@@ -52,7 +52,7 @@ class Separation {
       if (is_dx9(use.declared)) separate(use);
     std::string definitions;
     for (const auto& [name, arguments] : needed_) definitions += dx9_definition(name, arguments) + " ";
-    if (!definitions.empty()) text_.insert(0, definitions);
+    text_.insert_without_line(0, definitions);
     text_.apply();
   }
 

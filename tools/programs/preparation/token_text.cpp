@@ -125,6 +125,10 @@ void TokenText::insert_from(std::size_t place, std::size_t before, std::string_v
   if (!hlsl.empty()) edits_.push_back({before, 0, std::string(hlsl), place});
 }
 
+void TokenText::insert_without_line(std::size_t before, std::string_view hlsl) {
+  if (!hlsl.empty()) edits_.push_back({before, 0, std::string(hlsl), npos, false});
+}
+
 void TokenText::append_kept(std::size_t first, std::size_t end) {
   if (first >= end) return;
   edited_.insert(edited_.end(), tokens_.data() + first, tokens_.data() + end);
@@ -141,7 +145,7 @@ void TokenText::append_made(const Edit& edit) {
                        : !edited_.empty()                        ? &edited_.back()
                                                                  : nullptr;
   const std::string_view file = place == nullptr ? std::string_view(main_file_) : place->file;
-  const int line = place == nullptr ? 1 : place->line;
+  const int line = !edit.has_line ? 0 : place == nullptr ? 1 : place->line;
   for (Token token : hlsl::lex(made_.back())) {
     token.file = file;
     token.line = line;
