@@ -45,6 +45,27 @@ TEST_F(ValidateFxc, ErrorsAndWarningsAreAtTheirPlacesAndTheTwoCompilersAreToldAp
   EXPECT_THAT(result.output, HasSubstr("d3d11: FXC "));
 }
 
+// Direct3D 11 has two targets, whose variants are the same; FXC's have no module to be compared.
+TEST_F(ValidateFxc, VariantsOfAnApiAreCountedOnceAndTheirKeywordsAreLooked) {
+  PENUMBRA_NEEDS_FXC();
+  const std::string file = write("Unused.hlsl",
+                                 "#pragma multi_compile _ _OLD\n#pragma multi_compile _ _NEW\n"
+                                 "float4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n#if defined(_NEW)\n"
+                                 "    return 0;\n#endif\n    return uv.xyxy;\n}\n")
+                               .string();
+  const auto counted =
+      run_with_fxc({"validate", file, "--target", "hlsl50,d3d11,spirv", "--count", "--format", "json"});
+  EXPECT_EQ(counted.exit_code, 0) << counted.errors;
+  const nlohmann::json counts = nlohmann::json::parse(counted.output);
+  EXPECT_EQ(counts["variants"], 8);
+  EXPECT_EQ(counts["programs"].size(), 2U);
+  for (const char* targets : {"spirv", "hlsl50,d3d11,spirv"})
+    EXPECT_THAT(run_with_fxc({"validate", file, "--target", targets, "--no-cache"}).output,
+                testing::AllOf(HasSubstr("Unused.hlsl:1:1: warning: "), HasSubstr("[unused-keyword]"),
+                               Not(HasSubstr("Unused.hlsl:2"))))
+        << targets;
+}
+
 // A limit of ours says nothing of what Unity would do.
 TEST_F(ValidateFxc, WhatTakesFxcTooLongIsNotCountedAsRefused) {
   PENUMBRA_NEEDS_FXC();

@@ -241,8 +241,7 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   };
   const std::string total = variants::text_of(plan.total);
   say(context, total + (total == "1" ? " variant in " : " variants in ") +
-                   counted(sources.programs().size(), "program") + " of " +
-                   counted(files.files.size(), "file") +
+                   counted(plan.programs.size(), "program") + " of " + counted(files.files.size(), "file") +
                    (options.sample == 0 ? std::string()
                                         : ", of which --sample takes at most " +
                                               std::to_string(options.sample) + " of each entry point"));

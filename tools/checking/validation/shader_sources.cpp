@@ -249,6 +249,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
   bool said = false;
   bool lacks_stage = false;
   bool is_for_another_api = true;
+  std::set<variants::GraphicsApi> counted;
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram built = program;
     built.platform = platform.platform;
@@ -276,22 +277,31 @@ void ShaderSources::add_program(const SourceProgram& program) {
     built.space = std::make_shared<variants::KeywordSpace>(
         built.pragmas, variants::on_api(options_.narrowing, built.platform.api));
     built.number = static_cast<int>(programs_.size());
+    built.counted_before = !counted.insert(built.platform.api).second;
     programs_.push_back(std::move(built));
   }
   if (is_for_another_api)
     leave_unchecked(program, "only_renderers or exclude_renderers leave out every graphics API of this run");
 }
 
+std::vector<const SourceProgram*> ShaderSources::counted() const {
+  std::vector<const SourceProgram*> list;
+  for (const SourceProgram& program : programs_)
+    if (!program.counted_before) list.push_back(&program);
+  return list;
+}
+
 ShaderSources::Spaces ShaderSources::spaces() const {
   Spaces spaces;
-  for (const SourceProgram& program : programs_) spaces.push_back(program.space);
+  for (const SourceProgram* program : counted()) spaces.push_back(program->space);
   return spaces;
 }
 
 std::vector<variants::PlannedProgram> ShaderSources::planned(const Spaces& spaces) const {
   std::vector<variants::PlannedProgram> list;
-  for (std::size_t i = 0; i < programs_.size(); ++i) {
-    const SourceProgram& program = programs_[i];
+  const std::vector<const SourceProgram*> programs = counted();
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const SourceProgram& program = *programs[i];
     variants::PlannedProgram planned;
     planned.name = fs::path(program.file).filename().string();
     if (!program.pass.empty()) planned.name += ": " + program.pass;
@@ -313,9 +323,9 @@ variants::Plan ShaderSources::plan(const std::vector<variants::Clause>& more) co
   variants::Narrowing narrowing = options_.narrowing;
   narrowing.clauses.insert(narrowing.clauses.end(), more.begin(), more.end());
   Spaces spaces;
-  for (const SourceProgram& program : programs_)
+  for (const SourceProgram* program : counted())
     spaces.push_back(std::make_shared<variants::KeywordSpace>(
-        program.pragmas, variants::on_api(narrowing, program.platform.api)));
+        program->pragmas, variants::on_api(narrowing, program->platform.api)));
   return variants::plan(planned(spaces));
 }
 

@@ -58,6 +58,9 @@ struct SourceProgram {
   std::vector<variants::Kernel> kernels;
   std::vector<variants::Keywords> keyword_sets;  // if not empty, these replace the space
   std::shared_ptr<const variants::KeywordSpace> space;
+  // The same program stands before for the same graphics API: FXC's, or that of another Vulkan version. Its
+  // variants are Unity's same variants, and are counted once.
+  bool counted_before = false;
 };
 
 class ShaderSources {
@@ -75,6 +78,8 @@ class ShaderSources {
   // be parsed.
   bool knows_keywords() const { return knows_keywords_; }
 
+  // Returns the programs of plan(): those of one graphics API once.
+  std::vector<const SourceProgram*> counted() const;
   variants::Plan plan() const;
   // Returns a plan for the same programs, with these clauses beside the narrowing.
   variants::Plan plan(const std::vector<variants::Clause>& more) const;
@@ -95,7 +100,7 @@ class ShaderSources {
            std::vector<hlsl::Diagnostic> diagnostics);
   void leave_unchecked(const SourceProgram& program, const std::string& reason);
   using Spaces = std::vector<std::shared_ptr<const variants::KeywordSpace>>;
-  Spaces spaces() const;  // the spaces of programs()
+  Spaces spaces() const;  // the spaces of counted()
   std::vector<variants::PlannedProgram> planned(const Spaces& spaces) const;
   CompileUnit unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,
                    const variants::Keywords& keywords) const;

@@ -27,8 +27,9 @@ Json program_json(const SourceProgram& program, const variants::ProgramPlan& pla
 
 std::string counts_json(const ShaderSources& sources, const VariantCounts& counts) {
   Json json{{"programs", Json::array()}};
+  const std::vector<const SourceProgram*> programs = sources.counted();
   for (std::size_t i = 0; i < counts.plan.programs.size(); ++i)
-    json["programs"].push_back(program_json(sources.programs().at(i), counts.plan.programs[i],
+    json["programs"].push_back(program_json(*programs.at(i), counts.plan.programs[i],
                                             counts.what_if ? &counts.what_if->programs.at(i) : nullptr));
   json["variants"] = counts.plan.total.value();
   if (counts.what_if) {
