@@ -104,6 +104,29 @@ TEST_F(Emit, WritesOnlyWhatChangesAndACheckNamesItsFirstDifferingLine) {
               HasSubstr(": the end of the file without a line break would be the end of the file\n"));
 }
 
+TEST_F(Emit, ParametersOfAnEarlierManifestAreNotMeasuredWith) {
+  const std::string manifest = write_means();
+  ASSERT_EQ(run({"emit", "--technique-list", manifest}).exit_code, 0);
+  const std::vector<std::string> check{"emit", "--single-file", "means", "--technique-list", manifest};
+  EXPECT_EQ(run(check).exit_code, 0);
+  nlohmann::json changed = nlohmann::json::parse(read("Means.technique.json"));
+  nlohmann::json& fields = changed["structs"][0]["fields"];
+  std::reverse(fields.begin(), fields.end());
+  write("Means.technique.json", changed.dump());
+  for (const char* command : {"validate", "measure", "render", "cost", "emit"}) {
+    std::vector<std::string> arguments{command, "--technique-list", manifest};
+    if (arguments[0] == "emit") arguments = check;
+    const auto refused = run(arguments);
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_THAT(refused.errors, testing::ContainsRegex(
+                                    "MeansParameters.hlsl:[0-9]+: was not made of Means.technique.json as "
+                                    "it is now\n  write it again: penumbra emit --technique-list .*/Means"))
+        << command;
+  }
+  write("Parameters/MeansParameters.hlsl", "// by hand\n");
+  EXPECT_THAT(run(check).errors, Not(HasSubstr("was not made of")));
+}
+
 // The package is as it is embedded in a project, without the repository's tests, and the user is in its
 // folder.
 TEST_F(Emit, APackageHasTheFeaturesTablesToo) {

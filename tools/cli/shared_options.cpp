@@ -7,6 +7,7 @@
 #include "cli/known_names.h"
 #include "cli/option_values.h"
 #include "input/input_error.h"
+#include "techniques/generated_files.h"
 
 namespace penumbra::cli {
 
@@ -75,7 +76,10 @@ CLI::Option* add_technique_list_option(CLI::App& command, std::string& list) {
 }
 
 techniques::TechniqueList chosen_technique_list(const std::string& list) {
-  return list.empty() ? techniques::read_own_techniques() : techniques::read_technique_list(list);
+  if (list.empty()) return techniques::read_own_techniques();
+  techniques::TechniqueList read = techniques::read_technique_list(list);
+  techniques::refuse_outdated_parameters(read);
+  return read;
 }
 
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,

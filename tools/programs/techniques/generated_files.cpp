@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
 
+#include "input/input_error.h"
+#include "input/text_file.h"
 #include "shaders/package_shader.h"
 #include "techniques/graph_emit.h"
 #include "techniques/look_emit.h"
@@ -30,11 +33,15 @@ std::string programs_json(const TechniqueList& list) {
   return preset_programs_json(list, shaders::PackageShader(list.package / kFeatureShader));
 }
 
+bool is_of_list(const ParameterStruct& parameters, const TechniqueList& list) {
+  return list.addition.empty() || parameters.manifest == list.addition;
+}
+
 // C# is of the package that Unity runs. An addition has only the HLSL that its own filters include.
 std::vector<EmittedFile> files_of_addition(const TechniqueList& list) {
   std::vector<EmittedFile> files;
   for (const ParameterStruct& parameters : list.structs)
-    if (parameters.manifest == list.addition) files.push_back(emit_hlsl(parameters));
+    if (is_of_list(parameters, list)) files.push_back(emit_hlsl(parameters));
   return files;
 }
 
@@ -97,6 +104,24 @@ std::vector<EmittedFile> generated_files(const TechniqueList& list) {
     if (made.shipped || fs::is_directory((list.package / made.file).parent_path(), error))
       files.push_back({made.file, made.text(list)});
   return files;
+}
+
+void refuse_outdated_parameters(const TechniqueList& list) {
+  for (const ParameterStruct& parameters : list.structs) {
+    if (!is_of_list(parameters, list)) continue;
+    const EmittedFile emitted = emit_hlsl(parameters);
+    const fs::path file = (list.package / emitted.file).lexically_normal();
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) continue;
+    const std::string found = read_found_text_file(file);
+    if (found == emitted.text || found.find("Written by `penumbra emit`") == std::string::npos) continue;
+    const auto same = std::mismatch(found.begin(), found.end(), emitted.text.begin(), emitted.text.end());
+    const auto line = 1 + std::count(found.begin(), same.first, '\n');
+    throw InputError(
+        file.string() + ":" + std::to_string(line),
+        "was not made of " + parameters.manifest + " as it is now",
+        "write it again: penumbra emit --technique-list " + (list.package / parameters.manifest).string());
+  }
 }
 
 }  // namespace penumbra::techniques

@@ -13,4 +13,9 @@ namespace penumbra::techniques {
 // read, where the package has a folder for it. Throws InputError as the functions that make the texts do.
 std::vector<EmittedFile> generated_files(const TechniqueList& list);
 
+// Throws InputError with the file and its line where the HLSL of a parameter struct was made of an earlier
+// manifest: its fields would have one another's values. A file that does not exist, or that somebody wrote, is
+// left alone.
+void refuse_outdated_parameters(const TechniqueList& list);
+
 }  // namespace penumbra::techniques
