@@ -119,6 +119,8 @@ TEST(JsonTable, SaysWhereATableIsBroken) {
       {head + "a\n[1]\n", "t.tsv:3:1: the cell must be one value"},
       {head + "a\n\"x\n", "t.tsv:3:1: the cell begins with a quote and is no JSON text"},
       {head + "a\nx\xFF\n", "t.tsv:3:1: the cell is not UTF-8, or not one line of text"},
+      {head + "a\tb", "t.tsv:2:1: the file ends within this line, which has no line break: it was cut off"},
+      {head + "a\tb\n1\t2\n3\t4", "t.tsv:4:1: the file ends within this line"},
       {head + "a\nx\x01\n", "t.tsv:3:1: the cell is not UTF-8, or not one line of text"},
   };
   for (const auto& [text, message] : broken) EXPECT_THAT(message_of(text), HasSubstr(message)) << text;

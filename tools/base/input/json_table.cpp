@@ -276,6 +276,9 @@ class TableParser : public LocatingParser {
     const ReadSoFar end = at_;
     take_shared();
     if (rest_.empty()) fail(line_, 1, "the line with the names of the columns is missing");
+    if (rest_.back() != '\n')
+      fail(line_ + static_cast<int>(std::count(rest_.begin(), rest_.end(), '\n')), 1,
+           "the file ends within this line, which has no line break: it was cut off");
     const Line names = take_line(rest_, line_);
     std::vector<std::string_view> columns = split(names.text, '\t');
     if (names.text.empty() && rest_.empty()) columns.clear();  // an empty list

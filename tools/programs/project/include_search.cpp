@@ -60,8 +60,10 @@ void add_package_places(const IncludeRoots& roots, const std::string& header, Pl
   }
   if (found) return;
   const std::string nearest = nearest_name(package, known);
-  places.hint = "no package root is given for '" + package + "'" +
-                (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+  places.hint =
+      "no package root is given for '" + package + "'" +
+      (nearest.empty() ? "; give --package-root " + package + "=DIR, or --project DIR of a Unity project"
+                       : "; did you mean '" + nearest + "'?");
 }
 
 void add_asset_places(const IncludeRoots& roots, const std::string& header, Places& places) {

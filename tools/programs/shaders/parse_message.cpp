@@ -220,7 +220,8 @@ std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces
   std::set<std::string> functions;
   for (std::size_t i = 1; i + 1 < text.size(); ++i)
     if (text[i].kind == hlsl::Token::Kind::identifier && text[i].spelling.size() <= 64 &&
-        text[i - 1].kind == hlsl::Token::Kind::identifier && text[i + 1].spelling == "(")
+        text[i - 1].kind == hlsl::Token::Kind::identifier && text[i - 1].spelling != "return" &&
+        text[i + 1].spelling == "(")
       functions.emplace(text[i].spelling);
   functions.erase("return");
   const std::string nearest = nearest_name(unknown, {functions.begin(), functions.end()});

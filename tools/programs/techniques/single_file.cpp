@@ -252,10 +252,11 @@ std::string head(const TechniqueList& list, const Technique& technique, const st
               "Call: float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade), which "
               "is at the end of this file; 1 is lit. The structs say their units where they are declared. "
               "Cascade 0 is the nearest.");
-  text += comment(" ",
-                  "Define: UNITY_REVERSED_Z as 1 before this file where stored depth is 1 at the light. The "
-                  "macros of textures are those of Unity's core package where it stands before this file, "
-                  "else those below. Shader model 5 has all that the library uses.");
+  text +=
+      comment(" ",
+              "Define: UNITY_REVERSED_Z as 1 before this file where stored depth is 1 at the light. The "
+              "macros of textures are those of Unity's core package where it stands before this file, "
+              "else those below. The program that includes this file needs `#pragma target 4.5` or more.");
   text += comment(" ", "Bind, with the values that the technique is measured with:");
   return text + uses(list, technique) + "//\n" +
          commented(read_found_text_file(paste.library() / "LICENSE.md")) + commented(notices(paste));
