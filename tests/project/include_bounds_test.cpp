@@ -1,4 +1,7 @@
 // Tests what a file belongs to, and what is outside of it.
+#include <pwd.h>
+#include <unistd.h>
+
 #include "project/include_bounds.h"
 
 #include <gmock/gmock.h>
@@ -52,6 +55,18 @@ TEST_F(HomeFolder, IsNoTreeHoweverItIsSpelt) {
     EXPECT_EQ(own_tree(beside), beside) << home << ": the file alone";
     EXPECT_TRUE(no_file_owns(files.path("home"))) << home;
     EXPECT_FALSE(no_file_owns(files.path("home/own"))) << home;
+  }
+}
+
+// A service has no HOME, or somebody else's.
+TEST_F(HomeFolder, IsAlsoTheOneThatTheSystemLists) {
+  const passwd* user = getpwuid(getuid());
+  if (user == nullptr) GTEST_SKIP() << "the system does not list this user";
+  const fs::path file = fs::path(user->pw_dir) / "Main.shader";
+  for (const char* home : {"", "relative", "/elsewhere"}) {
+    be_home(home);
+    EXPECT_TRUE(no_file_owns(user->pw_dir)) << home;
+    EXPECT_EQ(own_tree(file), file) << home;
   }
 }
 
