@@ -98,6 +98,22 @@ TEST_F(Validate, CountSaysWhatItCouldNotRead) {
   EXPECT_THAT(result.errors, HasSubstr("Broken.shader:2:"));
 }
 
+TEST_F(Validate, CountsShowNamesWithoutTheirControls) {
+  const std::string kernel = "#pragma kernel Main\n[numthreads(1, 1, 1)] void Main() {}\n";
+  for (const char* name : {"::set-output name=a", "##[error]a", "a\u202e", "a\u2028", "a\xff"})
+    write("named/" + std::string(name) + ".compute", kernel);
+  std::vector<std::string> count{"validate", path("named").string(), "--target", "spirv", "--count"};
+  const auto text = run(count);
+  EXPECT_EQ(text.exit_code, 0) << text.errors;
+  EXPECT_THAT(text.output, HasSubstr("\\x3A:set-output name=a"));
+  for (const char* raw : {" ::", "##[", "\u202e", "\u2028", "\xff"})
+    EXPECT_THAT(text.output, Not(HasSubstr(raw)));
+  count.insert(count.end(), {"--format", "json"});
+  const auto json = run(count);
+  EXPECT_EQ(json.exit_code, 0) << json.errors;
+  EXPECT_EQ(nlohmann::json::parse(json.output)["variants"], 5);
+}
+
 TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_THAT(run(command({"--target", "spirv", "--count"})).output, HasSubstr("vertex 2   fragment 4"));
   EXPECT_THAT(run(command({"--target", "spirv", "--count", "--keywords=-WARM"})).output,

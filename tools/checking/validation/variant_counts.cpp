@@ -36,7 +36,7 @@ std::string counts_json(const ShaderSources& sources, const VariantCounts& count
     json["what_if"] = counts.what_if->total.value();
     json["condition"] = counts.condition;
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace penumbra::validation

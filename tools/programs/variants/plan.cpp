@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "input/visible_text.h"
+
 namespace penumbra::variants {
 namespace {
 
@@ -80,7 +82,7 @@ std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, Variant
 }
 
 std::string line_of(const ProgramPlan& program) {
-  std::string line = "  " + program.name;
+  std::string line = "  " + visible_line(program.name);
   for (const StagePlan& stage : program.stages) {
     line += std::string("   ") + hlsl::stage_name(stage.stage) + " " + text_of(stage.variants);
   }
@@ -114,7 +116,7 @@ std::string text_of(const Plan& plan, const Plan& what_if, const std::string& co
   std::string text;
   for (std::size_t i = 0; i < plan.programs.size(); ++i) {
     const ProgramPlan& program = plan.programs[i];
-    text += "  " + program.name;
+    text += "  " + visible_line(program.name);
     for (std::size_t j = 0; j < program.stages.size(); ++j)
       text += std::string("   ") + hlsl::stage_name(program.stages[j].stage) + " " +
               both(program.stages[j].variants, what_if.programs.at(i).stages.at(j).variants) + ")";
