@@ -481,6 +481,13 @@ TEST_F(AdditionTest, LinksDoNotLeadOutOfItsTree) {
                                   files_.path("package/Shaders/Link.technique.json"));
   EXPECT_THAT(refusal_of_addition(like_box("")),
               AllOf(HasSubstr("is a symbolic link to outside"), testing::Not(HasSubstr("not a manifest"))));
+  try {
+    read_technique_list(files_.path("package"));
+    ADD_FAILURE() << "the package itself was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("Link.technique.json: is a symbolic link to outside"),
+                                    testing::Not(HasSubstr("not a manifest"))));
+  }
 }
 
 class LookListTest : public TechniqueListTest {

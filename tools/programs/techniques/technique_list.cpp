@@ -188,8 +188,14 @@ TechniqueList read_technique_list(const fs::path& package_or_manifest) {
   std::error_code error;
   if (fs::is_directory(package_or_manifest, error)) {
     list.package = package_or_manifest;
+    project::IncludeBounds tree;
+    tree.add(list.package);
+    tree.add(project::own_tree(list.package / "package.json"));
     std::vector<Manifest> manifests;
-    for (const fs::path& file : manifests_in(list.package)) manifests.push_back(open_manifest(file));
+    for (const fs::path& file : manifests_in(list.package)) {
+      tree.require(file);
+      manifests.push_back(open_manifest(file));
+    }
     add_package(std::move(manifests), list);
   } else {
     const Manifest manifest = open_manifest(package_or_manifest);
