@@ -68,16 +68,24 @@ TEST_F(FinishedStudy, IsNotBegunWhereItsFilesCannotBe) {
         0);
     const auto result = shell(command());
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_THAT(result.errors, AllOf(HasSubstr(name), HasSubstr("in the place of a file of the report")));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr(name), HasSubstr("of the report"))) << name;
     EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
     std::filesystem::remove_all(path("out"));
   }
+  write("out/.git", "a checkout, which brings links");
+  std::filesystem::create_directory(path("elsewhere"));
+  std::filesystem::create_directory_symlink(path("elsewhere"), path("out/pictures"));
+  const auto linked = shell(command());
+  EXPECT_EQ(linked.exit_code, 2);
+  EXPECT_THAT(linked.errors, HasSubstr("is a link, which is not followed"));
+  EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
 }
 
 // A folder in the place of a picture appears while the study runs. The results are there, and the next run
 // has nothing to measure.
 TEST_F(FinishedStudy, IsKeptUntilItsReportIsWritten) {
   write("out/pareto-fetches.svg", "of an earlier run");
+  write("out/pictures/box.png", "of an earlier run");
   const auto failed =
       shell(slow_command() + " & program=$!; while kill -0 $program && [ -z \"$(find " +
             path("cache").string() + " -name '*.record' 2>/dev/null)\" ]; do sleep 0.01; done; mkdir -p " +
@@ -88,6 +96,7 @@ TEST_F(FinishedStudy, IsKeptUntilItsReportIsWritten) {
                     HasSubstr("what was measured is kept; the same command goes on from there")));
   EXPECT_THAT(read("out/results.json"), HasSubstr("\"technique\": \"hard\""));
   EXPECT_FALSE(std::filesystem::exists(path("out/pareto-fetches.svg"))) << "of other results";
+  EXPECT_FALSE(std::filesystem::exists(path("out/pictures/box.png"))) << "of other results";
   EXPECT_EQ(kept(), 3U);
   std::filesystem::remove(path("out/report.html"));
   const std::string results = read("out/results.json");

@@ -86,7 +86,7 @@ TEST(WrittenFileFaults, AMessageNamesTheFileAndTheReason) {
     const std::string message = error.what();
     EXPECT_NE(message.find("report.json: cannot be written: No space left on device"), std::string::npos)
         << message;
-    EXPECT_NE(message.find("nothing was changed"), std::string::npos) << message;
+    EXPECT_NE(message.find("the file was not changed"), std::string::npos) << message;
   }
 }
 

@@ -102,7 +102,7 @@ TEST_F(AtomicFile, OfFilesThatBelongTogetherAllAreReplacedOrNone) {
       [&] {
         write_files_atomically({{folder_ / "picture", "newer"}, {folder_ / "no" / "names", "x"}});
       },
-      AllOf(HasSubstr("no/names: cannot be written"), HasSubstr("nothing was changed")));
+      AllOf(HasSubstr("no/names: cannot be written"), HasSubstr("the file was not changed")));
   EXPECT_EQ(read(folder_ / "picture"), "new");
   EXPECT_EQ(entries(), 3u);
 }
@@ -124,7 +124,7 @@ class CheckedOut : public AtomicFile {
 
   void expect_refused(const std::filesystem::path& file) const {
     const auto refusal =
-        AllOf(HasSubstr("link' is a link, which is not followed"), HasSubstr("nothing was changed"));
+        AllOf(HasSubstr("link' is a link, which is not followed"), HasSubstr("the file was not changed"));
     expect_input_error([&] { write_file_atomically(file, std::string_view("x")); }, refusal);
     expect_input_error([&] { check_file_can_be_written(file); }, refusal);
     expect_input_error([&] { check_folder_can_be_written(file.parent_path(), "named"); }, refusal);

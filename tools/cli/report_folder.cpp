@@ -20,13 +20,15 @@
 namespace penumbra::cli {
 namespace {
 
-// The charts and pages that an earlier run drew in this folder show other results.
+// The charts, pages and pictures that an earlier run drew in this folder show other results.
 void remove_earlier_report(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> drawn{folder / "report.html", folder / "overview.png"};
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     if (entry.path().filename().string().starts_with("pareto-") && entry.path().extension() == ".svg")
       drawn.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "pictures", ignored))
+    if (entry.path().extension() == ".png") drawn.push_back(entry.path());
   for (const std::filesystem::path& file : drawn)
     if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);
 }
@@ -43,9 +45,14 @@ void check_report_files(const std::filesystem::path& folder) {
     if (is_ours || (entry.path().filename() != "pictures" && kEndings.count(entry.path().extension()) == 0))
       continue;
     throw InputError(entry.path().string(),
-                     "is a folder, a pipe or a device in the place of a file of the report",
+                     entry.path().filename() == "pictures"
+                         ? "is in the place of a folder of the report"
+                         : "is a folder, a pipe or a device in the place of a file of the report",
                      "remove it, or choose another folder with --output");
   }
+  const std::filesystem::path pictures = folder / "pictures";
+  if (std::filesystem::is_directory(pictures, absent))
+    platform::check_folder_can_be_written(pictures, pictures);
 }
 
 void write_report(const std::filesystem::path& folder, const study::Results& results,

@@ -41,9 +41,9 @@ bool flush_to_disk(std::FILE* stream) {
 [[noreturn]] void fail(const std::filesystem::path& file, int reason) {
   const bool full = reason == ENOSPC;
   throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
-                   reason == EFBIG ? "raise the limit on the size of files (ulimit -f); nothing was changed"
-                   : full          ? "free some space or choose another folder; nothing was changed"
-                                   : "check the folder and its permissions; nothing was changed");
+                   reason == EFBIG ? "raise the limit on the size of files (ulimit -f); the file was not changed"
+                   : full          ? "free some space or choose another folder; the file was not changed"
+                                   : "check the folder and its permissions; the file was not changed");
 }
 
 #ifdef _WIN32
@@ -63,7 +63,7 @@ std::FILE* open_device(const std::filesystem::path& file) {
   }
   if (descriptor < 0 && errno == ENXIO)
     throw InputError(file.string(), "cannot be written: it is a pipe that no program reads",
-                     "start its reader first; nothing was changed");
+                     "start its reader first; the file was not changed");
   if (descriptor < 0) return nullptr;
   (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   return ::fdopen(descriptor, "wb");
@@ -144,7 +144,7 @@ void refuse_linked_folder(const std::filesystem::path& file, const std::filesyst
   if (!link) return;
   throw InputError(named.string(),
                    "cannot be written: '" + link->string() + "' is a link, which is not followed",
-                   "name the folder that it leads to, or remove the link; nothing was changed");
+                   "name the folder that it leads to, or remove the link; the file was not changed");
 }
 
 void refuse_folders(const std::filesystem::path& file) {
@@ -262,7 +262,7 @@ void write_files_atomically(const std::vector<FileContent>& files) {
     if (files.size() > 1 && is_device(file.file))
       throw InputError(file.file.string(),
                        "is a device or a pipe, and one of several files that belong together",
-                       "remove it, or choose another name; nothing was changed");
+                       "remove it, or choose another name; the file was not changed");
   }
   const FileWrite writing;
   if (files.size() == 1 && is_device(files.front().file))
