@@ -70,7 +70,8 @@ CLI::Option* add_technique_list_option(CLI::App& command, std::string& list) {
       .add_option(
           "--technique-list", list,
           "A technique manifest (NAME.technique.json), or the folder of a package, whose techniques take "
-          "the place of the library's, or join them if the manifest says so")
+          "the place of the library's, or join them if the manifest says so; a name "
+          "that it lacks is the library's")
       ->type_name("FILE")
       ->default_str("the library's");
 }
