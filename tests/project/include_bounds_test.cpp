@@ -1,8 +1,6 @@
 // Tests what a file belongs to, and what is outside of it.
-#include <pwd.h>
-#include <unistd.h>
-
 #include "project/include_bounds.h"
+#include "platform/cache_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "platform/cache_folder.h"
 #include "project_folder.h"
 
 namespace penumbra::project {
@@ -60,12 +59,12 @@ TEST_F(HomeFolder, IsNoTreeHoweverItIsSpelt) {
 
 // A service has no HOME, or somebody else's.
 TEST_F(HomeFolder, IsAlsoTheOneThatTheSystemLists) {
-  const passwd* user = getpwuid(getuid());
-  if (user == nullptr) GTEST_SKIP() << "the system does not list this user";
-  const fs::path file = fs::path(user->pw_dir) / "Main.shader";
+  const fs::path listed = platform::listed_home();
+  if (listed.empty()) GTEST_SKIP() << "the system does not list this user";
+  const fs::path file = listed / "Main.shader";
   for (const char* home : {"", "relative", "/elsewhere"}) {
     be_home(home);
-    EXPECT_TRUE(no_file_owns(user->pw_dir)) << home;
+    EXPECT_TRUE(no_file_owns(listed)) << home;
     EXPECT_EQ(own_tree(file), file) << home;
   }
 }

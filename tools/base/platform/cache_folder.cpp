@@ -1,9 +1,11 @@
 #include "platform/cache_folder.h"
 
+#include <array>
 #include <cstdlib>
 #include <system_error>
 
 #ifndef _WIN32
+#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
@@ -42,6 +44,10 @@ fs::path cache_directory(std::string_view part) {
 
 #ifdef _WIN32
 
+fs::path listed_home() {
+  return {};
+}
+
 std::string cache_folder_problem(const fs::path&) {
   return {};  // the user's profile is the user's own
 }
@@ -53,6 +59,14 @@ bool make_cache_folder(const fs::path& folder) {
 }
 
 #else
+
+fs::path listed_home() {
+  std::array<char, 16384> memory{};
+  passwd entry{};
+  passwd* found = nullptr;
+  if (getpwuid_r(getuid(), &entry, memory.data(), memory.size(), &found) != 0 || found == nullptr) return {};
+  return entry.pw_dir == nullptr ? "" : entry.pw_dir;
+}
 
 std::string cache_folder_problem(const fs::path& folder) {
   struct stat status {};

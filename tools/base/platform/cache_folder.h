@@ -1,5 +1,5 @@
-// The folder in which results are kept. Its content is taken as this program's own, so only the user may be
-// able to write there.
+// The user's home, and the folder in which results are kept. That folder's content is taken as this program's
+// own, so only the user may be able to write there.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,10 @@
 #include <string_view>
 
 namespace penumbra::platform {
+
+// Returns the home folder of the system's list of users, whatever HOME says; empty for a user whom it does
+// not list, and on Windows.
+std::filesystem::path listed_home();
 
 // Returns $PENUMBRA_CACHE, else $XDG_CACHE_HOME/penumbra or ~/.cache/penumbra, and a folder of the name
 // `part` in it. The result is empty if no variable of the environment names a place that is the user's own.

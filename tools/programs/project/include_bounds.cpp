@@ -1,14 +1,11 @@
 #include "project/include_bounds.h"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <system_error>
 
 #include "input/input_error.h"
+#include "platform/cache_folder.h"
 #include "project/folder_entries.h"
 #include "project/package_manifest.h"
 
@@ -47,20 +44,12 @@ fs::path nearest_above(const fs::path& file, IsOne is_one) {
   return {};
 }
 
-// Returns the folder that the system's list of users names; empty for a user whom it does not list.
-fs::path home_of_user() {
-  std::array<char, 16384> memory{};
-  passwd entry{};
-  passwd* found = nullptr;
-  if (getpwuid_r(getuid(), &entry, memory.data(), memory.size(), &found) != 0 || found == nullptr) return {};
-  return entry.pw_dir == nullptr || *entry.pw_dir == '\0' ? fs::path() : without_links(entry.pw_dir);
-}
-
 }  // namespace
 
 // HOME may be missing or name another folder, as under cron: the system's own entry of the user holds too.
 bool no_file_owns(const fs::path& folder) {
-  static const fs::path entered = home_of_user();
+  static const fs::path listed = platform::listed_home();
+  static const fs::path entered = listed.empty() ? listed : without_links(listed);
   const char* home = std::getenv("HOME");
   const fs::path real = without_links(folder);
   return real == real.root_path() || (!entered.empty() && real == entered) ||
