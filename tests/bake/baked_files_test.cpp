@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bake/made_fields.h"
-#include "bake/png_16.h"
-#include "bake/texels_16.h"
 #include "input/input_error_matcher.h"
 #include "platform/atomic_file.h"
 #include "reference/scratch_folder.h"

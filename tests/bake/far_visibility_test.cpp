@@ -6,10 +6,9 @@
 #include <map>
 #include <random>
 
+#include "bake/baked_files.h"
 #include "bake/horizon_angles.h"
-#include "bake/horizon_search.h"
 #include "bake/made_fields.h"
-#include "bake/texels_16.h"
 #include "bake/visibility_kernel.h"
 
 namespace penumbra::bake {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "bake/baked_files.h"
 #include "bake/distance_field.h"
-#include "bake/texels_16.h"
 #include "bake/visibility_kernel.h"
 
 namespace penumbra::bake {

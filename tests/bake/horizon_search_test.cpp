@@ -1,5 +1,5 @@
 // Compares the closed form over cells and the pyramid with slopes to points along the line, one by one.
-#include "bake/horizon_search.h"
+#include "bake/horizon_angles.h"
 
 #include <gtest/gtest.h>
 

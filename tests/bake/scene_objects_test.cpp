@@ -15,7 +15,7 @@
 #include "bake/ray_traced_share.h"
 #include "input/input_error_matcher.h"
 #include "reference/scratch_folder.h"
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 
 namespace penumbra::bake {
 namespace {

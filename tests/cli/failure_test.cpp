@@ -1,5 +1,5 @@
 // Each kind of exception becomes an exit code and words.
-#include "cli/failure.h"
+#include "cli/command_line.h"
 
 #include <gmock/gmock.h>
 

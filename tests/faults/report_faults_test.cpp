@@ -22,7 +22,7 @@ ValidationReport report() {
 }
 
 // The forms made of JSON are not tested: the destructor of nlohmann's documents needs memory. penumbra
-// answers that with its exit code (answer_uncaught_exceptions() in cli/failure.h).
+// answers that with its exit code (answer_uncaught_exceptions() in cli/command_line.h).
 TEST(ReportFaults, AReportIsWholeOrNotWritten) {
   const ValidationReport made = report();
   for (const ReportForm form : {ReportForm::text, ReportForm::junit, ReportForm::github}) {

@@ -7,8 +7,6 @@
 #include <numbers>
 
 #include "lighting/hand_made.h"
-#include "lighting/kept_light.h"
-#include "lighting/smoothed_light.h"
 #include "reference/scratch_folder.h"
 
 namespace penumbra::lighting {

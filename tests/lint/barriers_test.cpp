@@ -1,5 +1,5 @@
 // Tests the rule divergent-barrier.
-#include "lint/barriers.h"
+#include "lint/stage_rules.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

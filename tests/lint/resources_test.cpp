@@ -1,10 +1,9 @@
 // Tests the rules sampler-name, sampler-limit and register-limit.
-#include "lint/resources.h"
+#include "lint/stage_rules.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lint/inline_sampler.h"
 #include "lint/linted_shader.h"
 
 namespace penumbra::lint {

@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "parameters/golden_cameras.h"
-#include "parameters/golden_cascades.h"
 
 namespace penumbra::parameters {
 namespace {

@@ -1,4 +1,3 @@
-#include "platform/cache_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // Tests what a file belongs to, and what is outside of it.
 #include "project/include_bounds.h"
-#include "platform/cache_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "platform/cache_folder.h"
+#include "platform/cache_store.h"
 #include "project_folder.h"
 
 namespace penumbra::project {

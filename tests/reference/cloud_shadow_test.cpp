@@ -1,5 +1,5 @@
 // Compares the reference's shade of clouds with a sum over another set of points of the disc.
-#include "reference/cloud_shadow.h"
+#include "reference/trace_visibility.h"
 
 #include <gtest/gtest.h>
 

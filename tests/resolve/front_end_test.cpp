@@ -9,7 +9,7 @@
 
 #include "fxc/at_hand.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/fxc_compiler.h"
+#include "resolve/compiler.h"
 #include "resolve/graph_runner.h"
 #include "resolve/ground_at_random.h"
 #include "shaders/bytecode_module.h"

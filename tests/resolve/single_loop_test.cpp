@@ -13,8 +13,8 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
+#include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/technique_uniforms.h"
 #include "resolve/test_device.h"
 
 namespace penumbra::resolve {

@@ -1,6 +1,6 @@
 // Tests images of heights: what their bytes say, by way of another process too, and every way they are
 // refused.
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 
 #include <gmock/gmock.h>
 #include <png.h>

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "processor_time.h"
-#include "study/chart_labels.h"
-#include "study/pareto_chart.h"
+#include "study/report_charts.h"
 #include "study/synthetic_study.h"
 #include "study/xml_outline.h"
 

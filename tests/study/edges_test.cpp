@@ -3,7 +3,7 @@
 
 #include "reference/scratch_folder.h"
 #include "resolve/test_device.h"
-#include "study/edge_reference.h"
+#include "study/case_setup.h"
 #include "study/study.h"
 
 namespace penumbra::study {

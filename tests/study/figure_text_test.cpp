@@ -1,4 +1,4 @@
-#include "study/figure_text.h"
+#include "study/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Compares the exponential mean of frames with the weights that it gives to each of them.
-#include "study/history.h"
+#include "study/study.h"
 
 #include <gtest/gtest.h>
 

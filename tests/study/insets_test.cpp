@@ -1,4 +1,4 @@
-#include "study/insets.h"
+#include "study/contact_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 
 #include "reference/scratch_folder.h"
 #include "resolve/test_device.h"
-#include "study/history.h"
 #include "study/study.h"
 
 namespace penumbra::study {

@@ -1,4 +1,4 @@
-#include "study/pareto.h"
+#include "study/report_charts.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "input/input_error_matcher.h"
-#include "study/preset_figures.h"
 #include "study/summary.h"
 #include "study/synthetic_study.h"
 

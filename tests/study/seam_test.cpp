@@ -1,4 +1,4 @@
-#include "study/seam.h"
+#include "study/metrics.h"
 
 #include <gtest/gtest.h>
 

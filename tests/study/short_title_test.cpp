@@ -1,4 +1,4 @@
-#include "study/short_title.h"
+#include "study/summary.h"
 
 #include <gtest/gtest.h>
 

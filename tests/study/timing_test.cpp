@@ -1,4 +1,4 @@
-#include "study/timing.h"
+#include "study/results.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "validation/pass_variants.h"
+#include "validation/source_variants.h"
 
 #include <gtest/gtest.h>
 

@@ -12,15 +12,13 @@
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
 #include "cli/help.h"
-#include "cli/idle_options.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
 #include "cli/study_messages.h"
 #include "cli/subcommand.h"
 #include "input/input_error.h"
-#include "platform/cache_folder.h"
 #include "platform/cache_store.h"
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 #include "scene/scene.h"
 
 namespace penumbra::cli {

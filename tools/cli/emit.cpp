@@ -19,7 +19,6 @@
 #include "input/text_file.h"
 #include "input/visible_text.h"
 #include "platform/atomic_file.h"
-#include "platform/linked_folder.h"
 #include "techniques/generated_files.h"
 #include "techniques/single_file.h"
 

@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "cli/command_line.h"
-#include "cli/failure.h"
-#include "cost/compiler_worker.h"
+#include "cost/module_compiler.h"
 #include "platform/interrupt.h"
 #include "resolve/module_order.h"
 #include "scene/reading_process.h"

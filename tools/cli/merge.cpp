@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "cli/help.h"
-#include "cli/report_output.h"
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "validation/report_merge.h"
 

@@ -7,7 +7,7 @@
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
-#include "platform/cache_folder.h"
+#include "platform/cache_store.h"
 
 namespace penumbra::cli {
 namespace {

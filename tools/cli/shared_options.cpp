@@ -1,12 +1,14 @@
 #include "cli/shared_options.h"
 
 #include <algorithm>
+#include <sstream>
 #include <thread>
-#include <utility>
 
 #include "cli/known_names.h"
 #include "cli/option_values.h"
+#include "hlsl/identifier.h"
 #include "input/input_error.h"
+#include "platform/terminal.h"
 #include "techniques/generated_files.h"
 
 namespace penumbra::cli {
@@ -138,6 +140,72 @@ void add_source_options(CLI::App& command, std::vector<std::string>& folders,
       command.add_option("-D,--define", defines, "Macro to define for every variant; 1 if no value is given"))
       ->type_name("NAME[=VALUE]")
       ->default_str("none");
+}
+
+void add_report_options(CLI::App& command, ReportOptions& options) {
+  std::vector<std::string> forms;
+  for (const validation::ReportForm form : validation::all_report_forms)
+    forms.emplace_back(validation::form_name(form));
+  add_format(command, options.form, std::move(forms));
+  add_output_file(command, options.output);
+  command
+      .add_option("--root", options.root,
+                  "Folder to which file names in sarif, junit and github are relative")
+      ->type_name("FOLDER")
+      ->default_str("the current one");
+  command.add_flag("--verbose", options.verbose, "Show every note in the text report");
+}
+
+void write_report(const ReportOptions& options, const validation::ValidationReport& report,
+                  Context& context) {
+  validation::ReportStyle style;
+  const bool to_stdout = options.output.empty() || options.output == "-";
+  style.colour = to_stdout && platform::colour_wanted_on_stdout();
+  style.verbose = options.verbose;
+  style.folder = std::filesystem::current_path();
+  style.root = std::filesystem::absolute(options.root.empty() ? "." : options.root);
+  write_output(options.output,
+               validation::format_report(report, *validation::find_report_form(options.form), style));
+  if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
+}
+
+std::vector<std::string> parse_keyword_set(const std::string& text) {
+  std::vector<std::string> keywords;
+  std::istringstream stream(text);
+  for (std::string keyword; std::getline(stream, keyword, ',');)
+    if (!keyword.empty()) keywords.push_back(keyword);
+  return keywords;
+}
+
+std::pair<std::string, std::string> parse_define(const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string name = text.substr(0, std::min(text.find('('), equals));
+  if (!hlsl::is_identifier(name))
+    throw InputError(
+        "-D",
+        "'" + name + "' is not a macro's name, which has letters, digits and '_' and begins with no digit",
+        "for example -D _QUALITY=2");
+  return {text.substr(0, equals), equals == text.size() ? "1" : text.substr(equals + 1)};
+}
+
+shaders::PackageRoot parse_package_root(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError("--package-root", "'" + text + "' is not NAME=FOLDER",
+                     "for example com.unity.render-pipelines.core=/packages/core");
+  shaders::PackageRoot root{text.substr(0, equals), text.substr(equals + 1)};
+  if (!std::filesystem::is_directory(root.directory))
+    throw EnvironmentError("the package root of " + root.name + " is not a folder: '" +
+                           root.directory.string() + "'");
+  return root;
+}
+
+void refuse_idle(const CLI::App& command, const std::vector<std::string>& names, bool idle,
+                 const std::string& because) {
+  if (!idle) return;
+  for (const std::string& name : names)
+    if (command.get_option(name)->count() > 0)
+      throw InputError("", name + " has no effect " + because, "leave it out");
 }
 
 }  // namespace penumbra::cli

@@ -3,13 +3,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/subcommand.h"
 #include "platform/worker_pool.h"
 #include "scene/reading_process.h"
+#include "shaders/compile.h"
 #include "techniques/technique_list.h"
+#include "validation/report.h"
 
 namespace penumbra::cli {
 
@@ -50,5 +55,31 @@ void refuse_beside_from(const CLI::App& command, const std::set<std::string>& ke
 // Adds -I and -D, for shaders of the user's own.
 void add_source_options(CLI::App& command, std::vector<std::string>& folders,
                         std::vector<std::string>& defines);
+
+// Output of the subcommands that produce a validation report.
+struct ReportOptions {
+  std::string form = "text";
+  std::string output;
+  std::string root;
+  bool verbose = false;
+};
+
+// Adds --format, --output, --root and --verbose.
+void add_report_options(CLI::App& command, ReportOptions& options);
+
+// Sets the exit code to findings if a variant failed.
+void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
+
+// Arguments that subcommands over shader files share: keyword sets, macros, package roots.
+std::vector<std::string> parse_keyword_set(const std::string& text);        // "A,B"
+std::pair<std::string, std::string> parse_define(const std::string& text);  // "NAME" or "NAME=VALUE"
+
+// Parses "NAME=FOLDER"; throws InputError for another form, EnvironmentError when there is no such folder.
+shaders::PackageRoot parse_package_root(const std::string& text);
+
+// Throws InputError for the first of `names` that is given although it has no effect, if `idle` is true.
+// `because` completes "--entry has no effect ...".
+void refuse_idle(const CLI::App& command, const std::vector<std::string>& names, bool idle,
+                 const std::string& because);
 
 }  // namespace penumbra::cli

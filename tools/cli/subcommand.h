@@ -15,7 +15,7 @@ class App;
 
 namespace penumbra::cli {
 
-// The program's exit codes; failure.h maps exceptions to them.
+// The program's exit codes; failure_of() maps exceptions to them.
 enum ExitCode {
   success = 0,
   findings = 1,

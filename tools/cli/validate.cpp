@@ -7,9 +7,6 @@
 #include <memory>
 
 #include "cli/help.h"
-#include "cli/idle_options.h"
-#include "cli/report_output.h"
-#include "cli/shader_arguments.h"
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cli/validate_options.h"

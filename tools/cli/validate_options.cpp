@@ -1,13 +1,12 @@
 #include "cli/validate_options.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/known_names.h"
 #include "cli/option_values.h"
-#include "cli/shared_options.h"
+#include "input/input_error.h"
 
 namespace penumbra::cli {
-
 namespace {
 
 void add_what(CLI::App& command, ValidateOptions& options) {
@@ -137,6 +136,32 @@ void add_validate_options(CLI::App& command, ValidateOptions& options) {
   add_narrowing(command, options);
   add_checks(command, options);
   add_how(command, options);
+}
+
+void refuse_idle_options(const CLI::App& command, const ValidateOptions& options) {
+  refuse_idle(command,
+              {"--only", "--skip", "--entry", "--stage", "--keywords", "--keyword-set", "--stripping",
+               "--urp-asset", "--limit", "--sample", "--unity-version", "--mobile", "--cginc-root", "--api"},
+              options.places.empty() && options.project.empty(), "without shader files or --project");
+  refuse_idle(command, {"--minimize", "--sample", "--shard", "--keep", "--root", "--verbose"}, options.list,
+              "with --count");
+  refuse_idle(command, {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose"},
+              options.explain.has_value(), "with --explain");
+  const std::string& form = options.report.form;
+  refuse_idle(command, {"--root"}, form == "text" || form == "json", "with --format " + form);
+  refuse_idle(command, {"--verbose"}, form != "text", "with --format " + form);
+  refuse_idle(command, {"--disable-rule"}, options.no_lint, "with --no-lint");
+  refuse_idle(command, {"--cache"}, options.no_cache, "with --no-cache");
+}
+
+std::vector<std::string> idle_option_warnings(const CLI::App& command, const project::ShaderFiles& files) {
+  const bool has_hlsl = std::any_of(files.files.begin(), files.files.end(),
+                                    [](const auto& file) { return file.path.extension() == ".hlsl"; });
+  std::vector<std::string> warnings;
+  for (const char* name : {"--entry", "--stage", "--keyword-set"})
+    if (!has_hlsl && command.get_option(name)->count() > 0)
+      warnings.push_back(std::string("warning: ") + name + " has no effect: no .hlsl file is given");
+  return warnings;
 }
 
 }  // namespace penumbra::cli

@@ -6,12 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/report_output.h"
 #include "cli/shared_options.h"
-
-namespace CLI {
-class App;
-}
+#include "project/shader_files.h"
 
 namespace penumbra::cli {
 
@@ -59,5 +55,12 @@ struct ValidateOptions {
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);
+
+// Refuses those of `penumbra validate` that other options make ineffective.
+void refuse_idle_options(const CLI::App& command, const ValidateOptions& options);
+
+// Returns warnings about options whose effect depends only on the files: version control hooks give the same
+// options with any files.
+std::vector<std::string> idle_option_warnings(const CLI::App& command, const project::ShaderFiles& files);
 
 }  // namespace penumbra::cli

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <set>
 
@@ -11,7 +10,7 @@
 #include "input/input_error.h"
 #include "platform/data_directory.h"
 #include "study/picture_sheet.h"
-#include "study/short_title.h"
+#include "study/summary.h"
 #include "techniques/technique_values.h"
 
 namespace penumbra::cli {

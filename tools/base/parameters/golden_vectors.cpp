@@ -5,17 +5,108 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "parameters/golden_cameras.h"
-#include "parameters/golden_cascades.h"
 #include "parameters/settings_input.h"
-#include "parameters/shader_uniforms.h"
 #include "parameters/update_schedule.h"
 
 namespace penumbra::parameters {
-
 namespace {
+
+std::vector<SoftShadowParameters> awkward_settings() {
+  SoftShadowParameters point;
+  point.angular_diameter_degrees = 0;
+  point.hdrp_search_degrees = 0;
+  point.hdrp_min_filter_degrees = 0;
+  const SoftShadowParameters low{.angular_diameter_degrees = -5,
+                                 .blocker_samples = -3,
+                                 .filter_samples = 0,
+                                 .blocker_clump = -1,
+                                 .min_filter_texels = -2,
+                                 .max_penumbra_metres = -1,
+                                 .max_sampling_metres = -1,
+                                 .search_radius_metres = -1,
+                                 .hdrp_search_degrees = -1,
+                                 .hdrp_min_filter_degrees = -1};
+  const SoftShadowParameters high{.angular_diameter_degrees = 31,
+                                  .blocker_samples = 1000,
+                                  .filter_samples = 1000,
+                                  .blocker_clump = 9,
+                                  .min_filter_texels = 65,
+                                  .max_penumbra_metres = 1e7,
+                                  .max_sampling_metres = 1e7,
+                                  .search_radius_metres = 1e7,
+                                  .hdrp_search_degrees = 120,
+                                  .hdrp_min_filter_degrees = 180};
+  SoftShadowParameters narrow_search;
+  narrow_search.angular_diameter_degrees = 20;
+  SoftShadowParameters wide_filter;
+  wide_filter.hdrp_min_filter_degrees = 25;
+  return {SoftShadowParameters{}, point, low, high, narrow_search, wide_filter};
+}
+
+glm::dmat4 scaled(const glm::dmat4& matrix, double across, double along) {
+  glm::dmat4 result(1.0);
+  for (int column = 0; column < 4; ++column) {
+    result[column][0] = as_float(matrix[column][0] * across);
+    result[column][1] = as_float(matrix[column][1] * across);
+    result[column][2] = as_float(matrix[column][2] * along);
+  }
+  return result;
+}
+
+std::vector<GoldenCascade> awkward_cascades() {
+  ShadowSetup setup;
+  setup.shadows.cascades = 4;
+  GoldenCascade usual;
+  usual.name = "four cascades";
+  usual.world_to_shadow = scaled(setup.fit().cascades[1].world_to_shadow, 1, 1);
+  std::vector<GoldenCascade> list{usual};
+  const auto add = [&](const char* name, auto&& change) {
+    list.push_back(usual);
+    list.back().name = name;
+    change(list.back());
+  };
+  add("point light", [](GoldenCascade& c) { c.parameters.angular_diameter_degrees = 0; });
+  add("widest light", [](GoldenCascade& c) { c.parameters.angular_diameter_degrees = 30; });
+  add("angle near nothing", [](GoldenCascade& c) { c.parameters.angular_diameter_degrees = 1e-30; });
+  add("no bias", [](GoldenCascade& c) { c.depth_bias = c.normal_bias = 0; });
+  add("a thousand kilometres wide",
+      [](GoldenCascade& c) { c.world_to_shadow = scaled(c.world_to_shadow, 1e-5, 1e-5); });
+  add("a tenth of a millimetre wide",
+      [](GoldenCascade& c) { c.world_to_shadow = scaled(c.world_to_shadow, 1e5, 1e5); });
+  add("near the smallest floats",
+      [](GoldenCascade& c) { c.world_to_shadow = scaled(c.world_to_shadow, 1e-30, 1e-33); });
+  add("near the largest floats",
+      [](GoldenCascade& c) { c.world_to_shadow = scaled(c.world_to_shadow, 1e30, 1e33); });
+  add("flat in depth", [](GoldenCascade& c) { c.world_to_shadow = scaled(c.world_to_shadow, 1, 1e9); });
+  add("sheared", [](GoldenCascade& c) { c.world_to_shadow[1][0] = c.world_to_shadow[0][2] = 0.25; });
+  add("far from the origin", [](GoldenCascade& c) { c.world_to_shadow[3] = {1e9, -1e9, 1e9, 1}; });
+  add("smallest map", [](GoldenCascade& c) { c.resolution = 8; });
+  add("odd map of two", [](GoldenCascade& c) {
+    c.resolution = 1023;
+    c.cascades = 2;
+  });
+  return list;
+}
+
+void add_random_cascades(int count, SetupGenerator& generator, std::vector<GoldenCascade>& list) {
+  for (int i = 0; i < count; ++i) {
+    const ShadowSetup setup = generator.next();
+    const SoftShadowParameters parameters = random_settings(generator);
+    const CascadeSet set = setup.fit();
+    const int index = generator.integer(0, setup.shadows.cascades - 1);
+    list.push_back(
+        {.name = fmt::format("random {}", i),
+         .world_to_shadow = scaled(set.cascades[static_cast<std::size_t>(index)].world_to_shadow, 1, 1),
+         .resolution = setup.shadows.resolution,
+         .cascades = setup.shadows.cascades,
+         .parameters = parameters,
+         .depth_bias = as_float(generator.uniform(0, 10)),
+         .normal_bias = as_float(generator.uniform(0, 10)),
+         .quality = setup.shadows.soft_quality});
+  }
+}
 
 std::string number(double value) {
   return fmt::format("{}", static_cast<float>(value));
@@ -239,6 +330,51 @@ std::string golden_vectors_json(int count, std::uint32_t seed) {
       section("cameras", cameras(count, generator)),
       section("schedules", schedules())};
   return fmt::format("{{\n{}\n}}\n", fmt::join(sections, ",\n"));
+}
+
+double as_float(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+SoftShadowParameters as_floats(SoftShadowParameters parameters) {
+  for (double SoftShadowParameters::*field :
+       {&SoftShadowParameters::angular_diameter_degrees, &SoftShadowParameters::blocker_clump,
+        &SoftShadowParameters::min_filter_texels, &SoftShadowParameters::max_penumbra_metres,
+        &SoftShadowParameters::max_sampling_metres, &SoftShadowParameters::search_radius_metres,
+        &SoftShadowParameters::hdrp_search_degrees, &SoftShadowParameters::hdrp_min_filter_degrees}) {
+    parameters.*field = as_float(parameters.*field);
+  }
+  return parameters;
+}
+
+SoftShadowParameters random_settings(SetupGenerator& generator) {
+  const auto up_to = [&](double high) { return as_float(generator.uniform(0, high)); };
+  SoftShadowParameters parameters;
+  parameters.angular_diameter_degrees = up_to(30);
+  parameters.blocker_samples = generator.integer(1, 128);
+  parameters.filter_samples = generator.integer(1, 64);
+  parameters.blocker_clump = up_to(8);
+  parameters.min_filter_texels = up_to(64);
+  parameters.max_penumbra_metres = up_to(100);
+  parameters.max_sampling_metres = up_to(1000);
+  parameters.search_radius_metres = up_to(10);
+  parameters.hdrp_search_degrees = up_to(40);
+  parameters.hdrp_min_filter_degrees = up_to(40);
+  return parameters;
+}
+
+std::vector<SoftShadowParameters> golden_settings(int random, SetupGenerator& generator) {
+  std::vector<SoftShadowParameters> list;
+  for (const SoftShadowParameters& awkward : awkward_settings()) list.push_back(as_floats(awkward));
+  for (int i = 0; i < random; ++i) list.push_back(random_settings(generator));
+  return list;
+}
+
+std::vector<GoldenCascade> golden_cascades(int random, SetupGenerator& generator) {
+  std::vector<GoldenCascade> list = awkward_cascades();
+  for (GoldenCascade& awkward : list) awkward.parameters = as_floats(awkward.parameters);
+  add_random_cascades(random, generator, list);
+  return list;
 }
 
 }  // namespace penumbra::parameters

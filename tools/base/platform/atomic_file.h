@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@ namespace penumbra::platform {
 
 // Throws penumbra::InputError naming the file and the system's reason (full disk, no permission, no such
 // folder); the old content, if any, stays, and the temporary file is removed. A target that is not a regular
-// file, such as /dev/null, is written to directly. Links that a checkout holds (linked_folder.h) are not
+// file, such as /dev/null, is written to directly. Links that a checkout holds are not
 // followed: one in the file's place is replaced, and one on the way to its folder is refused.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content);
@@ -33,5 +34,13 @@ void check_file_can_be_written(const std::filesystem::path& file);
 
 // Throws the same for any file in a folder that is there; the message names `named`.
 void check_folder_can_be_written(const std::filesystem::path& folder, const std::filesystem::path& named);
+
+// Returns the first part of the path below the folder that is a link.
+std::optional<std::filesystem::path> link_below(const std::filesystem::path& folder,
+                                                const std::filesystem::path& path);
+
+// Returns the first part of the path that is a link, below the current folder or below the folder of the git
+// repository that the path lies in. Links above them, or elsewhere, are the system's and the user's.
+std::optional<std::filesystem::path> link_of_checkout(const std::filesystem::path& path);
 
 }  // namespace penumbra::platform

@@ -1,5 +1,9 @@
 #include "platform/thread_group.h"
 
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -16,6 +20,23 @@ void run_on_threads(unsigned threads, const std::function<void()>& work) {
   }
   work();
   for (std::thread& other : others) other.join();
+}
+
+void run_all(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  run_on_threads(static_cast<unsigned>(std::min<std::size_t>(threads, count)), work);
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace penumbra::platform

@@ -12,7 +12,7 @@
 // would be in neither number, because it is shared, cannot be allocated (platform/system_call_filter.cpp).
 //
 // A worker has only the variables of its parent's environment that its libraries read
-// (worker_environment.cpp), and cannot read its parent's memory.
+// (worker_process.cpp), and cannot read its parent's memory.
 #pragma once
 
 #include <chrono>

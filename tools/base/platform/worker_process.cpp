@@ -14,14 +14,43 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "input/input_error.h"
 #include "platform/terminal.h"
-#include "platform/worker_environment.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
 
 namespace penumbra::platform {
 namespace {
+
+constexpr std::string_view kNames[] = {
+    // The program itself reads these.
+    "PENUMBRA_FXC", "PENUMBRA_ROOT", "PENUMBRA_UNFILTERED_WORKERS",
+    // These say where libraries, programs and packages lie.
+    "HOME", "LD_LIBRARY_PATH", "NUGET_PACKAGES", "PATH", "TMPDIR", "XDG_CACHE_HOME",
+    // Builds with sanitizers read these.
+    "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"};
+
+// Graphics drivers have dozens of variables each, which begin like this.
+constexpr std::string_view kBeginnings[] = {"EGL_", "GALLIUM_", "LIBGL_", "LP_", "MESA_", "__EGL_"};
+
+bool is_needed(std::string_view name) {
+  return std::ranges::find(kNames, name) != std::end(kNames) ||
+         std::ranges::any_of(kBeginnings, [name](std::string_view start) { return name.starts_with(start); });
+}
+
+// Returns NAME=VALUE of each variable of this process that a worker or its graphics driver reads, and of no
+// other.
+std::vector<std::string> worker_environment() {
+  std::vector<std::string> variables;
+  for (char** at = environ; *at != nullptr; ++at) {
+    const std::string_view variable = *at;
+    if (is_needed(variable.substr(0, variable.find('=')))) variables.emplace_back(variable);
+  }
+  return variables;
+}
 
 constexpr std::size_t output_tail_bytes = 2048;
 // The most that is read at a time: a worker that writes endlessly must not block the parent.
@@ -116,7 +145,7 @@ class WorkerSettings {
 };
 
 // Returns pointers to the texts, with a null pointer at the end, as the system takes them.
-std::vector<char*> pointers(std::vector<std::string>& texts) {
+std::vector<char*> argument_pointers(std::vector<std::string>& texts) {
   std::vector<char*> list;
   list.reserve(texts.size() + 1);
   for (std::string& text : texts) list.push_back(text.data());
@@ -133,8 +162,8 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments, std::siz
   std::vector<std::string> words{program_path().string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = worker_environment();
-  const std::vector<char*> argv = pointers(words);
-  const std::vector<char*> environment = pointers(variables);
+  const std::vector<char*> argv = argument_pointers(words);
+  const std::vector<char*> environment = argument_pointers(variables);
   const WorkerSettings settings(frames->theirs.get(), noise->theirs.get());
   errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(),
                         environment.data());

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "cost/families.h"
-#include "cost/row_text.h"
 #include "input/markdown.h"
 
 namespace penumbra::cost {

@@ -1,17 +1,177 @@
 #include "cost/measure_cost.h"
 
 #include <algorithm>
+#include <map>
 #include <mutex>
+#include <tuple>
 
-#include "cost/cost_modules.h"
 #include "cost/families.h"
-#include "cost/worker_threads.h"
+#include "cost/module_compiler.h"
 #include "fxc/bytecode.h"
 #include "fxc/fxc.h"
+#include "input/input_error.h"
+#include "platform/interrupt.h"
+#include "platform/thread_group.h"
 #include "shaders/compiler_version.h"
+#include "validation/shader_sources.h"
+#include "validation/source_variants.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::cost {
 namespace {
+
+// The distinct modules of a request, before any driver sees them.
+struct CostModule {
+  std::string file;
+  std::string entry;
+  hlsl::Stage stage = hlsl::Stage::fragment;
+  std::vector<CostVariant> variants;
+  CompiledModule compiled;  // the module without diagnostics
+};
+
+struct CostModules {
+  std::vector<CostModule> modules;  // modules in the order of the request, by their first variant
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
+
+// Returns the name that `penumbra validate` gives the target.
+std::string target_of(Compiler compiler) {
+  return std::string(compiler == Compiler::fxc ? validation::fxc_target
+                                               : validation::spirv_targets().front());
+}
+
+validation::ValidationRequest as_validated(const CostRequest& request, Compiler compiler) {
+  validation::ValidationRequest validated;
+  validated.targets = {target_of(compiler)};
+  validated.techniques = request.techniques;
+  validated.defines = request.defines;
+  validated.package_roots = request.package_roots;
+  validated.include_directories = request.include_directories;
+  return validated;
+}
+
+struct Source {
+  shaders::CompileRequest compile;
+  std::string file;
+  CostVariant variant;
+};
+
+// The path is relative to the folder in which the package is installed.
+std::string file_in_package(const techniques::Technique& technique, const std::string& program) {
+  for (const techniques::GraphPass& pass : technique.graph.passes)
+    if (!program.empty() && pass.program == program) return pass.file;
+  return technique.file();
+}
+
+// The cost of a technique is that of each program of its passes; the cost of a filter is that of the fragment
+// shader that calls it.
+std::vector<Source> sources_of(const CostRequest& request, Compiler compiler) {
+  const validation::ValidationRequest validated = as_validated(request, compiler);
+  std::vector<Source> sources;
+  for (validation::SourceVariant& variant : validation::source_variants(validated)) {
+    validation::CompileUnit& unit = variant.unit;
+    const bool kernel = unit.compile.stage == hlsl::Stage::compute && !unit.pass.empty();
+    if (unit.compile.stage != hlsl::Stage::fragment && !kernel) continue;
+    std::string file = file_in_package(*variant.technique, unit.pass);
+    sources.push_back(
+        {std::move(unit.compile), std::move(file), {variant.technique->name, std::move(unit.keywords)}});
+  }
+  return sources;
+}
+
+// A pass of a .shader is treated as a file of its own: passes may have entry points of the same name.
+std::string file_and_pass(const validation::SourceProgram& program) {
+  return program.pass.empty() ? program.file : program.file + ": " + program.pass;
+}
+
+bool is_measured(hlsl::Stage stage) {
+  return stage == hlsl::Stage::vertex || stage == hlsl::Stage::fragment || stage == hlsl::Stage::compute;
+}
+
+std::vector<hlsl::Diagnostic> errors_of(std::vector<hlsl::Diagnostic> said) {
+  std::erase_if(said, [](const hlsl::Diagnostic& one) { return one.severity != hlsl::Severity::error; });
+  return said;
+}
+
+// Adds those of `more` that are not there yet: two variants, or two compilers, may refuse a file for the same
+// reason.
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
+  for (const hlsl::Diagnostic& diagnostic : more) {
+    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
+      return hlsl::format(other) == hlsl::format(diagnostic);
+    });
+    if (!known) said.push_back(diagnostic);
+  }
+}
+
+// The file is compiled as `penumbra validate` compiles it for Vulkan or Direct3D 11: with its pragmas and
+// Unity's macros. Without keyword sets, a program of a .shader or .compute is its first variant, the one with
+// the fewest keywords.
+void add_file(const CostRequest& request, const ShaderFile& shader, Compiler compiler,
+              std::vector<Source>& sources, std::vector<hlsl::Diagnostic>& said) {
+  validation::SourceOptions options;
+  options.platforms = validation::platform_targets({target_of(compiler)}, {});
+  options.roots.packages = request.package_roots;
+  options.roots.directories = request.include_directories;
+  options.defines = request.defines;
+  options.entries = {{shader.entry, shader.stage}};
+  validation::ShaderSources file(std::move(options));
+  file.add({shader.file, shader.file.string(), true});
+  for (const validation::VariantRecord& record : file.records()) {
+    add_new(said, errors_of(record.diagnostics));
+    if (!record.reason.empty())
+      said.push_back({record.file, 0, 0, hlsl::Severity::error, "not measured: " + record.reason, {}});
+  }
+  for (const validation::SourceProgram& program : file.programs()) {
+    for (std::size_t i = 0; i < program.entries.size() + program.kernels.size(); ++i) {
+      const hlsl::Stage stage = i < program.entries.size() ? program.entries[i].second : hlsl::Stage::compute;
+      if (!is_measured(stage)) {
+        said.push_back({program.file,
+                        program.line,
+                        program.column,
+                        hlsl::Severity::warning,
+                        std::string("the ") + hlsl::stage_name(stage) + " program '" +
+                            program.entries[i].first +
+                            "' is not measured: only vertex, fragment and compute programs are",
+                        {}});
+        continue;
+      }
+      std::vector<variants::Keywords> sets = shader.keyword_sets;
+      if (sets.empty()) sets.push_back(program.space->variants(stage).at(0));
+      for (const variants::Keywords& keywords : sets)
+        sources.push_back(
+            {file.entry_unit(program, i, keywords).compile, file_and_pass(program), {"", keywords}});
+    }
+  }
+}
+
+CostModules compile_modules(const CostRequest& request, Compiler compiler) {
+  CostModules made;
+  std::vector<Source> sources = sources_of(request, compiler);
+  std::vector<hlsl::Diagnostic> said;
+  for (const ShaderFile& shader : request.files) add_file(request, shader, compiler, sources, said);
+  add_new(made.diagnostics, said);
+  std::vector<shaders::CompileRequest> requests;
+  for (const Source& source : sources) requests.push_back(source.compile);
+  std::vector<CompiledModule> compiled =
+      compile_all(requests, compiler, {request.compiler, request.jobs, request.compiler_limits});
+
+  using Code = std::pair<std::vector<std::uint32_t>, std::string>;
+  std::map<std::tuple<std::string, hlsl::Stage, std::string, Code>, std::size_t> places;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto& [compile, file, variant] = sources[i];
+    if (!compiled[i].is_compiled()) {
+      add_new(made.diagnostics, errors_of(compiled[i].diagnostics));
+      continue;
+    }
+    compiled[i].diagnostics.clear();
+    const auto [place, is_new] = places.try_emplace(
+        {file, compile.stage, compile.entry, {compiled[i].spirv, compiled[i].bytecode}}, made.modules.size());
+    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, std::move(compiled[i])});
+    made.modules[place->second].variants.push_back(variant);
+  }
+  return made;
+}
 
 constexpr std::size_t kLargestBatch = 12;
 
@@ -58,7 +218,8 @@ std::vector<CostRow> measured_by_radv(const CostRequest& request, const std::vec
   }
   std::mutex mutex;
   std::size_t done = 0;
-  run_all(batches.size(), request.jobs, [&](std::size_t batch) {
+  platform::run_all(batches.size(), request.jobs, [&](std::size_t batch) {
+    platform::throw_if_interrupted();
     std::vector<ModuleToMeasure> measured;
     for (const std::size_t i : batches[batch]) {
       const CostModule& module = modules[i % modules.size()];

@@ -4,7 +4,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cost/compiler_worker.h"
 #include "fxc/judge.h"
 #include "fxc/messages.h"
 #include "platform/byte_stream.h"

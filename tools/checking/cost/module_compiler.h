@@ -35,4 +35,10 @@ std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileReques
 std::string encode(const CompiledModule& module);
 CompiledModule decode_module(const std::string& bytes);  // throws std::invalid_argument for damaged bytes
 
+// The process in which `penumbra cost` compiles: the program, started with this argument.
+inline constexpr const char* compiler_worker_mode = "cost-compiler";
+
+// `arguments` are those behind the mode; returns the exit code of the process.
+int serve_compiler(const std::vector<std::string>& arguments);
+
 }  // namespace penumbra::cost

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,5 +56,11 @@ struct Measurement {
 // crash: the result is then a failure with its reason. Throws EnvironmentError if the worker cannot be
 // started, platform::Interrupted.
 std::vector<Measurement> measure(const NullRadv& radv, std::span<const ModuleToMeasure> modules);
+
+// This is the worker's side, which processes shaders one after the other. It identifies this process's RADV
+// device, has it compile each SPIR-V module of `input`, and writes the results to `output`, a line of JSON
+// for each as soon as it is known. Does not throw for errors of shader or driver: the responses contain them.
+// SIGXCPU ends the process after `seconds` of CPU time for one module.
+void run_radv_worker(unsigned seconds, std::istream& input, std::ostream& output);
 
 }  // namespace penumbra::cost

@@ -1,11 +1,10 @@
-#include "lint/early_return.h"
-
 #include <algorithm>
 #include <set>
 
 #include "lint/components.h"
 #include "lint/control_flow.h"
 #include "lint/known_values.h"
+#include "lint/stage_rules.h"
 
 namespace penumbra::lint {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "lint/components.h"
 #include "lint/first_iteration.h"
-#include "lint/local_memory.h"
 
 namespace penumbra::lint {
 

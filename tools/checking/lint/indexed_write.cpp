@@ -1,10 +1,9 @@
-#include "lint/indexed_write.h"
-
 #include <algorithm>
 #include <string>
 
 #include "lint/control_flow.h"
 #include "lint/known_values.h"
+#include "lint/stage_rules.h"
 
 namespace penumbra::lint {
 

@@ -1,6 +1,7 @@
 #include "lint/module_rules.h"
 
 #include <glslang/SPIRV/spirv.hpp>
+#include <spirv-tools/optimizer.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -9,21 +10,72 @@
 #include <tuple>
 #include <utility>
 
-#include "lint/arithmetic.h"
-#include "lint/barriers.h"
 #include "lint/control_flow.h"
-#include "lint/early_return.h"
-#include "lint/gradients.h"
-#include "lint/indexed_write.h"
-#include "lint/legalised.h"
-#include "lint/resources.h"
+#include "lint/stage_rules.h"
 #include "lint/suppression.h"
-#include "lint/unset_values.h"
 #include "spirv/code.h"
 
 namespace penumbra::lint {
-
 namespace {
+
+void legalise(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateMergeReturnPass())
+      .RegisterPass(spvtools::CreateInlineExhaustivePass())
+      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+      .RegisterPass(spvtools::CreatePrivateToLocalPass())
+      .RegisterPass(spvtools::CreateFixStorageClassPass())
+      .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+      .RegisterPass(spvtools::CreateScalarReplacementPass(0))
+      .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+      .RegisterPass(
+          spvtools::CreateAggressiveDCEPass())  // otherwise unused access chains keep variables alive
+      .RegisterPass(spvtools::CreateSSARewritePass())
+      .RegisterPass(spvtools::CreateCCPPass());
+}
+
+void simplify(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateCopyPropagateArraysPass())
+      .RegisterPass(spvtools::CreateVectorDCEPass())
+      .RegisterPass(spvtools::CreateDeadInsertElimPass())
+      .RegisterPass(spvtools::CreateRedundancyEliminationPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass());
+}
+
+enum class Legalisation { done, to_do };
+
+std::optional<std::vector<std::uint32_t>> optimised(const std::vector<std::uint32_t>& spirv,
+                                                    Legalisation legalisation) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
+  if (legalisation == Legalisation::to_do) legalise(optimizer);
+  simplify(optimizer);
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);
+  std::vector<std::uint32_t> words;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &words, options)) return std::nullopt;
+  return words;
+}
+
+// The module as a driver sees it: one function, SSA values instead of variables, without dead code and dead
+// resources, with debug lines.
+//
+// It is made by SPIRV-Tools' passes for HLSL legalisation without loop unrolling and without the wrapping of
+// OpKill, so that loops and discards are preserved.
+
+// Returns nothing if SPIRV-Tools fails.
+std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint32_t>& spirv) {
+  return optimised(spirv, Legalisation::to_do);
+}
+
+// Runs the remaining passes on a module that the compiler has already legalised.
+std::optional<std::vector<std::uint32_t>> simplified(const std::vector<std::uint32_t>& spirv) {
+  return optimised(spirv, Legalisation::done);
+}
 
 void append(std::vector<hlsl::Diagnostic>& to, std::vector<hlsl::Diagnostic> from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));

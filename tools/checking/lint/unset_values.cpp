@@ -1,11 +1,10 @@
-#include "lint/unset_values.h"
-
 #include <set>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "lint/assignment_flow.h"
+#include "lint/stage_rules.h"
 
 namespace penumbra::lint {
 

@@ -4,14 +4,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fxc/judge.h"
 #include "fxc/messages.h"
 #include "input/input_error.h"
 #include "lint/reserved_names.h"
 #include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
 #include "validation/checked_declarations.h"
-#include "validation/entry_kind.h"
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
 #include "validation/spirv_target.h"

@@ -18,7 +18,7 @@
 #include "hlsl/reach.h"
 #include "shaders/compile.h"
 #include "validation/recent_results.h"
-#include "validation/sharing.h"
+#include "validation/unit.h"
 
 namespace penumbra::validation {
 

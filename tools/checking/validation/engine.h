@@ -16,7 +16,6 @@
 
 #include "platform/worker_pool.h"
 #include "validation/shard.h"
-#include "validation/sharing.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {

@@ -8,7 +8,6 @@
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
-
 namespace {
 
 platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {

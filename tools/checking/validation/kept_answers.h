@@ -7,16 +7,31 @@
 // Every key contains the identity of the build: a new program, or a new shared library, invalidates all.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "validation/entry_kind.h"
+#include "platform/cache_store.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {
+
+// The kinds of cache entries of validation (platform/cache_store.h).
+enum class EntryKind {
+  sources,  // the files that a text consists of, and its key (source_record.h)
+  compile,  // a CompileAnswer
+  emitted,  // an EmittedAnswer
+};
+
+inline constexpr std::array<std::string_view, 3> entry_kinds{"sources", "compile", "emitted"};
+
+constexpr std::string_view name_of(EntryKind kind) {
+  return entry_kinds[static_cast<std::size_t>(kind)];
+}
 
 // The inputs of a result besides the unit, and the cache's folder.
 struct AnswerContext {

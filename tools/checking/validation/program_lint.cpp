@@ -19,7 +19,7 @@ namespace {
 using SubShaderKey = std::tuple<std::string, std::string, int>;             // file, shader, index
 using ProgramKey = std::tuple<std::string, std::string, int, std::string>;  // the same and pass
 // The results in the order of the run.
-using Results = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;
+using ResultsOfUnits = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;
 
 template <typename Named>
 SubShaderKey sub_shader_of(const Named& named) {
@@ -45,7 +45,7 @@ bool is_instanced(const CompileUnit& unit) {
   });
 }
 
-std::vector<hlsl::Diagnostic> keyword_findings(const ProgramToLint& program, const Results& results) {
+std::vector<hlsl::Diagnostic> keyword_findings(const ProgramToLint& program, const ResultsOfUnits& results) {
   if (!program.is_whole || program.keywords.empty()) return {};
   lint::ProgramKeywords keywords;
   keywords.file = program.file;
@@ -62,7 +62,7 @@ std::vector<hlsl::Diagnostic> keyword_findings(const ProgramToLint& program, con
 
 // Returns the stages whose buffers are compared: for one graphics API, each layout of each pass and stage
 // once.
-std::vector<lint::PassStage> stages_of(const Results& results) {
+std::vector<lint::PassStage> stages_of(const ResultsOfUnits& results) {
   std::vector<lint::PassStage> stages;
   std::set<std::tuple<std::string, hlsl::Stage, std::string>> known;
   for (const auto& [unit, result] : results) {
@@ -82,7 +82,7 @@ bool has_material(const std::vector<lint::PassStage>& stages) {
   });
 }
 
-std::vector<hlsl::Diagnostic> buffer_findings(const ProgramToLint& program, const Results& results) {
+std::vector<hlsl::Diagnostic> buffer_findings(const ProgramToLint& program, const ResultsOfUnits& results) {
   lint::ShaderToLint shader{program.file, program.properties, stages_of(results)};
   if (!program.scriptable_pipeline && !has_material(shader.stages)) return {};
   return lint::srp_batcher_findings(shader);
@@ -134,8 +134,8 @@ class Findings {
 std::vector<VariantRecord> program_findings(const std::vector<ProgramToLint>& programs,
                                             const std::vector<CompileUnit>& units,
                                             const std::vector<UnitResult>& results, const LintOrder& order) {
-  std::map<ProgramKey, Results> of_program;
-  std::map<SubShaderKey, Results> of_sub_shader;
+  std::map<ProgramKey, ResultsOfUnits> of_program;
+  std::map<SubShaderKey, ResultsOfUnits> of_sub_shader;
   for (const UnitResult& result : results) {
     const CompileUnit& unit = units[result.unit];
     of_program[program_of(unit)].emplace_back(&unit, &result);

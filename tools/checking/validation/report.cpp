@@ -1,8 +1,34 @@
 #include "validation/report.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "validation/report_findings.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::validation {
+namespace {
+
+// The verdict of each compiler on a variant, where it is known.
+struct Verdicts {
+  std::optional<bool> fxc;
+  std::optional<bool> glslang;
+};
+
+bool failed(const VariantRecord& record) {
+  return record.status == VariantStatus::failed;
+}
+
+// Returns whether something other than a lint rule refused it.
+bool refused(const VariantRecord& record) {
+  return failed(record) &&
+         std::any_of(record.diagnostics.begin(), record.diagnostics.end(), [](const hlsl::Diagnostic& said) {
+           return said.severity == hlsl::Severity::error && said.rule.empty();
+         });
+}
+
+}  // namespace
 
 const char* status_name(VariantStatus status) {
   switch (status) {
@@ -68,6 +94,39 @@ std::string format_report(const ValidationReport& report, ReportForm form, const
       break;
   }
   return report_github(report, style);
+}
+
+FrontEnds front_ends(const ValidationReport& report) {
+  const Variants variants(report);
+  std::vector<Verdicts> verdicts(variants.size());
+  for (std::size_t i = 0; i < report.records.size(); ++i) {
+    const VariantRecord& record = report.records[i];
+    if (record.target == whole_source || record.status == VariantStatus::unchecked) continue;
+    // A compiler that reached a limit or crashed has given no verdict on the variant.
+    if (!record.reproduction.empty()) continue;
+    Verdicts& of_variant = verdicts[variants.of_record(i)];
+    if (record.target == fxc_target)
+      of_variant.fxc = !failed(record);
+    else  // a target that is made from the module shows only that glslang made none
+      of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
+                           !(is_spirv_target(record.target) && refused(record));
+  }
+  FrontEnds counts;
+  for (const Verdicts& of_variant : verdicts) {
+    if (!of_variant.fxc || !of_variant.glslang) continue;
+    ++counts.compared;
+    counts.both += !*of_variant.fxc && !*of_variant.glslang ? 1 : 0;
+    counts.fxc_alone += !*of_variant.fxc && *of_variant.glslang ? 1 : 0;
+    counts.glslang_alone += *of_variant.fxc && !*of_variant.glslang ? 1 : 0;
+  }
+  return counts;
+}
+
+std::string text_of(const FrontEnds& counts) {
+  if (counts.compared == 0) return {};
+  return "of " + counted(counts.compared, "variant") + " that both compilers read, FXC alone refuses " +
+         std::to_string(counts.fxc_alone) + ", glslang alone " + std::to_string(counts.glslang_alone) +
+         ", both " + std::to_string(counts.both);
 }
 
 }  // namespace penumbra::validation

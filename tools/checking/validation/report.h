@@ -42,7 +42,7 @@ struct VariantRecord {
   std::size_t place = 0;     // place of the variant in the order of the whole request, including other shards
 };
 
-// A minimal set of keywords that is sufficient for one error (minimal_keywords.h).
+// A minimal set of keywords that is sufficient for one error.
 struct MinimalKeywords {
   hlsl::Diagnostic error;
   std::vector<std::string> keywords;  // if empty, every variant has it
@@ -92,5 +92,20 @@ std::string report_json(const ValidationReport& report);
 std::string report_sarif(const ValidationReport& report, const ReportStyle& style = {});
 std::string report_junit(const ValidationReport& report, const ReportStyle& style = {});
 std::string report_github(const ValidationReport& report, const ReportStyle& style = {});
+
+// A count of the variants that only one of the two compilers refuses: FXC, which decides in Unity, or
+// glslang, from whose SPIR-V all targets but d3d11 are made.
+struct FrontEnds {
+  std::size_t compared = 0;       // variants that both compiled or refused
+  std::size_t both = 0;           // refused by both
+  std::size_t fxc_alone = 0;      // refused by FXC alone
+  std::size_t glslang_alone = 0;  // refused by glslang alone: Unity would compile them for Direct3D
+};
+
+// Returns zeros where the report has results of one compiler only.
+FrontEnds front_ends(const ValidationReport& report);
+
+// Returns one line for a report; empty where nothing was compared.
+std::string text_of(const FrontEnds& counts);
 
 }  // namespace penumbra::validation

@@ -8,7 +8,6 @@
 
 #include "input/visible_text.h"
 #include "validation/report_findings.h"
-#include "validation/report_place.h"
 
 namespace penumbra::validation {
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "validation/front_ends.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {

@@ -1,7 +1,7 @@
 #include "hlsl/stage.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
-#include "validation/front_ends.h"
+#include "validation/report.h"
 #include "validation/report_merge.h"
 
 namespace penumbra::validation {

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "validation/report_findings.h"
-#include "validation/report_place.h"
 
 namespace penumbra::validation {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "input/visible_text.h"
-#include "validation/front_ends.h"
+#include "validation/report.h"
 #include "validation/report_findings.h"
 
 namespace penumbra::validation {

@@ -16,4 +16,10 @@ struct SourceVariant {
 // Returns the sources of the techniques and of the files.
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
 
+// Returns vertex and fragment stage of every raster pass and every kernel, in the order in which they run. A
+// pass that calls a filter has none of its own.
+std::vector<SourceVariant> pass_variants(const ValidationRequest& request,
+                                         const techniques::Technique& technique,
+                                         const std::vector<std::string>& keywords);
+
 }  // namespace penumbra::validation

@@ -98,4 +98,11 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes);
 std::optional<EmittedAnswer> decode_emitted_answer(std::string_view bytes);
 std::optional<shaders::Signature> decode_signature(std::string_view bytes);
 
+// The work that the units of a run share; less than `everything` is only for benchmarks.
+enum class Sharing {
+  nothing,       // every unit is processed on its own
+  declarations,  // unreached declarations are checked once (checked_declarations.h)
+  everything,    // each text, each reached text and each module is processed once
+};
+
 }  // namespace penumbra::validation

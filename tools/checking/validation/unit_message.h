@@ -12,9 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/entry_kind.h"
 #include "validation/kept_answers.h"
-#include "validation/sharing.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {

@@ -1,22 +1,45 @@
 #include "bake/baked_files.h"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
 
 #include "bake/height_file.h"
-#include "bake/png_16.h"
-#include "bake/texels_16.h"
 #include "input/input_error.h"
 #include "input/text_line.h"
 #include "platform/atomic_file.h"
 #include "platform/hashed_fields.h"
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 
 namespace penumbra::bake {
 namespace {
+
+[[noreturn]] void fail(png_structp /*png*/, png_const_charp message) {
+  throw std::invalid_argument(std::string("libpng: ") + message);
+}
+
+void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
+
+void append(png_structp png, png_bytep data, png_size_t length) {
+  auto& bytes = *static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
+  const auto* first = reinterpret_cast<const std::byte*>(data);
+  bytes.insert(bytes.end(), first, first + length);
+}
+
+struct Writer {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+  png_infop info = png_create_info_struct(png);
+
+  Writer() = default;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
 
 using Json = nlohmann::ordered_json;
 
@@ -190,6 +213,63 @@ HeightField read_height_field(const std::filesystem::path& json, const scene::Re
   } catch (const InputError& error) {
     throw InputError(json.string(), error.what());
   }
+}
+
+std::vector<std::byte> encode_png_16(int width, int height, int channels,
+                                     std::span<const std::uint16_t> samples) {
+  const bool whole = width > 0 && height > 0 && (channels == 1 || channels == 4) &&
+                     samples.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                                           static_cast<std::size_t>(channels);
+  if (!whole) throw std::invalid_argument("samples do not fit the picture's size");
+  std::vector<std::byte> bytes;
+  const Writer writer;
+  png_set_write_fn(writer.png, &bytes, append, nullptr);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 16,
+               channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(writer.png, writer.info);
+  const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+  std::vector<png_byte> big_endian(2 * row);
+  for (std::size_t y = static_cast<std::size_t>(height);
+       y-- > 0;) {  // the file begins with the picture's top row
+    for (std::size_t i = 0; i < row; ++i) {
+      const unsigned sample = samples[y * row + i];
+      big_endian[2 * i] = static_cast<png_byte>(sample >> 8U);
+      big_endian[2 * i + 1] = static_cast<png_byte>(sample & 0xFFU);
+    }
+    png_write_row(writer.png, big_endian.data());
+  }
+  png_write_end(writer.png, writer.info);
+  return bytes;
+}
+
+std::uint16_t as_16_bits(double share) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * 65535.0));
+}
+
+HeightRange range_of(const HeightField& field) {
+  const auto [low, high] = std::minmax_element(field.metres.begin(), field.metres.end());
+  return {static_cast<double>(*low), static_cast<double>(*high > *low ? *high : *low + 1.0F)};
+}
+
+std::vector<std::uint16_t> height_texels(const HeightField& field, const HeightRange& range) {
+  std::vector<std::uint16_t> texels;
+  texels.reserve(field.metres.size());
+  for (const float metres : field.metres)
+    texels.push_back(as_16_bits((static_cast<double>(metres) - range.low) / (range.high - range.low)));
+  return texels;
+}
+
+std::vector<std::uint16_t> angle_texels(const HorizonAngles& angles, int first) {
+  const std::size_t count = angles.radians[0].size();
+  std::vector<std::uint16_t> texels;
+  texels.reserve(horizon_channels * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int channel = 0; channel < horizon_channels; ++channel)
+      texels.push_back(
+          as_16_bits(static_cast<double>(angles.radians[static_cast<std::size_t>(first + channel)][i]) /
+                     (std::numbers::pi / 2.0)));
+  return texels;
 }
 
 }  // namespace penumbra::bake

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,5 +45,29 @@ void write_baked_files(const BakedFiles& files, const std::filesystem::path& jso
 // A height field that baked_files() wrote. Throws InputError at the JSON's line, and naming the picture where
 // that is broken or is not the one that the JSON file was written with.
 HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process);
+
+// The picture has width * height * channels samples, rows from the bottom, as in Unity's textures; 1 channel
+// is grey, 4 are RGBA. The same samples give the same bytes. Throws std::invalid_argument where the samples
+// do not fit.
+std::vector<std::byte> encode_png_16(int width, int height, int channels,
+                                     std::span<const std::uint16_t> samples);
+
+// Bakes as texels of 16 bits, as files and textures hold them: 8 bits are steps of 0.35 degrees of a quarter
+// turn, wider than the sun.
+//
+// Rows run from the smallest z, as in Unity's textures; the first texel is that of the smallest x.
+inline constexpr int horizon_channels = 4;  // directions in one texture
+
+// Returns the step of 65535 that is nearest to a share of [0, 1]; values outside go to the ends.
+std::uint16_t as_16_bits(double share);
+
+// Returns the field's lowest and highest ground; for level ground the range is a metre high.
+HeightRange range_of(const HeightField& field);
+
+// Returns one number for each height: 0 at range.low, 65535 at range.high.
+std::vector<std::uint16_t> height_texels(const HeightField& field, const HeightRange& range);
+
+// Returns four numbers for each texel, the angles of the directions from `first` on: 65535 is a quarter turn.
+std::vector<std::uint16_t> angle_texels(const HorizonAngles& angles, int first);
 
 }  // namespace penumbra::bake

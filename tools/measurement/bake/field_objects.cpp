@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "bake/texels_16.h"
+#include "bake/baked_files.h"
 #include "input/input_error.h"
 #include "reference/closest_surface.h"
 #include "reference/embree_scene.h"

@@ -10,8 +10,8 @@
 
 #include "input/input_error.h"
 #include "platform/content_hash.h"
+#include "reference/closest_surface.h"
 #include "reference/embree_scene.h"
-#include "reference/highest_surface.h"
 #include "scene/content_hash.h"
 
 namespace penumbra::bake {

@@ -3,7 +3,7 @@
 
 #include "bake/block_run.h"
 #include "bake/height_field.h"
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 #include "scene/scene.h"
 
 namespace penumbra::bake {

@@ -9,13 +9,10 @@
 
 #include "input/input_error.h"
 #include "lighting/daylight.h"
-#include "lighting/kept_light.h"
-#include "lighting/rows.h"
 #include "lighting/seen_materials.h"
 #include "lighting/shading.h"
 #include "lighting/sky_dome.h"
 #include "lighting/sky_light.h"
-#include "lighting/smoothed_light.h"
 #include "lighting/tone_curve.h"
 #include "reference/trace_visibility.h"
 

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "reference/row_blocks.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
 
@@ -38,5 +40,9 @@ SeenMaterials seen_materials(const scene::Scene& scene, const scene::Frame& fram
 // Returns one colour for each material, for uses that need only a mean: the material's own colour times the
 // mean of its texture.
 std::vector<glm::vec3> mean_colours(const scene::Scene& scene);
+
+// Calls row(0) .. row(height - 1), each once, in any order and from several threads; progress counts rows.
+// Throws platform::Interrupted when cancelled, and whatever row throws.
+void for_each_row(int height, const reference::RunOptions& run, const std::function<void(int)>& row);
 
 }  // namespace penumbra::lighting

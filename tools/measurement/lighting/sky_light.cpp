@@ -3,18 +3,101 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 
-#include "lighting/rows.h"
+#include "lighting/seen_materials.h"
+#include "platform/byte_stream.h"
+#include "platform/cache_store.h"
+#include "platform/content_hash.h"
 #include "reference/embree_scene.h"
 #include "reference/lit_receiver.h"
+#include "scene/cut_out.h"
 
 namespace penumbra::lighting {
 namespace {
+
+constexpr std::array<float, 5> kSpline{1.0F / 16, 1.0F / 4, 3.0F / 8, 1.0F / 4, 1.0F / 16};
+
+// Returns 1 for a neighbour on the same plane that faces the same way. The weight falls towards 0 over some
+// 15 degrees or a slope of one tenth.
+float likeness(const SurfacePoint& point, const SurfacePoint& other) {
+  const float cosine = glm::dot(point.normal, other.normal);
+  if (cosine <= 0.9F) return 0.0F;
+  const glm::vec3 apart = other.position - point.position;
+  const float distance = glm::length(apart);
+  if (distance == 0.0F) return 1.0F;
+  const float slope = std::abs(glm::dot(apart, point.flat_normal)) / distance;
+  const float facing = (cosine - 0.9F) * 10.0F;
+  return facing * facing * std::max(1.0F - 10.0F * slope, 0.0F);
+}
+
+std::vector<glm::vec3> one_pass(const SeenMaterials& seen, const std::vector<glm::vec3>& light, int step,
+                                const reference::RunOptions& run) {
+  std::vector<glm::vec3> result(light.size(), glm::vec3(0.0F));
+  const auto index = [&](int column, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.width) +
+           static_cast<std::size_t>(column);
+  };
+  for_each_row(seen.height, run, [&](int row) {
+    for (int column = 0; column < seen.width; ++column) {
+      const std::size_t pixel = index(column, row);
+      if (seen.seen[pixel] == 0) continue;
+      glm::vec3 sum(0.0F);
+      float weights = 0.0F;
+      for (int j = -2; j <= 2; ++j) {
+        for (int i = -2; i <= 2; ++i) {
+          const int x = column + i * step;
+          const int y = row + j * step;
+          if (x < 0 || y < 0 || x >= seen.width || y >= seen.height || seen.seen[index(x, y)] == 0) continue;
+          const std::size_t other = index(x, y);
+          const float weight = kSpline[static_cast<std::size_t>(i + 2)] *
+                               kSpline[static_cast<std::size_t>(j + 2)] *
+                               likeness(seen.points[pixel], seen.points[other]);
+          sum += light[other] * weight;
+          weights += weight;
+        }
+      }
+      result[pixel] = weights > 0.0F ? sum / weights : light[pixel];
+    }
+  });
+  return result;
+}
+
+constexpr std::string_view kKind = "light";
+constexpr int kVersion = 1;  // increased whenever a change affects any result
+
+std::string key_of(const scene::Scene& scene, const SeenMaterials& seen, const Surroundings& surroundings,
+                   int rays) {
+  platform::ContentHash hash;
+  hash.update(kKind).update(kVersion).update(rays);
+  hash.update(std::span<const glm::vec3>(scene.mesh.positions));
+  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
+  hash.update(std::span<const std::uint16_t>(scene.mesh.triangle_materials));
+  scene::CutOuts(scene).add_to(hash);
+  hash.update(std::span<const glm::vec3>(mean_colours(scene)));
+  for (const scene::Material& material : scene.materials) hash.update(double(material.translucency));
+  hash.update(surroundings.sky.table());
+  hash.update(std::span<const glm::vec3>(&surroundings.to_sun, 1));
+  hash.update(std::span<const glm::vec3>(&surroundings.sun, 1));
+  hash.update(seen.width).update(seen.height);
+  hash.update(std::span<const std::uint8_t>(seen.seen));
+  for (const SurfacePoint& point : seen.points) {
+    hash.update(std::span<const glm::vec3>(&point.position, 1));
+    hash.update(std::span<const glm::vec3>(&point.flat_normal, 1));
+    hash.update(std::span<const glm::vec3>(&point.normal, 1));
+    hash.update(double(point.translucency));
+  }
+  return hash.hex();
+}
 
 constexpr int kPacket = 16;
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
@@ -206,6 +289,29 @@ std::vector<glm::vec3> sky_light(const scene::Scene& scene, const SeenMaterials&
       if (seen.seen[pixel] != 0) light[pixel] = gatherer.gather(seen.points[pixel], pixel);
     }
   });
+  return light;
+}
+
+std::vector<glm::vec3> kept_sky_light(const scene::Scene& scene, const SeenMaterials& seen,
+                                      const Surroundings& surroundings, int rays,
+                                      const std::filesystem::path& folder, const reference::RunOptions& run) {
+  const std::string key = key_of(scene, seen, surroundings, rays);
+  const platform::CacheStore store(folder.empty() ? platform::cache_directory("reference") : folder);
+  if (const std::optional<std::string> entry = store.find(kKind, key)) {
+    platform::ByteReader reader(*entry);
+    std::vector<glm::vec3> kept = reader.values<glm::vec3>();
+    if (reader.exhausted() && kept.size() == seen.points.size()) return kept;
+  }
+  std::vector<glm::vec3> light = sky_light(scene, seen, surroundings, rays, run);
+  platform::ByteWriter writer;
+  writer.values(light);
+  store.store(kKind, key, writer.take());
+  return light;
+}
+
+std::vector<glm::vec3> smoothed(const SeenMaterials& seen, std::vector<glm::vec3> light, int passes,
+                                const reference::RunOptions& run) {
+  for (int pass = 0; pass < passes; ++pass) light = one_pass(seen, light, 1 << pass, run);
   return light;
 }
 

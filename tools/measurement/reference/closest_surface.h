@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "reference/embree_scene.h"
@@ -53,6 +55,22 @@ class ClosestSurface {
   std::vector<glm::dvec3> corner_normals_;  // one for each vertex
   std::size_t open_edges_ = 0;
   double outwards_ = 1.0;  // -1 where normals point inwards
+};
+
+// The height of a scene's highest surface over a point of the map, as a height field keeps it.
+class HighestSurface {
+ public:
+  // The constructor keeps references to both; `rays` must be made of that scene.
+  HighestSurface(const EmbreeScene& rays, const scene::Scene& scene);
+
+  // Returns metres relative to the scene's origin, or nothing where no surface is. A ray straight down finds
+  // it and passes where a material is cut out. The scene's edges belong to its surface. Reentrant.
+  std::optional<double> at(glm::dvec2 xz) const;
+
+ private:
+  const EmbreeScene& rays_;
+  double above_ = 0.0;      // the height at which rays begin, over everything
+  glm::vec2 middle_{0.0F};  // the middle of the bounds
 };
 
 }  // namespace penumbra::reference

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "platform/byte_stream.h"
-#include "platform/cache_folder.h"
 
 namespace penumbra::reference {
 namespace {

@@ -1,5 +1,8 @@
 #include "reference/trace_visibility.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -7,9 +10,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "input/input_error.h"
 #include "platform/content_hash.h"
+#include "reference/disc_samples.h"
 #include "reference/disc_tracer.h"
 #include "reference/embree_scene.h"
 #include "reference/lit_receiver.h"
@@ -17,6 +22,30 @@
 
 namespace penumbra::reference {
 namespace {
+
+constexpr std::uint32_t kPoints = 64;
+
+std::vector<glm::dvec3> directions_to(const DiscLight& light) {
+  std::vector<glm::dvec3> directions;
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const glm::dvec2 point = concentric_disc(scrambled_sobol(i, 0)) * light.tan_half;
+    directions.push_back(glm::normalize(light.to_light + point.x * light.right + point.y * light.up));
+  }
+  return directions;
+}
+
+double passing(const scene::CloudLayer& layer, const glm::dvec3& from,
+               const std::vector<glm::dvec3>& directions) {
+  const double rise = layer.altitude_metres - from.y;
+  if (rise < 0.0) return 1.0;
+  double sum = 0.0;
+  for (const glm::dvec3& direction : directions) {
+    if (direction.y <= 0.0) continue;
+    const glm::dvec3 at = from + direction * (rise / direction.y);
+    sum += std::pow(scene::cloud_transmittance(layer, {at.x, at.z}), 1.0 / direction.y);
+  }
+  return sum / static_cast<double>(directions.size());
+}
 
 constexpr int tracing_version = 1;  // increased whenever a change affects any result
 
@@ -104,6 +133,18 @@ VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receive
   check_samples(options.samples);
   const LightSource source(light);
   return trace({scene, receivers, source, key_of(scene, receivers, light, options)}, options, run, cache);
+}
+
+void shade_by_clouds(VisibilityImage& image, const scene::Scene& scene, const scene::Receivers& receivers,
+                     const parameters::Light& light) {
+  if (!scene.clouds) return;
+  const std::vector<glm::dvec3> directions = directions_to(disc_light(light));
+  for (std::size_t pixel = 0; pixel < image.visibility.size(); ++pixel) {
+    if (image.valid[pixel] == 0) continue;
+    const glm::dvec3 from = scene.origin + glm::dvec3(receivers.position_relative[pixel]);
+    const double clouds = std::clamp(passing(*scene.clouds, from, directions), 0.0, 1.0);
+    image.visibility[pixel] = static_cast<float>(image.visibility[pixel] * clouds);
+  }
 }
 
 }  // namespace penumbra::reference

@@ -8,6 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <vector>
 
+#include "gpu/resources.h"
+#include "resolve/uniform_values.h"
 #include "scene/frame.h"
 
 namespace penumbra::resolve {
@@ -39,5 +41,12 @@ std::vector<T> rows_from_top(const std::vector<T>& image, int width, RowOrder ro
   }
   return turned;
 }
+
+// Returns width, height and their inverses, as _PenumbraTargetSize and similar uniforms hold them.
+glm::vec4 texture_size(int width, int height);
+glm::vec4 texture_size(const gpu::Image& image);
+
+// Without a second eye, the first eye stands for both.
+void set_screen(UniformValues& values, const CameraImage& camera, const CameraImage* second_eye = nullptr);
 
 }  // namespace penumbra::resolve

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "fxc/judge.h"
 #include "platform/worker_pool.h"
 #include "shaders/compile.h"
 
@@ -29,5 +30,9 @@ struct Compiler {
   // glslang's modules. It is called in this process.
   BytecodeCompiler fxc;
 };
+
+// One FXC compiles all programs, in its own confined process; it starts with the first. It throws InputError
+// for a program with which FXC crashes or exceeds a limit. Not thread-safe.
+BytecodeCompiler bytecode_by_fxc(const fxc::Installation& installation, const fxc::JudgeLimits& limits = {});
 
 }  // namespace penumbra::resolve

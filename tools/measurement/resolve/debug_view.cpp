@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "platform/hashed_fields.h"
-#include "resolve/screen_uniforms.h"
 
 namespace penumbra::resolve {
 namespace {

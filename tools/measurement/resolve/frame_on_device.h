@@ -11,7 +11,7 @@
 #include "resolve/camera_image.h"
 #include "resolve/casters_on_device.h"
 #include "resolve/frame_inputs.h"
-#include "resolve/map_layout.h"
+#include "resolve/graph_resources.h"
 #include "resolve/uniform_values.h"
 #include "scene/frame.h"
 

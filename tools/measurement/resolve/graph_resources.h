@@ -7,10 +7,17 @@
 #include <vector>
 
 #include "gpu/resources.h"
-#include "resolve/map_layout.h"
 #include "techniques/pass_graph.h"
 
 namespace penumbra::resolve {
+
+// The places of the cascades' tiles in the shadow map.
+struct MapLayout {
+  int width = 0;  // texels, all cascades
+  int height = 0;
+  int tile = 0;                             // side of a cascade's square tile
+  std::vector<std::array<int, 2>> origins;  // x, y of each cascade's tile
+};
 
 // The sizes in texels that a graph's extents are shares of.
 struct GraphExtents {
@@ -40,5 +47,11 @@ class GraphResources {
   std::map<std::string, gpu::Image> textures_;
   std::map<std::string, gpu::Buffer> buffers_;
 };
+
+// If a texture is written for one cascade after the other and its texels stand for several of the map's, it
+// needs a tile of whole texels: otherwise two cascades share one. Throws InputError with the texture, the
+// tile and the way out. `subject` is the owner of the graph; `tiles_across` counts the map's tiles.
+void require_whole_tiles(const techniques::PassGraph& graph, const std::string& subject, int tile_texels,
+                         int tiles_across);
 
 }  // namespace penumbra::resolve

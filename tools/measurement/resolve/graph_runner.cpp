@@ -10,9 +10,7 @@
 #include "input/input_error.h"
 #include "resolve/graph_resources.h"
 #include "resolve/pass_geometry.h"
-#include "resolve/screen_uniforms.h"
 #include "resolve/texel_counter.h"
-#include "resolve/whole_tiles.h"
 #include "shaders/counted_module.h"
 #include "techniques/technique_call.h"
 

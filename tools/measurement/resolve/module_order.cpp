@@ -1,18 +1,24 @@
 #include "resolve/module_order.h"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
+#include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
-#include "resolve/adapter_checks.h"
-#include "resolve/named_places.h"
-#include "resolve/required_module.h"
+#include "resolve/frame_on_device.h"
 #include "shaders/bytecode_module.h"
 #include "shaders/compile_message.h"
 #include "shaders/compiler_failure.h"
 #include "shaders/counted_module.h"
+#include "shaders/discards.h"
+#include "shaders/function_results.h"
+#include "shaders/pipeline_interface.h"
+#include "shaders/sampler_uses.h"
 #include "shaders/spirv_module.h"
+#include "shaders/texture_kinds.h"
 #include "shaders/translation_steps.h"
 
 namespace penumbra::resolve {
@@ -21,6 +27,211 @@ using platform::ByteReader;
 using platform::ByteWriter;
 
 namespace {
+
+// The message for compiler errors about this name.
+struct MissingName {
+  std::string name;
+  std::string remedy;
+};
+
+// A vertex shader's module, with the semantics of those inputs that it reads, by location.
+struct VertexModule {
+  std::vector<std::uint32_t> spirv;
+  std::map<std::uint32_t, std::string> inputs;
+};
+
+// Returns the way out for what the compiler does not know.
+std::string remedy_of(const std::string& messages, const MissingName& needed) {
+  if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.remedy;
+  for (const char* macro : {"'TEXTURE2D_ARRAY'", "'TEXTURECUBE'", "'TEXTURECUBE_ARRAY'", "'TEXTURE3D'"}) {
+    if (messages.find(macro) != std::string::npos) return "only 2D textures are provided: TEXTURE2D";
+  }
+  return "";
+}
+
+void require_success(const shaders::CompileRequest& request, const std::vector<hlsl::Diagnostic>& diagnostics,
+                     const MissingName* needed = nullptr) {
+  if (!hlsl::has_errors(diagnostics)) return;
+  std::string messages;
+  for (const hlsl::Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.severity == hlsl::Severity::error)
+      messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
+  }
+  const std::string remedy = needed == nullptr ? "" : remedy_of(messages, *needed);
+  // The messages are the way out of the error, because only there do lines stay lines.
+  throw InputError(request.file.string(),
+                   "does not compile:", messages + (remedy.empty() ? "" : "\n  " + remedy));
+}
+
+// Returns the module; throws InputError with the compiler's messages. `notes` are formatted messages,
+// `sources` the texts that were read, and `unoptimised` as in shaders::CompileResult.
+std::vector<std::uint32_t> required_module(const shaders::CompileRequest& request,
+                                           std::vector<std::string>* notes = nullptr,
+                                           const MissingName* needed = nullptr,
+                                           hlsl::SourceFiles* sources = nullptr,
+                                           std::vector<std::uint32_t>* unoptimised = nullptr) {
+  shaders::CompileResult result = shaders::compile(request);
+  if (unoptimised != nullptr) *unoptimised = std::move(result.unoptimised);
+  if (sources != nullptr) *sources = result.sources;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
+      notes->push_back(hlsl::format(diagnostic));
+    }
+  }
+  require_success(request, result.diagnostics, needed);
+  return std::move(result.spirv);
+}
+
+// Returns the text without includes and macros, for another compiler: nothing in it is prepared for glslang.
+// Throws as above.
+std::string required_text(const shaders::CompileRequest& request, hlsl::SourceFiles* sources = nullptr) {
+  shaders::CompileRequest unprepared = request;
+  unprepared.prepare = false;
+  shaders::PreprocessedSource source = shaders::preprocess(unprepared);
+  require_success(request, source.diagnostics);
+  if (sources != nullptr) *sources = std::move(source.sources);
+  return std::move(source.text);
+}
+
+VertexModule vertex_module(std::vector<std::uint32_t> spirv, const shaders::Signature& signature,
+                           const std::string& entry) {
+  VertexModule module{std::move(spirv), {}};
+  for (const shaders::StageLocation& input : shaders::pipeline_interface(module.spirv, entry).inputs) {
+    const auto element =
+        std::find_if(signature.begin(), signature.end(), [&](const shaders::SignatureElement& declared) {
+          return !declared.output && declared.location == static_cast<int>(input.location);
+        });
+    module.inputs[input.location] = element == signature.end() ? "" : element->semantic;
+  }
+  return module;
+}
+
+VertexModule required_vertex_module(const shaders::CompileRequest& request) {
+  shaders::CompileResult result = shaders::compile(request);
+  require_success(request, result.diagnostics);
+  return vertex_module(std::move(result.spirv), result.signature, request.entry);
+}
+
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// Returns the first line of any text that has the name as a word, or 0.
+int line_of_name(const std::string& text, const std::string& name) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool whole = (at == 0 || !is_name_character(text[at - 1])) &&
+                       (end == text.size() || !is_name_character(text[end]));
+    if (whole)
+      return static_cast<int>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+             1;
+  }
+  return 0;
+}
+
+// Returns the place in the first file that was read and has the name. The user's own file is read before
+// those that it includes.
+std::string place_of_name(const hlsl::SourceFiles& sources, const std::string& name) {
+  for (const std::string& file : sources.names()) {
+    const int line = line_of_name(sources.text(file), name);
+    if (line != 0) return file + ":" + std::to_string(line);
+  }
+  return "";
+}
+
+// Returns "file:line" of the first file that was read and has the name, for this function and for every
+// resource and uniform that the module reads.
+std::map<std::string, std::string> named_places(const std::vector<std::uint32_t>& spirv,
+                                                const hlsl::SourceFiles& sources,
+                                                const std::string& function) {
+  std::map<std::string, std::string> places;
+  const auto add = [&](const std::string& name) {
+    const std::string place = place_of_name(sources, name);
+    if (!place.empty()) places[name] = place;
+  };
+  add(function);
+  for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
+    add(resource.name);
+    for (const shaders::UniformMember& member : resource.members) {
+      if (member.read) add(member.name);
+    }
+  }
+  return places;
+}
+
+using shaders::SpirvModule;
+
+std::string text_of(const shaders::SourcePlace& place, const std::string& shader) {
+  return place.line == 0 ? shader : place.file + ":" + std::to_string(place.line);
+}
+
+bool compares(const std::string& sampler) {
+  // Samplers of the user's textures do not compare.
+  return FrameOnDevice::sampler_compares(sampler).value_or(false);
+}
+
+// The shader may declare a sampler as another kind than the one its name stands for.
+void refuse_misused_samplers(const SpirvModule& module, const std::string& shader) {
+  for (const shaders::SamplerUse& use : shaders::sampler_uses(module)) {
+    if (use.compares == compares(use.sampler)) continue;
+    if (use.compares) {
+      throw InputError(text_of(use.place, shader),
+                       "compares through '" + use.sampler + "', which is not a comparison sampler",
+                       "use sampler_LinearClampCompare, or read without comparing");
+    }
+    throw InputError(text_of(use.place, shader),
+                     "reads without comparing through '" + use.sampler + "', which is a comparison sampler",
+                     "use sampler_LinearClamp or SAMPLE_TEXTURE2D_SHADOW");
+  }
+}
+
+// A pixel that is discarded writes no result, so what is read there is whatever the memory held.
+void refuse_discard(const SpirvModule& module, const std::string& shader) {
+  const std::optional<shaders::SourcePlace> place = shaders::first_discard(module);
+  if (!place) return;
+  throw InputError(text_of(*place, shader), "discards the pixel, so there is no visibility to measure there",
+                   "return 1.0 (lit) or 0.0 (in shadow) instead of 'discard' and 'clip'");
+}
+
+// HLSL would take the first of several numbers without a message.
+void refuse_several_numbers(const SpirvModule& unoptimised, const std::string& where) {
+  if (!shaders::returns_several_numbers(unoptimised, "ShadowVisibility")) return;
+  throw InputError(where, "ShadowVisibility returns more than one number",
+                   "it returns a float, the visibility: 1 = lit, 0 = in shadow");
+}
+
+std::string place_of(const std::map<std::string, std::string>& places, const std::string& name,
+                     const std::string& shader) {
+  const auto found = places.find(name);
+  return found == places.end() ? shader : found->second;
+}
+
+void refuse_other_textures(const SpirvModule& module, const std::map<std::string, std::string>& places,
+                           const std::string& shader) {
+  for (const std::string& texture : shaders::textures_that_are_not_2d(module)) {
+    throw InputError(place_of(places, texture, shader), "'" + texture + "' is not a plain 2D texture",
+                     "only 2D textures are provided: TEXTURE2D");
+  }
+}
+
+// `unoptimised` is the function's module before optimisation, with debug lines; `places` is
+// CompiledShadowShader::named_at. Throws InputError, naming the line or else the shader, for
+// - a comparison through a sampler that does not compare, and other reads through one that does;
+// - `discard` and `clip`;
+// - textures other than plain 2D ones;
+// - a ShadowVisibility that returns more than one number.
+void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader,
+                   const std::map<std::string, std::string>& places) {
+  refuse_several_numbers(unoptimised, place_of(places, "ShadowVisibility", shader));
+  SpirvModule module = std::move(unoptimised);
+  std::vector<std::string> problems;
+  // The checks apply to the module that ships.
+  if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;
+  refuse_misused_samplers(module, shader);
+  refuse_discard(module, shader);
+  refuse_other_textures(module, places, shader);
+}
 
 const MissingName kAdapterFunction{
     "ShadowVisibility",

@@ -20,7 +20,7 @@ struct ModuleOrder {
   std::optional<shaders::CompileRequest> vertex;
   shaders::CompileRequest plain;
   bool names_places = false;  // CompiledModules::named_at
-  bool is_adapter = false;    // true if adapter_checks.h applies
+  bool is_adapter = false;    // true if the checks of adapters apply
 };
 
 struct CompiledModules {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "resolve/screen_uniforms.h"
+#include "resolve/camera_image.h"
 
 namespace penumbra::resolve {
 namespace {

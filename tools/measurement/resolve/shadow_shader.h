@@ -5,6 +5,7 @@
 // file, which brings its own; then shaders/Resolve.hlsl, whose Main runs once per receiver.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,13 +16,37 @@
 #include "platform/worker_pool.h"
 #include "resolve/adapter_resources.h"
 #include "resolve/module_order.h"
-#include "resolve/technique_uniforms.h"
-#include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
 #include "shaders/compile.h"
+#include "shaders/reflect.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::resolve {
+
+// The numbers by the name of a uniform ("_Taps"), an element ("_Taps[3]") or a field ("_Settings.radius",
+// "_Lights[1].colour"). They fill it in the order of its declaration, a matrix row by row as mul(M, v) reads
+// it.
+using UniformNumbers = std::map<std::string, std::vector<double>>;
+
+// Throws InputError for a name that none of the blocks has (with the nearest one and those that are read),
+// for too few or too many numbers, and for an int uniform whose number is no integer. The message names the
+// uniform's place, or else `shader`.
+void check_numbers(const UniformNumbers& numbers, const std::vector<shaders::Resource>& resources,
+                   const std::string& shader, const std::map<std::string, std::string>& places = {});
+
+// Writes those of the numbers that belong to this block.
+void write_numbers(const UniformNumbers& numbers, const shaders::Resource& block,
+                   std::vector<std::byte>& bytes);
+
+// Returns whether any of the numbers belongs to this uniform or a part of it.
+bool has_numbers(const UniformNumbers& numbers, const std::string& uniform);
+
+// The uniforms of a technique's parameters, packed as the shaders unpack them
+// (techniques/parameter_packing.h).
+enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides
+
+UniformValues parameter_uniforms(const techniques::TechniqueList& list,
+                                 const techniques::Technique& technique, Taps taps = Taps::as_listed);
 
 struct ShadowShader {
   std::string name;

@@ -2,12 +2,244 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <tuple>
+
+#include "gpu/raster_pass.h"
 #include "input/input_error.h"
-#include "scene/seen_surfaces.h"
-#include "scene/shadow_map.h"
+#include "parameters/half_angle.h"
+#include "scene/mesh_on_device.h"
 
 namespace penumbra::scene {
+
+// The passes by format, kind of light, reversed Z, and the rasteriser's constant and slope bias. Each is made
+// when first needed.
+class ShadowMapPasses {
+ public:
+  ShadowMapPasses(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
+
+  // `origin` is the world position of the mesh's own origin.
+  ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
+                   const FrameSettings& settings);
+  ShadowAtlas draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                   const FrameSettings& settings);
+
+ private:
+  struct Target {
+    int width;
+    int height;
+    bool reversed_z;
+    bool spot_light;
+  };
+  using Key = std::tuple<DepthFormat, bool, bool, double, double>;
+
+  gpu::RasterPass& pass(const Key& key);
+  ShadowAtlas draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
+                   const FrameSettings& settings);
+
+  const gpu::Device& device_;
+  const MeshOnDevice& mesh_;
+  std::map<Key, gpu::RasterPass> passes_;
+};
+
+// Draws the surfaces that the camera sees and turns them into receivers.
+class SeenSurfacesPass {
+ public:
+  SeenSurfacesPass(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
+
+  // `scene` must be the one that the mesh was made from.
+  Receivers draw(const Scene& scene, const FrameSettings& settings);
+
+ private:
+  const gpu::Device& device_;
+  const MeshOnDevice& mesh_;
+  std::optional<gpu::RasterPass> pass_;
+};
+
 namespace {
+
+// The uniforms CasterTile of ShadowCaster.hlsl.
+struct CasterTile {
+  glm::vec4 shadow_row[3];
+  glm::vec4 toward_light;
+  glm::vec4 bias;
+};
+
+// The same uniforms with PENUMBRA_SPOT_LIGHT.
+struct SpotTile {
+  glm::vec4 shadow_row[4];
+  glm::vec4 light_position;
+  glm::vec4 bias;
+};
+
+gpu::Format gpu_format(DepthFormat format) {
+  if (format == DepthFormat::d16) return gpu::Format::depth16;
+  return format == DepthFormat::d24 ? gpu::Format::depth24 : gpu::Format::depth32;
+}
+
+// Returns a row of the matrix for positions relative to `origin`, in double until it is stored.
+glm::dvec4 row_from_origin(const glm::dmat4& matrix, int row, const glm::dvec3& origin) {
+  return {matrix[0][row], matrix[1][row], matrix[2][row], (matrix * glm::dvec4(origin, 1.0))[row]};
+}
+
+// Maps atlas UV to the tile's clip space, whose y = -1 is the tile's first row, as v grows with the row.
+glm::vec4 clip_row(const glm::dvec4& uv_row, double offset, double scale) {
+  glm::dvec4 row = uv_row * (2.0 / scale);
+  row.w -= 2.0 * offset / scale + 1.0;
+  return glm::vec4(row);
+}
+
+template <typename Constants>
+std::vector<std::byte> bytes_of(const Constants& constants) {
+  std::vector<std::byte> bytes(sizeof(constants));
+  std::memcpy(bytes.data(), &constants, sizeof(constants));
+  return bytes;
+}
+
+gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cascade& cascade,
+                        const glm::dvec3& origin, std::uint32_t vertex_count) {
+  const glm::dmat4& matrix = cascade.world_to_shadow;
+  const glm::dvec4& place = cascade.offset_scale;
+  CasterTile constants;
+  constants.shadow_row[0] = clip_row(row_from_origin(matrix, 0, origin), place.x, place.z);
+  constants.shadow_row[1] = clip_row(row_from_origin(matrix, 1, origin), place.y, place.w);
+  constants.shadow_row[2] = glm::vec4(row_from_origin(matrix, 2, origin));
+  constants.toward_light = glm::vec4(glm::vec3(-set.light_direction), 0.0F);
+  constants.bias = {float(cascade.depth_bias_metres), float(cascade.normal_bias_metres), 0.0F, 0.0F};
+
+  gpu::RasterTile tile;
+  tile.x = static_cast<int>(std::lround(place.x * set.atlas_width));
+  tile.y = static_cast<int>(std::lround(place.y * set.atlas_height));
+  tile.width = tile.height = set.tile_resolution;
+  tile.vertex_count = vertex_count;
+  tile.push_constants = bytes_of(constants);
+  return tile;
+}
+
+// The rows map UV times w to clip space: 2 uv - 1, times w.
+gpu::RasterTile tile_of(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                        std::uint32_t vertex_count) {
+  glm::dvec4 rows[4];
+  for (int row = 0; row < 4; ++row) rows[row] = row_from_origin(spot.world_to_shadow, row, origin);
+  SpotTile constants;
+  constants.shadow_row[0] = glm::vec4(2.0 * rows[0] - rows[3]);
+  constants.shadow_row[1] = glm::vec4(2.0 * rows[1] - rows[3]);
+  constants.shadow_row[2] = glm::vec4(rows[2]);
+  constants.shadow_row[3] = glm::vec4(rows[3]);
+  constants.light_position = glm::vec4(glm::vec3(spot.light.position - origin), 0.0F);
+  constants.bias = {float(spot.depth_bias_metres), float(spot.normal_bias_metres), 0.0F, 0.0F};
+
+  gpu::RasterTile tile;
+  tile.width = tile.height = spot.resolution;
+  tile.vertex_count = vertex_count;
+  tile.push_constants = bytes_of(constants);
+  return tile;
+}
+
+// Returns the texel's number as the sampler returns it: unorm formats divide by their largest integer.
+float decode(DepthFormat format, const std::byte* texel) {
+  if (format == DepthFormat::d16) {
+    std::uint16_t stored = 0;
+    std::memcpy(&stored, texel, sizeof(stored));
+    return float(stored) / 65535.0F;
+  }
+  if (format == DepthFormat::d24) {
+    std::uint32_t stored = 0;
+    std::memcpy(&stored, texel, sizeof(stored));
+    return static_cast<float>(double(stored & 0xFF'FFFFU) / 16777215.0);
+  }
+  float stored = 0.0F;
+  std::memcpy(&stored, texel, sizeof(stored));
+  return stored;
+}
+
+// SeenSurface.hlsl adds it to the triangle's number.
+constexpr std::uint32_t first_triangle_bits = 0x4000'0000U;
+
+// The uniforms CameraView of SeenSurface.hlsl.
+struct CameraView {
+  glm::vec4 view_row[3];
+  glm::vec4 near_plane;
+};
+
+glm::vec4 row(const glm::dvec3& axis, const glm::dvec3& eye) {
+  return {axis, -glm::dot(axis, eye)};
+}
+
+// Unity's world is left-handed: right = up x forward.
+CameraView view_of(const parameters::Camera& camera, const glm::dvec2& lens_shift) {
+  const glm::dvec3 forward = glm::normalize(camera.forward);
+  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward));
+  const glm::dvec3 up = glm::cross(forward, right);
+  const double tan_half = parameters::tan_half(camera.fov_y_degrees);
+  return {{row(right / (tan_half * camera.aspect) - forward * lens_shift.x, camera.position),
+           row(forward * lens_shift.y - up / tan_half, camera.position), row(forward, camera.position)},
+          glm::vec4(float(camera.near_plane), 0.0F, 0.0F, 0.0F)};
+}
+
+struct Surface {
+  std::size_t triangle;
+  glm::dvec3 position;
+  glm::dvec3 normal;
+};
+
+// The interpolated point is moved onto its triangle's plane along the plane's normal: interpolation errs by
+// far more than a float's rounding, and an error along the normal would be a false shadow.
+std::optional<Surface> surface_at(const Mesh& mesh, const glm::dvec3& eye, const glm::vec4& texel) {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(texel.w);
+  if (bits < first_triangle_bits) return std::nullopt;
+  const std::size_t triangle = bits - first_triangle_bits;
+  const glm::dvec3 a(mesh.positions[mesh.indices[3 * triangle]]);
+  const glm::dvec3 b(mesh.positions[mesh.indices[3 * triangle + 1]]);
+  const glm::dvec3 c(mesh.positions[mesh.indices[3 * triangle + 2]]);
+  const glm::dvec3 across = glm::cross(b - a, c - a);
+  const double length = glm::length(across);
+  if (!(length > 0.0)) return std::nullopt;
+  const glm::dvec3 normal = across / length;
+  const glm::dvec3 seen(texel);
+  const glm::dvec3 position = seen - normal * glm::dot(normal, seen - a);
+  return Surface{triangle, position, glm::dot(normal, eye - position) < 0.0 ? -normal : normal};
+}
+
+Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
+                       const std::vector<glm::vec4>& texels) {
+  Receivers receivers;
+  receivers.width = settings.width;
+  receivers.height = settings.height;
+  receivers.position_ws.resize(texels.size(), glm::vec4(0.0F));
+  receivers.position_relative.resize(texels.size(), glm::vec4(0.0F));
+  receivers.normal_ws.resize(texels.size(), glm::vec4(0.0F));
+  receivers.triangle.resize(texels.size(), no_triangle);
+  const double farthest = std::min(std::max(settings.shadows.distance_metres, scene.seen_distance_metres),
+                                   scene.camera.far_plane);
+  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
+    const std::optional<Surface> surface = surface_at(scene.mesh, scene.camera.position, texels[pixel]);
+    if (!surface) continue;
+    receivers.triangle[pixel] = static_cast<std::uint32_t>(surface->triangle);
+    if (glm::distance(surface->position, scene.camera.position) > farthest) continue;
+    receivers.position_ws[pixel] = glm::vec4(glm::vec3(scene.origin + surface->position), 1.0F);
+    receivers.position_relative[pixel] = glm::vec4(glm::vec3(surface->position), 1.0F);
+    receivers.normal_ws[pixel] = glm::vec4(glm::vec3(surface->normal), 0.0F);
+  }
+  return receivers;
+}
+
+gpu::RasterShaders shaders_of_pass(bool cut_outs) {
+  gpu::RasterShaders shaders;
+  shaders.vertex = compile_scene_shader({"SeenSurface.hlsl", "Vertex", hlsl::Stage::vertex, true, cut_outs});
+  shaders.fragment =
+      compile_scene_shader({"SeenSurface.hlsl", "Fragment", hlsl::Stage::fragment, true, cut_outs});
+  shaders.vertex_entry = "Vertex";
+  shaders.fragment_entry = "Fragment";
+  shaders.colours = {gpu::Format::rgba32f};
+  shaders.depth = gpu::Format::depth32;
+  shaders.depth_test = gpu::DepthTest::greater;
+  return shaders;
+}
 
 const Mesh& checked(const Scene& scene) {
   const Mesh& mesh = scene.mesh;
@@ -72,6 +304,81 @@ parameters::CascadeSet conventions_of(const parameters::SpotShadow& shadow) {
 
 }  // namespace
 
+gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
+  const auto found = passes_.find(key);
+  if (found != passes_.end()) return found->second;
+  const auto [format, spot_light, reversed_z, constant_bias, slope_bias] = key;
+  const float away_from_light = reversed_z ? -1.0F : 1.0F;
+  gpu::RasterShaders shaders;
+  SceneShader shader{"ShadowCaster.hlsl",        "Main",    hlsl::Stage::vertex, reversed_z,
+                     mesh_.cut_outs.has_value(), spot_light};
+  shaders.vertex = compile_scene_shader(shader);
+  if (shader.cut_outs) {
+    shader.entry = shaders.fragment_entry = "Fragment";
+    shader.stage = hlsl::Stage::fragment;
+    shaders.fragment = compile_scene_shader(shader);
+  }
+  shaders.depth = gpu_format(format);
+  shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
+  shaders.constant_depth_bias = away_from_light * static_cast<float>(constant_bias);
+  shaders.slope_depth_bias = away_from_light * static_cast<float>(slope_bias);
+  gpu::RasterPass made(device_, shaders);
+  mesh_.bind_to(made.bindings());
+  return passes_.emplace(key, std::move(made)).first->second;
+}
+
+ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
+                                  const FrameSettings& settings) {
+  std::vector<gpu::RasterTile> tiles;
+  for (const parameters::Cascade& cascade : cascades.cascades) {
+    tiles.push_back(tile_of(cascades, cascade, origin, mesh_.vertex_count));
+  }
+  return draw({cascades.atlas_width, cascades.atlas_height, cascades.reversed_z, false}, tiles, settings);
+}
+
+ShadowAtlas ShadowMapPasses::draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                                  const FrameSettings& settings) {
+  return draw({spot.resolution, spot.resolution, spot.reversed_z, true},
+              {tile_of(spot, origin, mesh_.vertex_count)}, settings);
+}
+
+ShadowAtlas ShadowMapPasses::draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
+                                  const FrameSettings& settings) {
+  const DepthFormat format = settings.format;
+  const gpu::Image image(device_, gpu_format(format), target.width, target.height);
+  gpu::RasterTargets targets;
+  targets.depth = &image;
+  targets.clear_depth = target.reversed_z ? 0.0F : 1.0F;
+  const RasterBias& bias = settings.raster_bias;
+  pass({format, target.spot_light, target.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
+
+  ShadowAtlas atlas;
+  atlas.width = target.width;
+  atlas.height = target.height;
+  atlas.format = format;
+  atlas.texels = image.download<std::byte>();
+  const std::size_t stride = gpu::texel_bytes(image.format());
+  atlas.depth.resize(atlas.texels.size() / stride);
+  for (std::size_t texel = 0; texel < atlas.depth.size(); ++texel) {
+    atlas.depth[texel] = decode(format, &atlas.texels[texel * stride]);
+  }
+  return atlas;
+}
+
+Receivers SeenSurfacesPass::draw(const Scene& scene, const FrameSettings& settings) {
+  if (!pass_) {
+    pass_.emplace(device_, shaders_of_pass(mesh_.cut_outs.has_value()));
+    mesh_.bind_to(pass_->bindings());
+  }
+  const gpu::Image seen(device_, gpu::Format::rgba32f, settings.width, settings.height);
+  const gpu::Image depth(device_, gpu::Format::depth32, settings.width, settings.height);
+  const CameraView view = view_of(scene.camera, settings.lens_shift);
+  gpu::RasterTile whole{0, 0, settings.width, settings.height, mesh_.vertex_count, {}};
+  whole.push_constants.resize(sizeof(view));
+  std::memcpy(whole.push_constants.data(), &view, sizeof(view));
+  pass_->draw({{&seen}, &depth, 0.0F}, {whole});
+  return receivers_of(scene, settings, seen.download<glm::vec4>());
+}
 struct Rasteriser::State {
   State(gpu::Device& device, const Scene& given)
       : scene(given),

@@ -11,7 +11,6 @@
 
 #include "input/input_error.h"
 #include "input/text_file.h"
-#include "scene/height_image.h"
 
 // The library is a header, whose warnings are not those of our code.
 #pragma GCC diagnostic push

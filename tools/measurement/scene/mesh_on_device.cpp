@@ -1,6 +1,7 @@
 #include "scene/mesh_on_device.h"
 
-#include <vector>
+#include "input/input_error.h"
+#include "platform/data_directory.h"
 
 namespace penumbra::scene {
 namespace {
@@ -41,6 +42,26 @@ void MeshOnDevice::bind_to(gpu::Bindings& bindings) const {
   bind("_CutOutOfTriangle", cut_outs->of_triangle);
   bind("_CutOuts", cut_outs->entries);
   bind("_CutOutTexels", cut_outs->texels);
+}
+
+std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader) {
+  const std::filesystem::path root = platform::data_directory();
+  const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+  shaders::CompileRequest request;
+  request.file = root / "tools" / "measurement" / "scene" / "shaders" / shader.file;
+  request.entry = shader.entry;
+  request.stage = shader.stage;
+  request.defines = {{"UNITY_REVERSED_Z", flag(shader.reversed_z)},
+                     {"PENUMBRA_CUT_OUTS", flag(shader.cut_outs)},
+                     {"PENUMBRA_SPOT_LIGHT", flag(shader.spot_light)}};
+  request.include_directories = {root / "ShaderLibrary"};
+  shaders::CompileResult result = shaders::compile(request);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
+  std::string messages = "a shader of the program itself does not compile:";
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    messages += "\n" + hlsl::format(diagnostic);
+  }
+  throw EnvironmentError(messages);
 }
 
 }  // namespace penumbra::scene

@@ -5,7 +5,6 @@
 #include "input/input_error.h"
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
-#include "scene/height_image.h"
 #include "scene/image_file.h"
 #include "scene/scene.h"
 #include "scene/scene_message.h"

@@ -12,11 +12,25 @@
 
 #include "parameters/cascades.h"
 #include "parameters/spot_light.h"
-#include "scene/clouds.h"
 #include "scene/material.h"
 #include "scene/reading_process.h"
 
 namespace penumbra::scene {
+
+// The layer is a level plane. Defaults are those of CloudParameters in ShaderLibrary/Far, which a test
+// compares.
+struct CloudLayer {
+  double altitude_metres = 1600.0;  // world space
+  double feature_metres = 2400.0;   // size of the largest octave of the noise
+  double coverage = 0.45;           // 0 is none, 1 everywhere
+  double density = 4.0;             // optical depth where the noise is highest
+
+  bool operator==(const CloudLayer&) const = default;
+};
+
+// Returns the share of light, in [0, 1], that passes the layer straight up at a place: x and z in world
+// space, metres.
+double cloud_transmittance(const CloudLayer& layer, const glm::dvec2& place);
 
 // Indexed triangles. Positions are relative to Scene::origin, so that a scene far from the world's origin
 // keeps its shape; normals are unit, per vertex (as Unity's shadow caster pass reads them for normal bias).

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "platform/byte_stream.h"
-#include "scene/height_image.h"
+#include "scene/image_file.h"
 #include "scene/scene.h"
 
 namespace penumbra::scene {

@@ -18,7 +18,7 @@ constexpr double kEyeHeight = 25.0;
 constexpr double kSeenDistance = 9000.0;
 constexpr double kShadowDistance = 150.0;
 
-double smooth(double t) {
+double eased(double t) {
   return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
@@ -38,7 +38,7 @@ double lattice(std::int64_t x, std::int64_t z, std::uint32_t seed) {
 // fade).
 double noise(double x, double z, std::uint32_t seed) {
   const double column = std::floor(x), row = std::floor(z);
-  const double u = smooth(x - column), v = smooth(z - row);
+  const double u = eased(x - column), v = eased(z - row);
   const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);
   const double low = std::lerp(lattice(i, j, seed), lattice(i + 1, j, seed), u);
   const double high = std::lerp(lattice(i, j + 1, seed), lattice(i + 1, j + 1, seed), u);
@@ -64,7 +64,7 @@ double axis_of_valley(double z) {
 
 double height(double x, double z) {
   const double beside = std::abs(x - axis_of_valley(z));
-  const double rise = smooth(std::clamp((beside - 300.0) / 3200.0, 0.0, 1.0));
+  const double rise = eased(std::clamp((beside - 300.0) / 3200.0, 0.0, 1.0));
   const double floor = 12.0 * noise(x / 260.0, z / 260.0, 7) + 3.0 * noise(x / 60.0, z / 60.0, 8);
   return floor + rise * (420.0 + 900.0 * ridges(x, z));
 }

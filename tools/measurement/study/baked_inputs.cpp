@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "bake/baked_files.h"
 #include "bake/field_objects.h"
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
-#include "bake/texels_16.h"
 #include "parameters/noise_mask.h"
 
 namespace penumbra::study {

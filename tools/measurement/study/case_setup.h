@@ -1,13 +1,17 @@
 // A case of a study, a scene under a light, before its subjects run. Internal to this folder.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "parameters/cascades.h"
 #include "reference/reference_cache.h"
 #include "reference/row_blocks.h"
 #include "reference/visibility_image.h"
@@ -107,5 +111,25 @@ double source_radius_metres(double degrees);
 
 // Counts the pixels that are neither lit nor dark.
 std::size_t penumbra_pixels(const reference::VisibilityImage& image);
+
+// The reference at edges of a multisampled picture: the mean of the visibility at a pixel's samples.
+//
+// A pixel counts if its samples see several surfaces: two of them face different ways, or lie apart. Pixels
+// one of whose samples sees no receiver do not count: the sky beside them has no shadow to compare. Internal
+// to this folder.
+
+// Returns the places of a pixel's samples, from its centre, in pixels to the right and down: the standard
+// patterns of Direct3D and Vulkan. `samples` is 2, 4 or 8; throws std::invalid_argument for others.
+std::vector<glm::dvec2> sample_offsets(int samples);
+
+// The receivers that all pixels' samples of one number see, and their reference.
+struct SampleView {
+  scene::Receivers receivers;
+  reference::VisibilityImage traced;
+};
+
+// `samples` are of equal size, at least 2. The result's visibility is the mean; it is valid at edges alone.
+reference::VisibilityImage edge_reference(std::span<const SampleView> samples,
+                                          const parameters::Camera& camera);
 
 }  // namespace penumbra::study

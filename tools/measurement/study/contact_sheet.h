@@ -44,4 +44,13 @@ struct SheetOptions {
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 
+// Returns the picture, every pixel as zoom x zoom, its windows marked. Beneath it, in their order, are the
+// windows themselves, all enlarged by the same whole number, the largest with which they fit side by side. No
+// pixel of a window is covered by a frame beneath. Windows are in pixels of the picture. Throws
+// std::invalid_argument for a window beyond the picture, and for windows too wide to stand side by side.
+Picture with_insets(const Picture& picture, int zoom, const std::vector<PictureWindow>& windows);
+
+// Returns the number by which the windows are enlarged beneath a picture of this width; 0 if they do not fit.
+int inset_factor(int width, const std::vector<PictureWindow>& windows);
+
 }  // namespace penumbra::study

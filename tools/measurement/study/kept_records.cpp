@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "platform/byte_stream.h"
-#include "platform/cache_folder.h"
 
 namespace penumbra::study {
 namespace {

@@ -114,4 +114,53 @@ struct Metrics {
 // where valid: a broken reference must not become a figure.
 Metrics measure(const MeasuredImages& images);
 
+// Shimmer: the flicker of a technique's picture while the camera pans slowly.
+//
+// The picture moves by one pixel per frame, as with a lens shift: every point of a surface stays on pixel
+// centres, the shadow map does not change, and the light on each point does not change. All changes are the
+// technique's: noise that is fixed to the screen, or changes with every frame, and grids of its own.
+
+// RMS change of visibility from one frame to the next, at the same points, in penumbra.
+struct Shimmer {
+  int frames = 0;
+  std::optional<double> static_noise;     // noise that is fixed to the screen
+  std::optional<double> per_frame_noise;  // noise that changes every frame
+
+  bool operator==(const Shimmer&) const = default;
+};
+
+// frames[k] is the picture moved k columns to the left; t1 and valid are those of frames[0]. Points that
+// leave the picture are ignored. The result is absent without a point in penumbra.
+std::optional<double> shimmer_of(const std::vector<std::vector<float>>& frames, int width,
+                                 std::span<const float> t1, std::span<const std::uint8_t> valid);
+
+// The seam between cascades: the change of a technique's error where neighbouring pixels read different ones.
+//
+// From one cascade to the next the texels' size changes, and with it a filter's error. The eye sees a change
+// along a line, not noise: so changes are first averaged along the border, in blocks of kSeamBlock pixels.
+inline constexpr int kSeamBlock = 16;  // pixels, each way
+inline constexpr int kSeamPairs = 8;   // fewest pairs of a block
+
+struct Seam {
+  std::size_t pairs = 0;  // pairs of neighbouring penumbra pixels, one in each cascade
+  // RMS over blocks of the mean change of error from the nearer cascade to the next.
+  std::optional<double> step;
+  // The same between two rows of one cascade: the part that the technique's noise and its error's own slope
+  // cause.
+  std::optional<double> elsewhere;
+
+  bool operator==(const Seam&) const = default;
+};
+
+struct SeamImages {
+  int width = 0;
+  std::span<const int> cascade;  // cascade of each pixel; -1 where it is not counted
+  std::span<const float> t1;
+  std::span<const float> result;
+  bool everywhere = false;  // all pixels count, not penumbra pixels alone
+};
+
+// Throws std::invalid_argument for images of different sizes.
+Seam seam_of(const SeamImages& images);
+
 }  // namespace penumbra::study

@@ -133,28 +133,6 @@ Picture enlarged(const Picture& rgb, int factor) {
   return large;
 }
 
-Picture shrunk(const Picture& rgb, int factor) {
-  if (factor < 1 || rgb.width % factor != 0 || rgb.height % factor != 0) {
-    throw std::invalid_argument("a picture is not a whole number of squares");
-  }
-  Picture small = filled_picture(rgb.width / factor, rgb.height / factor, {});
-  const int pixels = factor * factor;
-  const auto mean = [&](int sum) { return static_cast<std::uint8_t>((sum + pixels / 2) / pixels); };
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) {
-      int r = 0, g = 0, b = 0;
-      for (int k = 0; k < pixels; ++k) {
-        const Rgb one = pixel(rgb, x * factor + k % factor, y * factor + k / factor);
-        r += one.r;
-        g += one.g;
-        b += one.b;
-      }
-      set_pixel(small, x, y, {mean(r), mean(g), mean(b)});
-    }
-  }
-  return small;
-}
-
 Picture narrowed(const Picture& rgb, int width) {
   if (rgb.width <= width) return rgb;
   const std::int64_t area = std::int64_t{rgb.width} * rgb.height;
@@ -179,6 +157,13 @@ Picture narrowed(const Picture& rgb, int width) {
     }
   }
   return small;
+}
+
+Picture shrunk(const Picture& rgb, int factor) {
+  if (factor < 1 || rgb.width % factor != 0 || rgb.height % factor != 0) {
+    throw std::invalid_argument("a picture is not a whole number of squares");
+  }
+  return narrowed(rgb, rgb.width / factor);
 }
 
 std::vector<std::byte> encode_png(const Picture& picture) {
@@ -226,6 +211,20 @@ Picture decode_png(std::span<const std::byte> bytes, const std::string& name) {
     throw InputError(name, std::string("is a broken PNG: ") + png.image.message);
   }
   return picture;
+}
+
+PackedPicture::PackedPicture(const Picture& picture) {
+  if (picture.samples.empty()) return;
+  png_ = encode_png(picture);
+  png_.shrink_to_fit();
+}
+
+PackedPicture::PackedPicture(std::span<const std::byte> png) : png_(png.begin(), png.end()) {
+  if (!png.empty()) decode_png(png, "a kept picture");
+}
+
+Picture PackedPicture::unpacked() const {
+  return empty() ? Picture{} : decode_png(png_, "a kept picture");
 }
 
 }  // namespace penumbra::study

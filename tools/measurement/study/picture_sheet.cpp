@@ -7,7 +7,6 @@
 
 #include "study/colour_map.h"
 #include "study/composition.h"
-#include "study/short_title.h"
 #include "study/summary.h"
 
 namespace penumbra::study {

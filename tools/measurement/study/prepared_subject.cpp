@@ -2,7 +2,7 @@
 
 #include "platform/build_identity.h"
 #include "platform/hashed_fields.h"
-#include "study/shimmer.h"
+#include "study/metrics.h"
 
 namespace penumbra::study {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "study/chart.h"
-#include "study/packed_picture.h"
+#include "study/picture.h"
 #include "study/results.h"
 #include "study/technique_facts.h"
 
@@ -50,7 +50,7 @@ struct ReportContent {
 // The same content gives the same bytes.
 std::string render_report(const ReportContent& content);
 
-// Returns the charts of pareto_chart.h that have something to show.
+// Returns the charts of report_charts.h that have something to show.
 std::vector<ReportChart> report_charts(const Results& results);
 
 }  // namespace penumbra::study

@@ -42,4 +42,13 @@ std::string result_block(const Results& results, const BlockStyle& style);
 std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name,
                                  std::string_view block_name = kResultBlock);
 
+// Throws InputError when none of the techniques that were measured, or will be, has a name that begins with
+// `prefix`.
+void check_presets(const std::vector<std::string>& measured, const std::string& prefix);
+
+// Has the figures of every technique whose name begins with `prefix`, in the results' order, and each light:
+// penumbra RMSE and fetches per pixel, means over the scenes. Throws InputError without one, or where a
+// figure is missing.
+std::string preset_figures_csharp(const Results& results, const std::string& prefix);
+
 }  // namespace penumbra::study

@@ -1,11 +1,19 @@
 #include "study/results.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
 namespace penumbra::study {
 namespace {
+
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(place));
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
 
 auto members(const MeasuredFrame& frame) {
   const parameters::Camera& camera = frame.camera;
@@ -15,6 +23,12 @@ auto members(const MeasuredFrame& frame) {
 }
 
 }  // namespace
+
+std::optional<Timing> summarise(std::vector<double> milliseconds) {
+  if (milliseconds.empty()) return std::nullopt;
+  std::sort(milliseconds.begin(), milliseconds.end());
+  return Timing{quantile(milliseconds, 0.5), quantile(milliseconds, 0.75) - quantile(milliseconds, 0.25)};
+}
 
 bool MeasuredFrame::operator==(const MeasuredFrame& other) const {
   return members(*this) == members(other);

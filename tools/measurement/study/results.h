@@ -18,11 +18,20 @@
 #include "parameters/receiver_fit.h"
 #include "scene/frame.h"
 #include "study/metrics.h"
-#include "study/seam.h"
-#include "study/shimmer.h"
-#include "study/timing.h"
 
 namespace penumbra::study {
+
+// The milliseconds of one frame. The spread is the interquartile range: neither figure is sensitive to
+// outliers.
+struct Timing {
+  double median_ms = 0.0;
+  double spread_ms = 0.0;
+
+  bool operator==(const Timing&) const = default;
+};
+
+// The quartiles are interpolated linearly between order statistics; the result is absent without a sample.
+std::optional<Timing> summarise(std::vector<double> milliseconds);
 
 inline constexpr int kResultsSchemaVersion = 2;
 

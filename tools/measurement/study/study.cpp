@@ -1,24 +1,40 @@
 #include "study/study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "input/input_error.h"
+#include "parameters/settings_input.h"
 #include "platform/hashed_fields.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
-#include "resolve/whole_tiles.h"
+#include "resolve/graph_resources.h"
 #include "study/case_setup.h"
 #include "study/colour_map.h"
-#include "study/history.h"
 #include "study/kept_records.h"
 #include "study/prepared_subject.h"
 #include "study/recording.h"
 
 namespace penumbra::study {
 namespace {
+
+constexpr double kForgotten = 0.01;
+constexpr int kFramesBetween = 7;
+
+// Returns the number of frames before the first result, and that of the result itself.
+int first_frames(double share) {
+  if (!(share > 0.0 && share <= 1.0)) throw std::invalid_argument("a share of a history is above 0, up to 1");
+  if (share == 1.0) return 1;
+  return 1 + static_cast<int>(std::ceil(std::log(kForgotten) / std::log1p(-share)));
+}
+
+int frames_between(double share) {
+  return share == 1.0 ? 1 : kFramesBetween;
+}
 
 techniques::LightKind kind_of(const scene::Scene& scene) {
   return scene.spot_light ? techniques::LightKind::spot : techniques::LightKind::directional;
@@ -235,6 +251,63 @@ techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes) {
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress) {
   return Study(device, subjects, settings, progress).run();
+}
+
+int history_frames(double share, int results) {
+  return first_frames(share) + frames_between(share) * (results - 1);
+}
+
+std::vector<std::vector<float>> histories(const std::vector<std::vector<float>>& frames, double share,
+                                          int results) {
+  if (results < 1 || static_cast<int>(frames.size()) != history_frames(share, results))
+    throw std::invalid_argument("another number of frames than the history needs");
+  const auto first = static_cast<std::size_t>(first_frames(share) - 1);
+  const auto between = static_cast<std::size_t>(frames_between(share));
+  std::vector<double> history(frames.front().begin(), frames.front().end());
+  std::vector<std::vector<float>> images;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    if (frames[k].size() != history.size())
+      throw std::invalid_argument("the frames of a history differ in size");
+    for (std::size_t i = 0; i < history.size(); ++i)
+      history[i] += share * (static_cast<double>(frames[k][i]) - history[i]);
+    if (k >= first && (k - first) % between == 0) images.emplace_back(history.begin(), history.end());
+  }
+  return images;
+}
+
+Subject technique_subject(const techniques::TechniqueList& list, const techniques::Technique& technique,
+                          bool reversed_z, techniques::LightKind light) {
+  if (!technique.is_for(light)) {
+    const bool spot = light == techniques::LightKind::spot;
+    throw InputError(
+        "", "the technique '" + technique.name + "' is not for " + (spot ? "spot lights" : "the sun"),
+        spot ? "choose others, or scenes that the sun lights" : "choose others, or scenes with a spot light");
+  }
+  Subject subject;
+  subject.light = light;
+  subject.name = technique.name;
+  subject.title = technique.title;
+  subject.parameters = technique.values;
+  subject.cascades = technique.cascades;
+  subject.bias = {technique.bias.depth, technique.bias.normal,
+                  parameters::soft_quality_named(technique.bias.soft_quality)};
+  subject.raster_bias.slope = technique.bias.slope;
+  subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z, light);
+  if (technique.is_sampled()) {
+    subject.unlimited =
+        resolve::technique_graph(list, technique, resolve::Taps::unlimited, reversed_z, light);
+  }
+  return subject;
+}
+
+Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
+  Subject subject;
+  subject.name = adapter.name;
+  subject.title = adapter.name + " (" + adapter.file.filename().string() + ")";
+  subject.bias = adapter.bias;
+  subject.light_scale = adapter.light_scale;
+  subject.graph = resolve::adapter_graph(adapter, reversed_z);
+  return subject;
 }
 
 }  // namespace penumbra::study

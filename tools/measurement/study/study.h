@@ -45,7 +45,7 @@ struct Subject {
   // antialiasing in a static scene. With 1, every noise seed is a separate result.
   int averaged_frames = 1;
   // The share of the newest of the frames with different noise whose exponential mean is the subject's result
-  // (history.h); not with averaged_frames. With 1, each frame stands alone.
+  // (histories()); not with averaged_frames. With 1, each frame stands alone.
   double history = 1.0;
   // The kind of light of the scenes in which it runs. A technique for both kinds is a subject for each.
   techniques::LightKind light = techniques::LightKind::directional;
@@ -84,7 +84,7 @@ struct StudySettings {
   bool pictures = true;     // if false, the outcome's are empty
   int pan_frames = 0;       // frames of a slow pan, for shimmer; none if below 2
   // With 2, 4 or 8, only pixels whose so many samples see several surfaces count, against the mean of the
-  // samples (edge_reference.h); without split_error. With 0 every pixel counts, at its centre.
+  // samples (edge_reference()); without split_error. With 0 every pixel counts, at its centre.
   int edge_samples = 0;
   // The part of the picture that is measured; shimmer, and the pictures, cover all of it. Absent means all.
   std::optional<PictureWindow> window;
@@ -123,5 +123,22 @@ techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes);
 // StudyOutcome::kept is dropped.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
+
+// Temporal antialiasing of a technique's noise while nothing moves: each pixel's exponential mean over the
+// frames.
+//
+//   history = (1 - share) history + share frame
+//
+// This is Karis, "High-Quality Temporal Supersampling", SIGGRAPH 2014, without its clamp to the colours of
+// neighbours, which cuts the same noise off in every technique.
+
+// Returns the number of frames that `results` results need. The first result comes when less than a hundredth
+// of the mean is the first frame's. Each other one comes seven frames later, which meets every phase of noise
+// that repeats after a power of two frames. `share` is that of the newest frame, above 0, up to 1.
+int history_frames(double share, int results);
+
+// Returns one image per result, from as many frames as history_frames() says.
+std::vector<std::vector<float>> histories(const std::vector<std::vector<float>>& frames, double share,
+                                          int results);
 
 }  // namespace penumbra::study

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "study/figure_text.h"
+#include "study/interval.h"
 #include "study/results.h"
 
 namespace penumbra::study {
 
 // A technique on a map setting. `label` is the technique's name and `shown` its short title
-// (study/short_title.h), both with the map when the results hold several.
+// both with the map when the results hold several.
 struct Choice {
   std::string technique;
   std::string label;
@@ -73,5 +73,10 @@ struct Headline {
 // lights, costs in fetches (times on a software device rank nothing). Empty when no technique was measured on
 // every scene and light.
 std::vector<Headline> headlines(const Results& results);
+
+// Returns the title without its details: for a quality preset, without its passes ("Penumbra High" for
+// "Preset High: PCSS 12+24, masked"); for an adapter, without its file ("mine" for "mine (Mine.hlsl)"). Every
+// other title is unchanged. Without a title it is the name.
+std::string short_title(const std::string& name, const std::string& title);
 
 }  // namespace penumbra::study

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "input/input_error.h"
-#include "platform/cache_folder.h"
+#include "platform/cache_store.h"
 #include "platform/child_process.h"
 #include "platform/content_hash.h"
 #include "platform/data_directory.h"

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "input/input_error.h"
-#include "platform/cache_folder.h"
+#include "platform/cache_store.h"
 #include "project/folder_entries.h"
 #include "project/package_manifest.h"
 

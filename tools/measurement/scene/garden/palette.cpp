@@ -1,4 +1,4 @@
-#include "scene/garden/palette.h"
+#include "scene/garden/pieces.h"
 
 #include <string>
 

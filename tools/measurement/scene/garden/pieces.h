@@ -1,14 +1,35 @@
 // The pieces of the garden: metres, +Y up, every piece at its place in the scene unless a place is given.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "scene/garden/palette.h"
 #include "scene/mesh_builder.h"
 #include "scene/seeded_random.h"
 
 namespace penumbra::scene::garden {
+
+// The garden's materials: several tints of each kind, over textures of stone, plaster, wood and sand.
+struct Palette {
+  explicit Palette(MeshBuilder& mesh);  // adds the textures to it
+
+  std::array<Material, 7> wall_stone;
+  Material mortar;
+  Material coping;
+  std::array<Material, 5> flagstone;
+  Material sand;
+  std::array<Material, 4> pebble;
+  Material plaster;
+  Material trim;  // dressed stone about the door and windows
+  std::array<Material, 3> table_wood;
+  std::array<Material, 2> grey_wood;
+  Material bark;
+  std::array<Material, 3> terracotta;
+  Material soil;
+  Material turf;
+  std::array<Material, 4> grass;
+};
 
 // The mesh, materials and random numbers that every piece draws with.
 struct Workshop {

@@ -1,4 +1,4 @@
-#include "resolve/fxc_compiler.h"
+#include "resolve/compiler.h"
 
 #include <map>
 #include <memory>
@@ -7,7 +7,6 @@
 #include "hlsl/diagnostic.h"
 #include "input/input_error.h"
 #include "platform/content_hash.h"
-#include "platform/worker_pool.h"
 #include "shaders/fxc_program.h"
 
 namespace penumbra::resolve {
