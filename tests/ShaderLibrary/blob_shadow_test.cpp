@@ -1,7 +1,6 @@
 // Core/BlobShadow.hlsl against the sphere's own shadow and the rule of what receives it.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "ShaderLibrary/core_function.h"
@@ -14,31 +13,27 @@ namespace {
 // the receiver is the origin.
 const CoreFunction kBlob{
     "BlobShadow",
-    "const float4 ball = float4(In(1), In(2), In(3), In(4)), sun = float4(In(5), In(6), In(7), In(8));"
-    "const float3 at = float3(0.0, 0.0, 0.0);"
-    "Out(0, BlobVisibility(at, float3(0.0, In(0), 0.0), ball, sun, In(9)));"
+    "const float4 ball = float4(In(1), In(2), In(3), In(4)), sun = float4(In(5), In(6), In(7), In(8));const "
+    "float3 at = float3(0.0, 0.0, 0.0);Out(0, BlobVisibility(at, float3(0.0, In(0), 0.0), ball, sun, In(9)));"
     "Out(1, SphereVisibility(at, ball.xyz, ball.w, sun.xyz, sun.w));",
     10, 2};
 
 TEST(BlobVisibility, IsTheSpheresFadedWithTheHeightOfItsLowestPoint) {
-  Random random(81);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> cases = random_cases(81, [&](Random& random, int i) {
     const float elevation = random.between(0.2f, 1.5f), distance = random.between(0.5f, 6.0f);
     const float radius = random.between(0.1f, 1.0f);
-    const std::array<float, 10> one{random.between(0.0f, 1.0f) < 0.5f ? 1.0f : -0.8f,
-                                    distance * std::cos(elevation) + random.between(-0.5f, 0.5f),
-                                    distance * std::sin(elevation),
-                                    random.between(-0.5f, 0.5f),
-                                    radius,
-                                    std::cos(elevation),
-                                    std::sin(elevation),
-                                    0.0f,
-                                    random.between(0.002f, 0.05f),
-                                    i % 3 == 0 ? 0.0f : random.between(0.2f, 8.0f)};
-    cases.insert(cases.end(), one.begin(), one.end());
-  }
-  const std::vector<float> seen = run(kBlob, DepthDirection::conventional, cases);
+    return Case{random.between(0.0f, 1.0f) < 0.5f ? 1.0f : -0.8f,
+                distance * std::cos(elevation) + random.between(-0.5f, 0.5f),
+                distance * std::sin(elevation),
+                random.between(-0.5f, 0.5f),
+                radius,
+                std::cos(elevation),
+                std::sin(elevation),
+                0.0f,
+                random.between(0.002f, 0.05f),
+                i % 3 == 0 ? 0.0f : random.between(0.2f, 8.0f)};
+  });
+  const std::vector<float> seen = run(kBlob, cases);
   int faded = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const float* in = &cases[10 * i];
@@ -52,8 +47,7 @@ TEST(BlobVisibility, IsTheSpheresFadedWithTheHeightOfItsLowestPoint) {
 
 TEST(BlobVisibility, FallsOnWhatLiesUnderTheBallAndFacesUpOrDown) {
   const auto seen = [](float normal, float height) {
-    return run(kBlob, DepthDirection::conventional,
-               {normal, 0.0f, height, 0.0f, 0.5f, 0.0f, 1.0f, 0.0f, 0.005f, 0.0f})[0];
+    return run(kBlob, {normal, 0.0f, height, 0.0f, 0.5f, 0.0f, 1.0f, 0.0f, 0.005f, 0.0f})[0];
   };
   EXPECT_EQ(seen(1.0f, 2.0f), 0.0f);
   EXPECT_EQ(seen(-1.0f, 2.0f), 0.0f);
@@ -66,8 +60,7 @@ TEST(BlobVisibility, FallsOnWhatLiesUnderTheBallAndFacesUpOrDown) {
 
 TEST(BlobVisibility, StaysInRangeForAnyNumbers) {
   Random random(82);
-  const std::vector<float> seen =
-      run(kBlob, DepthDirection::conventional, random_special_floats(random, 10 * kRandomCases));
+  const std::vector<float> seen = run(kBlob, random_special_floats(random, 10 * kRandomCases));
   for (std::size_t i = 0; i < seen.size(); i += 2) ASSERT_TRUE(seen[i] >= 0.0f && seen[i] <= 1.0f) << i;
 }
 

@@ -53,7 +53,7 @@ TEST(BlockersOfVariance, AreExactForOneBlockerBeforeTheReceiver) {
       inputs.push_back(static_cast<float>(word));
     exact.push_back(brute_force(depths, receiver));
   }
-  const std::vector<float> out = run(kOfVariance, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfVariance, inputs);
   // The variance is 0.05^2 / 25 or more, and the moments are rounded by 2^-25 each.
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_NEAR(out[2 * i], exact[i].share, 2e-3) << i;
@@ -75,7 +75,7 @@ TEST(BlockersOfVariance, GiveTheMeanBlockerOfThePaper) {
     const double p = variance / (variance + behind * behind);
     means.push_back((m - p * receiver) / (1.0 - p));
   }
-  const std::vector<float> out = run(kOfVariance, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfVariance, inputs);
   for (std::size_t i = 0; i < means.size(); ++i) {
     if (inputs[4 * i + 2] - inputs[4 * i] < 0.04f) continue;
     const double gap = inputs[4 * i + 2] - means[i];
@@ -98,7 +98,7 @@ TEST(LargestBlockedShare, IsABoundOfWhatLiesBeforeTheReceiver) {
     for (const double word : {all.back().mean(1), all.back().mean(2), receiver})
       inputs.push_back(static_cast<float>(word));
   }
-  const std::vector<float> out = run(bound, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(bound, inputs);
   double sum = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Blockers blockers = brute_force(all[i], static_cast<double>(inputs[3 * i + 2]) - 1e-6);
@@ -122,7 +122,7 @@ TEST(BlockersOfMoments, AreExactForTwoBlockers) {
     inputs.insert(inputs.end(), {static_cast<float>(receiver), 0.0f});
     exact.push_back(brute_force(depths, receiver));
   }
-  const std::vector<float> out = run(kOfMoments, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfMoments, inputs);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_NEAR(out[2 * i], exact[i].share, 5e-3) << i;
     ASSERT_NEAR(out[2 * i + 1], exact[i].gap_sum, 5e-3) << i;
@@ -145,7 +145,7 @@ TEST(BlockersOfMoments, AreExactForDistributionsOfTwoDepths) {
     inputs.insert(inputs.end(), {static_cast<float>(receiver), 6e-5f});
     exact.push_back(brute_force(depths, receiver));
   }
-  const std::vector<float> out = run(kOfMoments, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfMoments, inputs);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_NEAR(out[2 * i], exact[i].share, 0.02) << i;
     ASSERT_NEAR(out[2 * i + 1], exact[i].gap_sum, 0.02) << i;
@@ -164,7 +164,7 @@ TEST(BlockersOfMoments, NeverClaimMoreThanThereAre) {
     inputs.insert(inputs.end(), {static_cast<float>(receiver), 3e-7f});
     shares.push_back(brute_force(depths, receiver).share);
   }
-  const std::vector<float> out = run(kOfMoments, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfMoments, inputs);
   for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_LE(out[2 * i], shares[i] + 5e-3) << i;
 }
 
@@ -175,7 +175,7 @@ TEST(BlockersOfMoments, StayInRangeForMomentsOfNoDistribution) {
     for (int word = 0; word < 5; ++word) inputs.push_back(random.between(-1.0f, 1.0f));
     inputs.push_back(i % 2 == 0 ? 0.0f : 1e-3f);
   }
-  const std::vector<float> out = run(kOfMoments, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(kOfMoments, inputs);
   for (std::size_t i = 0; i < out.size(); i += 2) {
     ASSERT_TRUE(out[i] >= 0.0f && out[i] <= 1.0f) << out[i];
     ASSERT_TRUE(out[i + 1] >= 0.0f && out[i + 1] <= 4.0f) << out[i + 1];

@@ -66,7 +66,7 @@ TEST(CascadeSelection, PicksTheFirstSphereAroundThePoint) {
     ++kept;
   }
   expect_exact(
-      {"CascadeSelection", kSelect, 20, 1}, DepthDirection::conventional, inputs,
+      {"CascadeSelection", kSelect, 20, 1}, inputs,
       [](const float* in) {
         const int count = static_cast<int>(in[0]);
         int cascade = 0;
@@ -87,8 +87,7 @@ TEST(CascadeSelection, StaysWithinTheCountForAnyNumbers) {
     for (int k = 1; k < 20; ++k) inputs.push_back(random.any_bits());
     if (i % 2 == 0) inputs[inputs.size() - 19] = std::numeric_limits<float>::quiet_NaN();
   }
-  const std::vector<float> results =
-      run({"CascadeSelection", kSelect, 20, 1}, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run({"CascadeSelection", kSelect, 20, 1}, inputs);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const float count = inputs[20 * i];
     ASSERT_GE(results[i], 0.0f);
@@ -101,10 +100,9 @@ TEST(CascadeSelection, StaysWithinTheCountForAnyNumbers) {
 
 constexpr const char* kWeight =
     "CascadeSpheres s; s.centre0 = float3(In(4), In(5), In(6)); s.centre1 = float3(In(7), In(8), In(9));"
-    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));"
-    "s.squaredRadii = float4(In(16), In(17), In(18), In(19));"
-    "const float3 p = float3(In(1), In(2), In(3));"
-    "Out(0, NextCascadeWeight(p, s, SelectCascade(p, s, InInt(0)), InInt(0), In(20)));";
+    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));s.squaredRadii = "
+    "float4(In(16), In(17), In(18), In(19));const float3 p = float3(In(1), In(2), In(3));Out(0, "
+    "NextCascadeWeight(p, s, SelectCascade(p, s, InInt(0)), InInt(0), In(20)));";
 
 TEST(NextCascadeWeight, GrowsThroughTheBorderOfTheOwnSphere) {
   Random random(10);
@@ -119,7 +117,7 @@ TEST(NextCascadeWeight, GrowsThroughTheBorderOfTheOwnSphere) {
     ++kept;
   }
   expect_exact(
-      {"CascadeSelection", kWeight, 21, 1}, DepthDirection::conventional, inputs,
+      {"CascadeSelection", kWeight, 21, 1}, inputs,
       [&](const float* in) {
         const int count = static_cast<int>(in[0]);
         const auto share = [&](int cascade) {
@@ -147,8 +145,7 @@ TEST(NextCascadeWeight, IsAShareForAnyNumbersAndZeroWithoutABorder) {
     for (int k = 1; k < 21; ++k) inputs.push_back(random.any_bits());
     if (i % 2 == 0) inputs.back() = i % 4 == 0 ? 0.0f : std::numeric_limits<float>::quiet_NaN();
   }
-  const std::vector<float> results =
-      run({"CascadeSelection", kWeight, 21, 1}, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run({"CascadeSelection", kWeight, 21, 1}, inputs);
   for (std::size_t i = 0; i < results.size(); ++i) {
     ASSERT_GE(results[i], 0.0f) << words(&inputs[21 * i], 21);
     ASSERT_LE(results[i], i % 2 == 0 ? 0.0f : 1.0f) << words(&inputs[21 * i], 21);

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -62,7 +61,7 @@ TEST(LatticeValue, IsTheHashOfThreeIntegers) {
     for (const int value :
          {random.integer(-100000, 100000), random.integer(-100000, 100000), random.integer(0, 9)})
       cases.push_back(static_cast<float>(value));
-  const std::vector<float> seen = run(kLattice, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kLattice, cases);
   double sum = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const float* in = &cases[3 * i];
@@ -78,16 +77,13 @@ TEST(LatticeValue, IsTheHashOfThreeIntegers) {
 }
 
 TEST(CloudTransmittance, IsThatOfTheNoise) {
-  Random random(92);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i) {
-    const std::array<float, 7> one{random.between(-500.0f, 500.0f), random.between(-500.0f, 500.0f),
-                                   random.between(500.0f, 5000.0f), random.between(0.2f, 1.0f),
-                                   random.between(0.5f, 8.0f),      random.between(-2e4f, 2e4f),
-                                   random.between(-2e4f, 2e4f)};
-    cases.insert(cases.end(), one.begin(), one.end());
-  }
-  const std::vector<float> seen = run(kCover, DepthDirection::conventional, cases);
+  const std::vector<float> cases = random_cases(92, [&](Random& random) {
+    return Case{random.between(-500.0f, 500.0f), random.between(-500.0f, 500.0f),
+                random.between(500.0f, 5000.0f), random.between(0.2f, 1.0f),
+                random.between(0.5f, 8.0f),      random.between(-2e4f, 2e4f),
+                random.between(-2e4f, 2e4f)};
+  });
+  const std::vector<float> seen = run(kCover, cases);
   int clear = 0, cloudy = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const float* in = &cases[7 * i];
@@ -108,7 +104,7 @@ TEST(CloudTransmittance, IsInRangeForAnyNumbersAndOneWithoutClouds) {
   Random random(93);
   std::vector<float> cases = random_special_floats(random, 7 * kRandomCases);
   for (std::size_t i = 0; i < cases.size() / 14; ++i) cases[7 * i + (i % 2 == 0 ? 3 : 4)] = 0.0f;
-  const std::vector<float> seen = run(kCover, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kCover, cases);
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     ASSERT_TRUE(seen[2 * i] >= 0.0f && seen[2 * i] <= 1.0f) << i;
     if (cases[7 * i + 3] != 0.0f && cases[7 * i + 4] != 0.0f) continue;

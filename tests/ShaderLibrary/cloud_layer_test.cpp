@@ -1,7 +1,6 @@
 // Core/CloudLayer.hlsl against the ray's meeting with the plane in long double.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "ShaderLibrary/core_function.h"
@@ -20,17 +19,13 @@ const CoreFunction kClouds{
     12, 4};
 
 TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
-  Random random(61);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i) {
-    const std::array<float, 12> one{
-        random.between(-9000.0f, 0.0f), random.between(-9000.0f, 0.0f), random.between(8e3f, 2e4f),
-        random.between(8e3f, 2e4f),     random.between(800.0f, 2e3f),   random.between(0.0f, 0.3f),
-        random.between(-5e3f, 5e3f),    random.between(0.0f, 2500.0f),  random.between(-5e3f, 5e3f),
-        random.between(-1.0f, 1.0f),    random.between(-0.2f, 1.0f),    random.between(-1.0f, 1.0f)};
-    cases.insert(cases.end(), one.begin(), one.end());
-  }
-  const std::vector<float> seen = run(kClouds, DepthDirection::conventional, cases);
+  const std::vector<float> cases = random_cases(61, [&](Random& random) {
+    return Case{random.between(-9000.0f, 0.0f), random.between(-9000.0f, 0.0f), random.between(8e3f, 2e4f),
+                random.between(8e3f, 2e4f),     random.between(800.0f, 2e3f),   random.between(0.0f, 0.3f),
+                random.between(-5e3f, 5e3f),    random.between(0.0f, 2500.0f),  random.between(-5e3f, 5e3f),
+                random.between(-1.0f, 1.0f),    random.between(-0.2f, 1.0f),    random.between(-1.0f, 1.0f)};
+  });
+  const std::vector<float> seen = run(kClouds, cases);
   int faded = 0, whole = 0, none = 0;
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     const float* in = &cases[12 * i];
@@ -66,16 +61,12 @@ const CoreFunction kAround{
     9, 4};
 
 TEST(CloudLayerAround, LiesOnWholeTexelsAboutThePlaceThatShadesTheCamera) {
-  Random random(63);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i) {
-    const std::array<float, 9> one{
-        random.between(-5e3f, 5e3f),  random.between(0.0f, 500.0f), random.between(-5e3f, 5e3f),
-        random.between(-0.7f, 0.7f),  random.between(0.1f, 1.0f),   random.between(-0.7f, 0.7f),
-        random.between(800.0f, 2e3f), random.between(4e3f, 3e4f),   512.0f};
-    cases.insert(cases.end(), one.begin(), one.end());
-  }
-  const std::vector<float> seen = run(kAround, DepthDirection::conventional, cases);
+  const std::vector<float> cases = random_cases(63, [&](Random& random) {
+    return Case{random.between(-5e3f, 5e3f),  random.between(0.0f, 500.0f), random.between(-5e3f, 5e3f),
+                random.between(-0.7f, 0.7f),  random.between(0.1f, 1.0f),   random.between(-0.7f, 0.7f),
+                random.between(800.0f, 2e3f), random.between(4e3f, 3e4f),   512.0f};
+  });
+  const std::vector<float> seen = run(kAround, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     const float* in = &cases[9 * i];
     const float* out = &seen[4 * i];
@@ -95,14 +86,13 @@ TEST(CloudLayerAround, LiesOnWholeTexelsAboutThePlaceThatShadesTheCamera) {
 TEST(CloudLayerAround, IsFiniteForAnyNumbers) {
   Random random(64);
   const std::vector<float> cases = random_special_floats(random, 9 * kRandomCases);
-  for (const float number : run(kAround, DepthDirection::conventional, cases))
-    ASSERT_TRUE(std::isfinite(number));
+  for (const float number : run(kAround, cases)) ASSERT_TRUE(std::isfinite(number));
 }
 
 TEST(CloudWeight, IsZeroForWhatIsNoPlaceOrNoSunAndFiniteForAnyNumbers) {
   Random random(62);
   const std::vector<float> cases = random_special_floats(random, 12 * kRandomCases);
-  const std::vector<float> seen = run(kClouds, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kClouds, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     for (std::size_t j = 0; j < 3; ++j) ASSERT_TRUE(std::isfinite(seen[4 * i + j])) << i << " " << j;
     ASSERT_TRUE(seen[4 * i + 2] >= 0.0f && seen[4 * i + 2] <= 1.0f) << i;

@@ -27,6 +27,11 @@ struct CoreFunction {
   bool half = false;
 };
 
+inline CoreFunction function_in(std::string folder, std::string file, std::string statement, int inputs,
+                                int outputs) {
+  return {std::move(file), std::move(statement), inputs, outputs, {}, std::move(folder)};
+}
+
 // Whether the device has 16-bit arithmetic; `run` throws for `half` without it.
 bool has_half_arithmetic();
 std::string device_name();
@@ -35,5 +40,9 @@ std::string device_name();
 // when there is one.
 std::vector<float> run(const CoreFunction& function, DepthDirection direction,
                        const std::vector<float>& inputs);
+// For functions that read no depth as it is stored.
+inline std::vector<float> run(const CoreFunction& function, const std::vector<float>& inputs) {
+  return run(function, DepthDirection::conventional, inputs);
+}
 
 }  // namespace penumbra::shader_library_tests

@@ -10,20 +10,12 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-const CoreFunction kDepthDigits{
-    "DepthDigits",
-    "uint4 d = DepthDigits(In(0)); for (int i = 0; i < 4; ++i) OutInt(i, int(d[i]));",
-    1,
-    4,
-    {},
-    "Map"};
-const CoreFunction kMomentDigits{
-    "DepthDigits",
-    "uint4 d = MomentDigits(In(0)); for (int i = 0; i < 4; ++i) OutInt(i, int(d[i]));",
-    1,
-    4,
-    {},
-    "Map"};
+const CoreFunction kDepthDigits =
+    function_in("Map", "DepthDigits",
+                "uint4 d = DepthDigits(In(0)); for (int i = 0; i < 4; ++i) OutInt(i, int(d[i]));", 1, 4);
+const CoreFunction kMomentDigits =
+    function_in("Map", "DepthDigits",
+                "uint4 d = MomentDigits(In(0)); for (int i = 0; i < 4; ++i) OutInt(i, int(d[i]));", 1, 4);
 
 std::uint32_t word(float value) {
   return static_cast<std::uint32_t>(value);  // OutInt gives whole floats
@@ -55,9 +47,9 @@ TEST(DepthDigits, AreDepthAndSquareInStepsOfTheirLastPlace) {
 }
 
 TEST(MomentDigits, AreTheStoredMomentsInSixteenBits) {
-  const CoreFunction moments{
-      "DepthDigits", "float4 s = StoredMoments(In(0)); for (int i = 0; i < 4; ++i) Out(i, s[i]);", 1, 4, {},
-      "Map"};
+  const CoreFunction moments =
+      function_in("Map", "DepthDigits",
+                  "float4 s = StoredMoments(In(0)); for (int i = 0; i < 4; ++i) Out(i, s[i]);", 1, 4);
   Random random(72);
   std::vector<float> depths{0.0f, 1.0f, 0.5f};
   for (int i = 0; i < kRandomCases; ++i) depths.push_back(random.between(0.0f, 1.0f));
@@ -73,18 +65,14 @@ TEST(MomentDigits, AreTheStoredMomentsInSixteenBits) {
 
 // Digits are summed modulo 2^32 over the largest box that the file allows, and taken back.
 TEST(DepthDigits, OfTheLargestBoxGiveItsMoments) {
-  const CoreFunction back{
-      "DepthDigits",
-      "float2 m = MomentsOfDigits(float4(In(0), In(1), In(2), In(3))); Out(0, m.x); Out(1, m.y);",
-      4,
-      2,
-      {},
-      "Map"};
+  const CoreFunction back = function_in(
+      "Map", "DepthDigits",
+      "float2 m = MomentsOfDigits(float4(In(0), In(1), In(2), In(3))); Out(0, m.x); Out(1, m.y);", 4, 2);
   constexpr std::uint32_t kTexels = 1u << 20;
   Random random(73);
   std::vector<float> depths{1.0f, 1.0f, 0.0f, 0.0f};  // the extremes have the largest sums
   while (depths.size() < 2u * kRandomCases) depths.push_back(random.between(0.0f, 1.0f));
-  const std::vector<float> digits = run(kDepthDigits, DepthDirection::conventional, depths);
+  const std::vector<float> digits = run(kDepthDigits, depths);
   std::vector<float> inputs;
   std::vector<std::array<double, 2>> exact;
   for (std::size_t i = 0; i < kRandomCases; ++i) {  // two depths in any shares
@@ -104,7 +92,7 @@ TEST(DepthDigits, OfTheLargestBoxGiveItsMoments) {
     ASSERT_NEAR(std::ldexp(4096 * place[0] + place[1] + 2048, -24), exact.back()[0], std::ldexp(1.5, -24))
         << i;
   }
-  const std::vector<float> moments = run(back, DepthDirection::conventional, inputs);
+  const std::vector<float> moments = run(back, inputs);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_NEAR(moments[2 * i], exact[i][0], std::ldexp(2.0, -24)) << i;
     ASSERT_NEAR(moments[2 * i + 1], exact[i][1], std::ldexp(1.0, -24)) << i;

@@ -11,7 +11,7 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 CoreFunction depth_range(const std::string& statement, int inputs, int outputs) {
-  return {"DepthRange", statement, inputs, outputs, {}, "Map"};
+  return function_in("Map", "DepthRange", statement, inputs, outputs);
 }
 
 // The depths are every step of the format and the floats around it, and a million others.
@@ -97,8 +97,7 @@ TEST(DepthRange, ADilationHasTheCellsOfItsDisc) {
     for (int y = -18; y <= 18; ++y)
       for (int x = -18; x <= 18; ++x) inputs.insert(inputs.end(), {float(x), float(y), float(radius)});
   const std::vector<float> out =
-      run(depth_range("OutInt(0, InDilation(int2(InInt(0), InInt(1)), InInt(2)) ? 1 : 0);", 3, 1),
-          DepthDirection::conventional, inputs);
+      run(depth_range("OutInt(0, InDilation(int2(InInt(0), InInt(1)), InInt(2)) ? 1 : 0);", 3, 1), inputs);
   std::vector<int> cells(17);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int radius = static_cast<int>(inputs[3 * i + 2]);
@@ -126,8 +125,7 @@ double distance_left_out(int radius) {
 TEST(DepthRange, ADilationReachesNoFartherThanItsCells) {
   std::vector<float> radii;
   for (int radius = 0; radius <= 16; ++radius) radii.push_back(static_cast<float>(radius));
-  const std::vector<float> reach =
-      run(depth_range("Out(0, DilationReach(InInt(0)));", 1, 1), DepthDirection::conventional, radii);
+  const std::vector<float> reach = run(depth_range("Out(0, DilationReach(InInt(0)));", 1, 1), radii);
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const double covered = 4.0 * distance_left_out(static_cast<int>(i));
     EXPECT_LE(reach[i], covered) << "radius " << i;

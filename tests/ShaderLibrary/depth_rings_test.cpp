@@ -26,10 +26,10 @@ std::string ring_scales(const std::string& depth_per_texel, const std::string& t
 }
 
 CoreFunction depth_rings(const std::string& statement, int inputs, int outputs) {
-  return {"CellRings", statement, inputs, outputs, {}, "Filters/Cells"};
+  return function_in("Filters/Cells", "CellRings", statement, inputs, outputs);
 }
 CoreFunction depth_ring_sums(const std::string& statement, int inputs, int outputs) {
-  return {"CellSums", statement, inputs, outputs, {}, "Filters/Cells"};
+  return function_in("Filters/Cells", "CellSums", statement, inputs, outputs);
 }
 
 Exact toward_light(DepthDirection direction, Exact depth, Exact reference) {
@@ -49,18 +49,15 @@ Exact share_of_ring(Exact distance, int level, Exact radius, Exact ring_cells) {
 }
 
 TEST(DepthRings, SharesOfRingsAreThoseOfTheRamps) {
-  Random random(201);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(201, [&](Random& random, int i) {
     const int level = random.integer(0, 8);
     const float cells = i % 2 == 0 ? 3.0f : 5.0f;
     const float end = cells * std::exp2(static_cast<float>(level));
     const float radius = i % 3 == 0 ? random.between(0.0f, 1.5f * end) : 3.0f * end;
-    inputs.insert(inputs.end(), {random.between(0.0f, 1.2f * end), static_cast<float>(level), radius, cells});
-  }
+    return Case{random.between(0.0f, 1.2f * end), static_cast<float>(level), radius, cells};
+  });
   const std::vector<float> out =
-      run(depth_rings("Out(0, ShareInRing(In(0), int(In(1)), In(2), In(3)));", 4, 1),
-          DepthDirection::conventional, inputs);
+      run(depth_rings("Out(0, ShareInRing(In(0), int(In(1)), In(2), In(3)));", 4, 1), inputs);
   int partial = 0, whole = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Exact exact = share_of_ring(inputs[4 * i], static_cast<int>(inputs[4 * i + 1]), inputs[4 * i + 2],
@@ -75,17 +72,14 @@ TEST(DepthRings, SharesOfRingsAreThoseOfTheRamps) {
 }
 
 TEST(DepthRings, ADiscIsItsRingAndWhatThatEncloses) {
-  Random random(206);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(206, [&](Random& random, int i) {
     const int level = random.integer(0, 8);
     const float end = 5.0f * std::exp2(static_cast<float>(level));
     const float radius = i % 3 == 0 ? random.between(0.0f, 1.5f * end) : 3.0f * end;
-    inputs.insert(inputs.end(), {random.between(0.0f, 1.2f * end), static_cast<float>(level), radius, 5.0f});
-  }
+    return Case{random.between(0.0f, 1.2f * end), static_cast<float>(level), radius, 5.0f};
+  });
   const std::vector<float> out =
-      run(depth_rings("Out(0, ShareInDisc(In(0), int(In(1)), In(2), In(3)));", 4, 1),
-          DepthDirection::conventional, inputs);
+      run(depth_rings("Out(0, ShareInDisc(In(0), int(In(1)), In(2), In(3)));", 4, 1), inputs);
   int partial = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Exact width = std::exp2(static_cast<Exact>(inputs[4 * i + 1]));
@@ -100,32 +94,26 @@ TEST(DepthRings, ADiscIsItsRingAndWhatThatEncloses) {
 }
 
 TEST(DepthRings, SharesStayInRangeWhateverTheyAreGiven) {
-  Random random(202);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(202, [&](Random& random, int i) {
     const std::vector<float> odd = random_special_floats(random, 2);
-    inputs.insert(inputs.end(), {i % 2 == 0 ? odd[0] : random.between(0.0f, 100.0f),
-                                 static_cast<float>(random.integer(0, 8)),
-                                 i % 3 == 0 ? random.between(0.0f, 100.0f) : odd[1], 5.0f});
-  }
+    return Case{i % 2 == 0 ? odd[0] : random.between(0.0f, 100.0f), static_cast<float>(random.integer(0, 8)),
+                i % 3 == 0 ? random.between(0.0f, 100.0f) : odd[1], 5.0f};
+  });
   const std::vector<float> out =
-      run(depth_rings("Out(0, ShareInRing(In(0), int(In(1)), In(2), In(3)));", 4, 1),
-          DepthDirection::conventional, inputs);
+      run(depth_rings("Out(0, ShareInRing(In(0), int(In(1)), In(2), In(3)));", 4, 1), inputs);
   for (std::size_t i = 0; i < out.size(); ++i) ASSERT_TRUE(out[i] >= 0.0f && out[i] <= 1.0f) << i;
 }
 
 TEST(DepthRings, LevelsReachTheRadiusAndNoFarther) {
-  Random random(203);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(203, [&](Random& random, int i) {
     const float cells = i % 2 == 0 ? 3.0f : 5.0f;
     const float power = cells * std::exp2(static_cast<float>(random.integer(0, 9)));
     const float near_power = i % 4 == 0 ? power : i % 4 == 1 ? std::nextafter(power, 1e9f) : power * 1.001f;
-    inputs.insert(inputs.end(), {i % 2 == 0 ? near_power : random.between(0.0f, 3000.0f), cells,
-                                 static_cast<float>(random.integer(0, 8))});
-  }
-  const std::vector<float> out = run(depth_rings("OutInt(0, RingLevels(In(0), In(1), int(In(2))));", 3, 1),
-                                     DepthDirection::conventional, inputs);
+    return Case{i % 2 == 0 ? near_power : random.between(0.0f, 3000.0f), cells,
+                static_cast<float>(random.integer(0, 8))};
+  });
+  const std::vector<float> out =
+      run(depth_rings("OutInt(0, RingLevels(In(0), In(1), int(In(2))));", 3, 1), inputs);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int levels = static_cast<int>(out[i]);
     const Exact radius = inputs[3 * i], cells = inputs[3 * i + 1];
@@ -151,9 +139,7 @@ struct RingPlane {
 // The inputs are depth, gradient and place of receivers, and a depth near their plane or anywhere, at either
 // end, too.
 std::vector<float> receivers_and_depths(std::uint32_t seed) {
-  Random random(seed);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(seed, [&](Random& random, int i) {
     const float slope = i % 4 == 0 ? 0.0f : i % 4 == 1 ? 0.3f : std::fabs(random.magnitude(-6.0f, -2.0f));
     const float x = slope * random.between(-1.0f, 1.0f), y = slope * random.between(-1.0f, 1.0f);
     const float depth = i % 9 == 0 ? 0.0f : i % 9 == 1 ? 1.0f : random.between(0.0f, 1.0f);
@@ -163,8 +149,8 @@ std::vector<float> receivers_and_depths(std::uint32_t seed) {
     const float texel = i % 5 == 0   ? random.between(0.0f, 1.0f)
                         : i % 5 == 1 ? static_cast<float>(random.integer(0, 1))
                                      : near_plane;
-    inputs.insert(inputs.end(), {depth, x, y, away_x, away_y, texel});
-  }
+    return Case{depth, x, y, away_x, away_y, texel};
+  });
   return inputs;
 }
 
@@ -325,11 +311,10 @@ TEST(DepthRings, TheGroundIsTheNearestTexelBelowThePlane) {
     const std::string texels =
         kRingReceiver + ring_scales("1.0", "In(1)") +
         "r.depth = In(0); r.gradient = float2(0.0, 0.0); bool found = false, other = false; float ground = "
-        "UsualGround(s), backward = UsualGround(s); Out(1, ground);"
-        "for (int k = 0; k < 6; ++k) { ground = GroundWithTexel(ground, found, In(2 + k), float2(k, 1.0), r, "
-        "s); "
-        "backward = GroundWithTexel(backward, other, In(7 - k), float2(k, 1.0), r, s); }"
-        "Out(0, ground); Out(2, backward); Out(3, found ? 1.0 : 0.0);";
+        "UsualGround(s), backward = UsualGround(s); Out(1, ground);for (int k = 0; k < 6; ++k) { ground = "
+        "GroundWithTexel(ground, found, In(2 + k), float2(k, 1.0), r, s); backward = "
+        "GroundWithTexel(backward, other, In(7 - k), float2(k, 1.0), r, s); }Out(0, ground); Out(2, "
+        "backward); Out(3, found ? 1.0 : 0.0);";
     const std::vector<float> out = run(depth_rings(texels, 2 + kTexels, 4), direction, inputs);
     int with_ground = 0;
     for (std::size_t i = 0; i < out.size() / 4; ++i) {
@@ -357,16 +342,17 @@ TEST(DepthRings, TheGroundIsTheNearestTexelBelowThePlane) {
 }
 
 TEST(DepthRings, SumsWeighBlockersByTheShareOfTheDiscThatTheyHide) {
-  Random random(209);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(209, [&](Random& random) {
     const float cell = std::exp2(static_cast<float>(random.integer(0, 8)));
     const float own = std::fabs(random.magnitude(-2.0f, 2.5f));
     const float depth_per_texel = std::fabs(random.magnitude(-6.0f, -2.0f));
-    inputs.insert(inputs.end(),
-                  {random.between(0.0f, 1.0f), own * depth_per_texel, random.between(0.0f, 6.0f) * own, cell,
-                   random.between(0.0f, 1.0f) * cell * cell, depth_per_texel});
-  }
+    return Case{random.between(0.0f, 1.0f),
+                own * depth_per_texel,
+                random.between(0.0f, 6.0f) * own,
+                cell,
+                random.between(0.0f, 1.0f) * cell * cell,
+                depth_per_texel};
+  });
   const std::vector<float> out =
       run(depth_rings(ring_scales("In(5)", "10.0") +
                           "CellBlockers b; b.share = In(0); b.gap = In(1); RingSums sums = NoBlockers(); "
@@ -375,7 +361,7 @@ TEST(DepthRings, SumsWeighBlockersByTheShareOfTheDiscThatTheyHide) {
                           "Out(0, sums.inside.x); Out(1, sums.inside.y); Out(2, sums.nearby.x); Out(3, "
                           "sums.nearby.y);",
                       6, 5),
-          DepthDirection::conventional, inputs);
+          inputs);
   int inside = 0;
   for (std::size_t i = 0; i < out.size() / 5; ++i) {
     const float* in = &inputs[6 * i];
@@ -418,17 +404,14 @@ TEST(DepthRingSums, QuadsHoldTheAreaOfEveryCellOfTheRings) {
       run(depth_ring_sums(
               kRingReceiver +
                   "r.bounds.minimum = float2(In(0), In(0)); r.bounds.maximum = r.bounds.minimum + 96.0; "
-                  "r.centre = float2(In(1), In(2)); float sum = 0.0; bool any = false;"
-                  "const int levels = RingLevels(In(3), In(4), kMostRingLevels);"
-                  "for (int level = 0; level <= levels; ++level) {"
-                  "const QuadRange quads = QuadsAround(r, level, In(3), In(4));"
-                  "for (int i = 0; i < CountOf(quads); ++i) {"
-                  "const float4 areas = AreasInRing(QuadAt(quads, i), level, In(3), In(4), r);"
-                  "any = any || AnyArea(areas);"
-                  "sum += (areas.x + areas.y) + (areas.z + areas.w); } } Out(0, sum); Out(1, any ? 1.0 "
-                  ": 0.0);",
+                  "r.centre = float2(In(1), In(2)); float sum = 0.0; bool any = false;const int levels = "
+                  "RingLevels(In(3), In(4), kMostRingLevels);for (int level = 0; level <= levels; ++level) "
+                  "{const QuadRange quads = QuadsAround(r, level, In(3), In(4));for (int i = 0; i < "
+                  "CountOf(quads); ++i) {const float4 areas = AreasInRing(QuadAt(quads, i), level, In(3), "
+                  "In(4), r);any = any || AnyArea(areas);sum += (areas.x + areas.y) + (areas.z + areas.w); } "
+                  "} Out(0, sum); Out(1, any ? 1.0 : 0.0);",
               5, 2),
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < kCases; ++i) {
     const float* in = &inputs[5 * i];
     const Exact radius = in[3], cells = in[4];
@@ -467,27 +450,17 @@ TEST(DepthRingSums, AWallOverHalfOfTheDiscHidesHalfOfIt) {
         kRingReceiver + ring_scales("0.1 / In(0)", "10.0") +
         "r.bounds.maximum = float2(128.0, 128.0); r.centre = float2(64.0, 64.0); r.depth = 0.5; r.gradient = "
         "float2(0.0, 0.0); RingSearch search = BeginSearch(s); int i; int k; float4 depths; const float "
-        "reach = "
-        "5.0;"
-        "QuadRange quads = QuadsAround(r, 0, reach, 5.0);"
-        "for (i = 0; i < CountOf(quads); ++i) { for (k = 0; k < 4; ++k) depths[k] = "
-        "float(CellOfQuad(QuadAt(quads, i), k).x) >= In(1) ? In(2) : In(3);"
-        "search = SearchTexels(search, depths, QuadAt(quads, i), AreasInRing(QuadAt(quads, i), 0, reach, "
-        "5.0, "
-        "r), r, s); }"
-        "const RingPenumbra penumbra = PenumbraOf(search, reach, s); float2 sums = float2(0.0, 0.0);"
-        "if (penumbra.readsDisc) { quads = QuadsAround(r, 0, penumbra.radius, 5.0);"
-        "for (i = 0; i < CountOf(quads); ++i) { for (k = 0; k < 4; ++k) depths[k] = "
-        "float(CellOfQuad(QuadAt(quads, i), k).x) >= In(1) ? In(2) : In(3);"
-        "sums = FilterTexels(sums, depths, QuadAt(quads, i), AreasInRing(QuadAt(quads, i), 0, "
-        "penumbra.radius, "
-        "5.0, r), penumbra, r); } }"
-        "else for (i = 0; i < 4; ++i) { const int2 first = QuadOfBlock(r, i); for (k = 0; k < 4; ++k) "
-        "depths[k] = "
-        "float(first.x + (k & 1)) >= In(1) ? In(2) : In(3); sums = FilterBlockQuad(sums, depths, first, "
-        "penumbra, "
-        "r); }"
-        "Out(0, penumbra.blocked ? LitShare(sums.x, sums.y) : 1.0); Out(1, penumbra.radius);";
+        "reach = 5.0;QuadRange quads = QuadsAround(r, 0, reach, 5.0);for (i = 0; i < CountOf(quads); ++i) { "
+        "for (k = 0; k < 4; ++k) depths[k] = float(CellOfQuad(QuadAt(quads, i), k).x) >= In(1) ? In(2) : "
+        "In(3);search = SearchTexels(search, depths, QuadAt(quads, i), AreasInRing(QuadAt(quads, i), 0, "
+        "reach, 5.0, r), r, s); }const RingPenumbra penumbra = PenumbraOf(search, reach, s); float2 sums = "
+        "float2(0.0, 0.0);if (penumbra.readsDisc) { quads = QuadsAround(r, 0, penumbra.radius, 5.0);for (i = "
+        "0; i < CountOf(quads); ++i) { for (k = 0; k < 4; ++k) depths[k] = float(CellOfQuad(QuadAt(quads, "
+        "i), k).x) >= In(1) ? In(2) : In(3);sums = FilterTexels(sums, depths, QuadAt(quads, i), "
+        "AreasInRing(QuadAt(quads, i), 0, penumbra.radius, 5.0, r), penumbra, r); } }else for (i = 0; i < 4; "
+        "++i) { const int2 first = QuadOfBlock(r, i); for (k = 0; k < 4; ++k) depths[k] = float(first.x + (k "
+        "& 1)) >= In(1) ? In(2) : In(3); sums = FilterBlockQuad(sums, depths, first, penumbra, r); }Out(0, "
+        "penumbra.blocked ? LitShare(sums.x, sums.y) : 1.0); Out(1, penumbra.radius);";
     const std::vector<float> out = run(depth_ring_sums(body, 4, 2), direction, inputs);
     for (std::size_t i = 0; i < out.size() / 2; ++i) {
       const float first = inputs[4 * i + 1];
@@ -513,11 +486,10 @@ TEST(DepthRingSums, TheSearchFindsTheGroundAmongTheTexelsNearby) {
         kRingReceiver + ring_scales("1e-3", "10.0") +
         "r.bounds.maximum = float2(128.0, 128.0); r.centre = float2(64.0, 64.0); r.depth = 0.5; r.gradient = "
         "float2(0.0, 0.0); RingSearch search = BeginSearch(s); const QuadRange quads = QuadsAround(r, 0, "
-        "6.0, "
-        "5.0); for (int i = 0; i < CountOf(quads); ++i) { const int2 quad = QuadAt(quads, i); float4 depths;"
-        "for (int k = 0; k < 4; ++k) depths[k] = float(CellOfQuad(quad, k).x) == In(0) ? In(1) : In(2);"
-        "search = SearchTexels(search, depths, quad, AreasInRing(quad, 0, 6.0, 5.0, r), r, s); }"
-        "Out(0, search.ground); Out(1, search.groundFound ? 1.0 : 0.0); Out(2, UsualGround(s));";
+        "6.0, 5.0); for (int i = 0; i < CountOf(quads); ++i) { const int2 quad = QuadAt(quads, i); float4 "
+        "depths;for (int k = 0; k < 4; ++k) depths[k] = float(CellOfQuad(quad, k).x) == In(0) ? In(1) : "
+        "In(2);search = SearchTexels(search, depths, quad, AreasInRing(quad, 0, 6.0, 5.0, r), r, s); }Out(0, "
+        "search.ground); Out(1, search.groundFound ? 1.0 : 0.0); Out(2, UsualGround(s));";
     const std::vector<float> out = run(depth_ring_sums(body, 3, 3), direction, inputs);
     for (std::size_t i = 0; i < out.size() / 3; ++i) {
       const bool is_near = i < 3;
@@ -530,23 +502,21 @@ TEST(DepthRingSums, TheSearchFindsTheGroundAmongTheTexelsNearby) {
 // Four cells of the same mean and no deviation are four times as much area of one blocker.
 TEST(DepthRingSums, CellsWithoutDeviationAreTheirMeans) {
   for (const DepthDirection direction : kDepthDirections) {
-    Random random(211);
-    std::vector<float> inputs;
-    for (int i = 0; i < 2000; ++i)
-      inputs.insert(inputs.end(),
-                    {random.between(0.2f, 0.8f), std::round(65535.0f * random.between(0.0f, 1.0f))});
+    const std::vector<float> inputs = random_cases(
+        211,
+        [&](Random& random) {
+          return Case{random.between(0.2f, 0.8f), std::round(65535.0f * random.between(0.0f, 1.0f))};
+        },
+        2000);
     const std::string body =
         kRingReceiver + ring_scales("1e-3", "1e9") +
         "r.bounds.maximum = float2(128.0, 128.0); r.centre = float2(64.0, 64.0); r.depth = In(0); r.gradient "
-        "= "
-        "float2(0.0, 0.0); RingSearch search = BeginSearch(s); const uint4 cells = uint4(1, 1, 1, 1) * "
-        "(uint(In(1)) << 16); const float4 areas = float4(4.0, 4.0, 4.0, 4.0);"
-        "search = SearchCells(search, cells, int2(16, 16), 1, areas, r, s);"
-        "RingPenumbra penumbra = PenumbraOf(search, 2000.0, s); penumbra.cone.largestOffset = 0.0;"
-        "const float2 sums = FilterCells(float2(0.0, 0.0), cells, int2(16, 16), 1, areas, penumbra, r);"
-        "Out(0, search.sums.nearby.x > 0.0 ? search.sums.nearby.y / search.sums.nearby.x : 0.0); Out(1, "
-        "sums.x); "
-        "Out(2, sums.y);";
+        "= float2(0.0, 0.0); RingSearch search = BeginSearch(s); const uint4 cells = uint4(1, 1, 1, 1) * "
+        "(uint(In(1)) << 16); const float4 areas = float4(4.0, 4.0, 4.0, 4.0);search = SearchCells(search, "
+        "cells, int2(16, 16), 1, areas, r, s);RingPenumbra penumbra = PenumbraOf(search, 2000.0, s); "
+        "penumbra.cone.largestOffset = 0.0;const float2 sums = FilterCells(float2(0.0, 0.0), cells, int2(16, "
+        "16), 1, areas, penumbra, r);Out(0, search.sums.nearby.x > 0.0 ? search.sums.nearby.y / "
+        "search.sums.nearby.x : 0.0); Out(1, sums.x); Out(2, sums.y);";
     const std::vector<float> out = run(depth_ring_sums(body, 2, 3), direction, inputs);
     int blocked = 0;
     for (std::size_t i = 0; i < out.size() / 3; ++i) {

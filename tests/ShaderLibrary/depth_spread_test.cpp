@@ -11,7 +11,7 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 CoreFunction depth_spread(const std::string& statement, int inputs, int outputs) {
-  return {"DepthSpread", statement, inputs, outputs, {}, "Map"};
+  return function_in("Map", "DepthSpread", statement, inputs, outputs);
 }
 
 struct ExactSpread {
@@ -58,13 +58,12 @@ TEST(DepthSpread, OfFourTexelsAndOfFourCellsAreThoseOfAllDepths) {
   const std::vector<float> out =
       run(depth_spread(
               "DepthSpread s[4]; for (int i = 0; i < 4; ++i) s[i] = SpreadOfFour(float4(In(4 * i), In(4 * i "
-              "+ 1), "
-              "In(4 * i + 2), In(4 * i + 3)));"
-              "const DepthSpread whole = JoinSpreads(float4(s[0].mean, s[1].mean, s[2].mean, s[3].mean), "
-              "float4(s[0].deviation, s[1].deviation, s[2].deviation, s[3].deviation));"
-              "Out(0, s[0].mean); Out(1, s[0].deviation); Out(2, whole.mean); Out(3, whole.deviation);",
+              "+ 1), In(4 * i + 2), In(4 * i + 3)));const DepthSpread whole = JoinSpreads(float4(s[0].mean, "
+              "s[1].mean, s[2].mean, s[3].mean), float4(s[0].deviation, s[1].deviation, s[2].deviation, "
+              "s[3].deviation));Out(0, s[0].mean); Out(1, s[0].deviation); Out(2, whole.mean); Out(3, "
+              "whole.deviation);",
               16, 4),
-          DepthDirection::conventional, depths);
+          depths);
   for (std::size_t i = 0; i < depths.size() / 16; ++i) {
     const ExactSpread four = exact_spread(&depths[16 * i], 4);
     const ExactSpread all = exact_spread(&depths[16 * i], 16);
@@ -90,7 +89,7 @@ TEST(DepthSpread, KeepsSixteenBitsOfBoth) {
       run(depth_spread("DepthSpread s; s.mean = In(0); s.deviation = In(1); const DepthSpread kept = "
                        "UnpackSpread(PackSpread(s)); Out(0, kept.mean); Out(1, kept.deviation);",
                        2, 2),
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
     ASSERT_NEAR(out[2 * i], inputs[2 * i], 1.01 / 131070.0) << i;
     ASSERT_NEAR(out[2 * i + 1], inputs[2 * i + 1], 1.01 / 262140.0) << i;

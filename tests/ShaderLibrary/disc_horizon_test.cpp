@@ -25,7 +25,7 @@ TEST(DiscShareAbove, IsTheAreaAboveTheEdge) {
     const float small = std::pow(10.0f, random.between(-7.0f, -1.0f));
     edges.insert(edges.end(), {1.0f - small, small - 1.0f});
   }
-  const std::vector<float> shares = run(kShare, DepthDirection::conventional, edges);
+  const std::vector<float> shares = run(kShare, edges);
   long double worst = 0.0L;
   for (std::size_t i = 0; i < edges.size(); ++i)
     worst = std::max(worst, std::fabs(shares[i] - share_above(edges[i])));
@@ -36,15 +36,14 @@ TEST(DiscShareAbove, IsTheAreaAboveTheEdge) {
 TEST(DiscShareAbove, IsExactAtTheEndsAndInTheMiddle) {
   const float infinity = std::numeric_limits<float>::infinity();
   const std::vector<float> edges{-infinity, -2.0f, -1.0f, 0.0f, -0.0f, 1.0f, 3e38f, infinity, std::nanf("")};
-  EXPECT_EQ(run(kShare, DepthDirection::conventional, edges),
-            (std::vector<float>{1.0f, 1.0f, 1.0f, 0.5f, 0.5f, 0.0f, 0.0f, 0.0f, 1.0f}));
+  EXPECT_EQ(run(kShare, edges), (std::vector<float>{1.0f, 1.0f, 1.0f, 0.5f, 0.5f, 0.0f, 0.0f, 0.0f, 1.0f}));
 }
 
 // A moving sun never brightens and darkens in turn.
 TEST(DiscShareAbove, NeverRisesWithTheEdge) {
   std::vector<float> edges;
   for (int i = -20'000; i <= 20'000; ++i) edges.push_back(static_cast<float>(i) / 20'000.0f);
-  const std::vector<float> shares = run(kShare, DepthDirection::conventional, edges);
+  const std::vector<float> shares = run(kShare, edges);
   for (std::size_t i = 1; i < shares.size(); ++i)
     ASSERT_LE(shares[i], shares[i - 1] + 1.2e-7f) << "at " << edges[i];
 }

@@ -37,19 +37,18 @@ std::vector<float> repeated_indices(int count) {
 TEST(Disk, GoldenDirectionsKeepTheirAngleAtHighIndices) {
   expect_exact(
       {"Disk", "const float2 d = GoldenDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
-      DepthDirection::conventional, repeated_indices(4096),
-      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
+      repeated_indices(4096), [](const float* in) { return golden_direction(static_cast<int>(in[0])); },
+      kTrigonometricUlp + 3.0L);
 }
 
 TEST(Disk, FibonacciTableHoldsTheGoldenDirections) {
   expect_exact(
       {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
-      DepthDirection::conventional, repeated_indices(64),
-      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, 0.51L);
+      repeated_indices(64), [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, 0.51L);
   expect_exact(
       {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2, kUnlimited},
-      DepthDirection::conventional, repeated_indices(4096),
-      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
+      repeated_indices(4096), [](const float* in) { return golden_direction(static_cast<int>(in[0])); },
+      kTrigonometricUlp + 3.0L);
 }
 
 TEST(Disk, IndicesOutsideTheTablesGiveTheirEnds) {
@@ -59,7 +58,7 @@ TEST(Disk, IndicesOutsideTheTablesGiveTheirEnds) {
            "const float2 f = FibonacciDirection(InInt(0)); Out(0, f.x); Out(1, f.y);"
            "const float2 p = PoissonDisk(InInt(0), 64); Out(2, p.x); Out(3, p.y);",
            1, 4},
-          DepthDirection::conventional, inputs);
+          inputs);
   const auto row = [&](std::size_t i) { return std::vector<float>(&results[4 * i], &results[4 * i] + 4); };
   EXPECT_EQ(row(0), row(1));
   EXPECT_EQ(row(5), row(1));
@@ -68,13 +67,11 @@ TEST(Disk, IndicesOutsideTheTablesGiveTheirEnds) {
 }
 
 std::vector<float> index_and_count(int largest) {
-  Random random(21);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(21, [&](Random& random, int i) {
     const int count = i % 4 == 0 ? (i % 8 == 0 ? 1 : largest) : random.integer(1, largest);
     const int index = i % 3 == 0 ? count - 1 : random.integer(0, count - 1);
-    inputs.insert(inputs.end(), {float(index), float(count), i % 2 == 0 ? 1.0f : random.between(1.0f, 4.0f)});
-  }
+    return Case{float(index), float(count), i % 2 == 0 ? 1.0f : random.between(1.0f, 4.0f)};
+  });
   return inputs;
 }
 
@@ -86,24 +83,20 @@ long double fibonacci_radius(const float* in) {
 // the exponent is off by up to 26 x 3 ULP relative to a result of 1.
 TEST(Disk, FibonacciRadiusFollowsItsPower) {
   expect_exact(
-      {"Disk", "Out(0, FibonacciRadius(InInt(0), InInt(1), In(2)));", 3, 1}, DepthDirection::conventional,
-      index_and_count(4096), [](const float* in) { return std::vector<Exact>{{fibonacci_radius(in)}}; },
-      80.0L);
+      {"Disk", "Out(0, FibonacciRadius(InInt(0), InInt(1), In(2)));", 3, 1}, index_and_count(4096),
+      [](const float* in) { return std::vector<Exact>{{fibonacci_radius(in)}}; }, 80.0L);
 }
 
 // Every octave has as many points, so the logarithm of the radius is even. pow is as above, with a base up to
 // 2^13.
 TEST(Disk, GeometricRadiusFillsEveryOctaveAlike) {
-  Random random(32);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(32, [&](Random& random) {
     const int count = random.integer(1, 4096);
-    inputs.insert(inputs.end(), {float(random.integer(0, count - 1)), float(count),
-                                 random.between(0.01f, 1.0f), std::pow(10.0f, random.between(0.0f, 3.5f))});
-  }
+    return Case{float(random.integer(0, count - 1)), float(count), random.between(0.01f, 1.0f),
+                std::pow(10.0f, random.between(0.0f, 3.5f))};
+  });
   expect_exact(
-      {"Disk", "Out(0, GeometricRadius(InInt(0), InInt(1), In(2), In(3)));", 4, 1},
-      DepthDirection::conventional, inputs,
+      {"Disk", "Out(0, GeometricRadius(InInt(0), InInt(1), In(2), In(3)));", 4, 1}, inputs,
       [](const float* in) {
         const long double step = (in[0] + 0.5L) / in[1];
         const long double logarithm =
@@ -117,10 +110,9 @@ TEST(Disk, PointsAreDirectionTimesRadius) {
   expect_exact(
       {"Disk",
        "const float2 f = FibonacciDisk(InInt(0), InInt(1), In(2)); const float2 v = VogelDisk(InInt(0), "
-       "InInt(1));"
-       "Out(0, f.x); Out(1, f.y); Out(2, v.x); Out(3, v.y);",
+       "InInt(1));Out(0, f.x); Out(1, f.y); Out(2, v.x); Out(3, v.y);",
        3, 4},
-      DepthDirection::conventional, index_and_count(64),
+      index_and_count(64),
       [](const float* in) {
         const std::vector<Exact> direction = golden_direction(static_cast<int>(in[0]));
         const long double clumped = fibonacci_radius(in);
@@ -137,7 +129,7 @@ TEST(Disk, SpiralPointsLieInsideTheDisk) {
   for (const auto& defines : {std::vector<std::pair<std::string, std::string>>{}, kUnlimited}) {
     for (const float radius :
          run({"Disk", "Out(0, FibonacciRadius(InInt(0), InInt(1), In(2)));", 3, 1, defines},
-             DepthDirection::conventional, index_and_count(defines.empty() ? 64 : 4096))) {
+             index_and_count(defines.empty() ? 64 : 4096))) {
       ASSERT_GT(radius, 0.0f);
       ASSERT_LT(radius, 1.0f);
     }
@@ -149,9 +141,8 @@ TEST(Disk, PoissonSetsAreDistinctPointsOfTheDisk) {
   for (const int count : {25, 32, 64, 100, 128}) {
     for (int i = 0; i < count; ++i) inputs.insert(inputs.end(), {float(i), float(count)});
   }
-  const std::vector<float> results =
-      run({"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2},
-          DepthDirection::conventional, inputs);
+  const std::vector<float> results = run(
+      {"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2}, inputs);
   std::vector<std::pair<float, float>> points;
   for (std::size_t i = 0; i < results.size() / 2; ++i) {
     const std::pair<float, float> point(results[2 * i], results[2 * i + 1]);
@@ -166,7 +157,7 @@ TEST(Disk, UnlimitedPoissonIsVogels) {
   expect_exact(
       {"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 3, 2,
        kUnlimited},
-      DepthDirection::conventional, index_and_count(4096),
+      index_and_count(4096),
       [](const float* in) {
         const std::vector<Exact> direction = golden_direction(static_cast<int>(in[0]));
         const long double even = std::sqrt((in[0] + 0.5L) / in[1]);
@@ -181,8 +172,7 @@ TEST(Disk, CountsAreBoundedToWhatThereIs) {
   for (int i = -kRandomCases / 2; i < kRandomCases / 2; ++i) inputs.push_back(float(i));
   inputs.insert(inputs.end(), {2e9f, -2e9f});
   expect_exact(
-      {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2},
-      DepthDirection::conventional, inputs,
+      {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2}, inputs,
       [](const float* in) {
         long double set = 128.0L;
         for (const float size : {100.0f, 64.0f, 32.0f, 25.0f}) set = in[0] <= size ? size : set;
@@ -192,7 +182,7 @@ TEST(Disk, CountsAreBoundedToWhatThereIs) {
   expect_exact(
       {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2,
        kUnlimited},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const float bounded = std::clamp(in[0], 1.0f, 4096.0f);
         return std::vector<Exact>{{bounded}, {bounded}};
@@ -202,18 +192,15 @@ TEST(Disk, CountsAreBoundedToWhatThereIs) {
 
 // The result has two products and a sum, at the size of the products.
 TEST(Disk, RotationTurnsAndKeepsTheLength) {
-  Random random(22);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(22, [&](Random& random) {
     const float angle = random.between(0.0f, 6.2831f);
-    inputs.insert(inputs.end(), {random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), std::cos(angle),
-                                 std::sin(angle)});
-  }
+    return Case{random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), std::cos(angle), std::sin(angle)};
+  });
   expect_exact(
       {"Disk",
        "const float2 r = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, r.x); Out(1, r.y);",
        4, 2},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double xx = static_cast<long double>(in[0]) * in[2],
                           yy = static_cast<long double>(in[1]) * in[3];
@@ -236,7 +223,7 @@ TEST(Disk, AnythingBecomesAUnitRotation) {
   }
   const std::vector<float> results =
       run({"Disk", "const float2 r = UnitRotation(float2(In(0), In(1))); Out(0, r.x); Out(1, r.y);", 2, 2},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
     const long double x = results[2 * i], y = results[2 * i + 1];
     ASSERT_NEAR(static_cast<double>(x * x + y * y), 1.0, 8.0 * 0x1p-23) << words(&inputs[2 * i], 2);

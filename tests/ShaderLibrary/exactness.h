@@ -73,4 +73,9 @@ inline void expect_exact(const CoreFunction& function, DepthDirection direction,
   ::testing::Test::RecordProperty("worst_ulp", std::to_string(static_cast<double>(worst)));
 }
 
+inline void expect_exact(const CoreFunction& function, const std::vector<float>& inputs,
+                         const Reference& reference, long double largest_ulp) {
+  expect_exact(function, DepthDirection::conventional, inputs, reference, largest_ulp);
+}
+
 }  // namespace penumbra::shader_library_tests

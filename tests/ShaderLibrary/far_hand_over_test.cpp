@@ -24,14 +24,11 @@ long double share_at(float distance, float shadow_distance, float border) {
 }
 
 TEST(FarShare, RisesFromTheBorderToTheShadowDistance) {
-  Random random(81);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i)
-    for (const float value :
-         {random.between(0.0f, 400.0f), random.between(10.0f, 300.0f), random.between(0.05f, 1.0f),
-          random.between(0.0f, 1.0f), random.between(0.0f, 1.0f)})
-      cases.push_back(value);
-  const std::vector<float> seen = run(kHandOver, DepthDirection::conventional, cases);
+  const std::vector<float> cases = random_cases(81, [&](Random& random) {
+    return Case{random.between(0.0f, 400.0f), random.between(10.0f, 300.0f), random.between(0.05f, 1.0f),
+                random.between(0.0f, 1.0f), random.between(0.0f, 1.0f)};
+  });
+  const std::vector<float> seen = run(kHandOver, cases);
   int before = 0, within = 0, beyond = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const float* in = &cases[5 * i];
@@ -58,7 +55,7 @@ TEST(FarShare, RisesFromTheBorderToTheShadowDistance) {
 TEST(FarShare, StaysInRangeAndWhatIsNoDistanceIsFar) {
   Random random(82);
   const std::vector<float> cases = random_special_floats(random, 5 * kRandomCases);
-  const std::vector<float> seen = run(kHandOver, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kHandOver, cases);
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     ASSERT_TRUE(seen[2 * i] >= 0.0f && seen[2 * i] <= 1.0f) << i;
     if (!std::isnan(cases[5 * i])) continue;

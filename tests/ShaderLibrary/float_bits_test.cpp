@@ -25,7 +25,7 @@ std::vector<float> any_floats() {
 TEST(FloatBits, KnowsNanAndInfinityByTheirBits) {
   expect_exact(
       {"FloatBits", "Out(0, HasNanBits(In(0)) ? 1.0 : 0.0); Out(1, HasFiniteBits(In(0)) ? 1.0 : 0.0);", 1, 2},
-      DepthDirection::conventional, any_floats(),
+      any_floats(),
       [](const float* in) {
         return std::vector<Exact>{{std::isnan(in[0]) ? 1.0L : 0.0L}, {std::isfinite(in[0]) ? 1.0L : 0.0L}};
       },
@@ -38,7 +38,7 @@ TEST(FloatBits, FiniteOrKeepsFiniteValuesAndReplacesTheRest) {
        "Out(0, FiniteOr(In(0), 7.0)); const float2 pair = FiniteOr(float2(In(0), 2.0), float2(8.0, 9.0));"
        "Out(1, pair.x); Out(2, pair.y);",
        1, 3},
-      DepthDirection::conventional, any_floats(),
+      any_floats(),
       [](const float* in) {
         const bool finite = std::isfinite(in[0]);
         return std::vector<Exact>{{finite ? in[0] : 7.0L}, {finite ? in[0] : 8.0L}, {2.0L}};
@@ -48,8 +48,7 @@ TEST(FloatBits, FiniteOrKeepsFiniteValuesAndReplacesTheRest) {
 
 TEST(FloatBits, BoundedOrLowStaysBetweenItsBounds) {
   expect_exact(
-      {"FloatBits", "Out(0, BoundedOrLow(In(0), 0.25, 0.75));", 1, 1}, DepthDirection::conventional,
-      any_floats(),
+      {"FloatBits", "Out(0, BoundedOrLow(In(0), 0.25, 0.75));", 1, 1}, any_floats(),
       [](const float* in) {
         return std::vector<Exact>{{std::isnan(in[0]) ? 0.25L : std::clamp(in[0], 0.25f, 0.75f)}};
       },

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/inputs.h"
@@ -20,18 +19,23 @@ const CoreFunction kGround{
     10, 4};
 
 TEST(GroundMap, PlacesAndHeightsAreThoseOfTheArea) {
-  Random random(17);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> cases = random_cases(17, [&](Random& random) {
     const float x = random.between(-5000.0f, 5000.0f), z = random.between(-5000.0f, 5000.0f);
     const float width = std::fabs(random.magnitude(0.0f, 4.0f)),
                 depth = std::fabs(random.magnitude(0.0f, 4.0f));
     const float low = random.between(-100.0f, 100.0f);
-    cases.insert(cases.end(), {x, z, width, depth, low, low + random.between(1.0f, 3000.0f),
-                               x + width * random.between(-0.2f, 1.2f), random.between(-10.0f, 10.0f),
-                               z + depth * random.between(-0.2f, 1.2f), random.between(-0.1f, 1.1f)});
-  }
-  const std::vector<float> seen = run(kGround, DepthDirection::conventional, cases);
+    return Case{x,
+                z,
+                width,
+                depth,
+                low,
+                low + random.between(1.0f, 3000.0f),
+                x + width * random.between(-0.2f, 1.2f),
+                random.between(-10.0f, 10.0f),
+                z + depth * random.between(-0.2f, 1.2f),
+                random.between(-0.1f, 1.1f)};
+  });
+  const std::vector<float> seen = run(kGround, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     const float* in = &cases[10 * i];
     const float* out = &seen[4 * i];
@@ -52,7 +56,7 @@ TEST(GroundMap, PlacesAndHeightsAreThoseOfTheArea) {
 TEST(GroundMap, IsFiniteForAnyMapAndPlaceAndCoversNoPlaceThatIsNone) {
   Random random(18);
   const std::vector<float> cases = random_special_floats(random, 10 * kRandomCases);
-  const std::vector<float> seen = run(kGround, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kGround, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) ASSERT_TRUE(std::isfinite(seen[4 * i + j])) << i << " " << j;
     const bool place = std::isfinite(cases[10 * i + 6]) && std::isfinite(cases[10 * i + 8]);
@@ -68,11 +72,10 @@ TEST(HeightUv, HasTexelsAtTheEdges) {
       "GroundMap",
       "const float2 uv = HeightUv(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, uv.x); Out(1, uv.y);",
       4, 2};
-  EXPECT_EQ(run(uv, DepthDirection::conventional, {0.0f, 1.0f, 4.0f, 8.0f, 0.5f, 0.5f, 2.0f, 64.0f}),
+  EXPECT_EQ(run(uv, {0.0f, 1.0f, 4.0f, 8.0f, 0.5f, 0.5f, 2.0f, 64.0f}),
             (std::vector<float>{0.125f, 0.9375f, 0.5f, 0.5f}));
   const float nan = std::nanf("");
-  for (const float value :
-       run(uv, DepthDirection::conventional, {0.25f, 0.75f, 0.0f, nan, 1.0f, 0.0f, -4.0f, nan}))
+  for (const float value : run(uv, {0.25f, 0.75f, 0.0f, nan, 1.0f, 0.0f, -4.0f, nan}))
     EXPECT_TRUE(value >= 0.0f && value <= 1.0f) << "of a map without texels";
 }
 

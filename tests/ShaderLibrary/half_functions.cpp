@@ -25,45 +25,70 @@ Case tile(Random& random) {
 }
 
 constexpr const char* kTile =
-    "ShadowTile tile; tile.offsetScale = float4(0.5, 0, 0.5, 0.5); tile.atlasTexelSize = float4("
-    "1.0 / 4096.0, 1.0 / 4096.0, 4096, 4096); tile.uvPerMetre = In(0); tile.depthPerMetre = In(1); "
-    "tile.depthToRadial = In(2); "
-    "tile.radialToDepth = In(3);";
-
-std::string on_tile(const std::string& statement) {
-  return kTile + statement;
-}
+    "ShadowTile tile; tile.offsetScale = float4(0.5, 0, 0.5, 0.5); tile.atlasTexelSize = float4(1.0 / "
+    "4096.0, 1.0 / 4096.0, 4096, 4096); tile.uvPerMetre = In(0); tile.depthPerMetre = In(1); "
+    "tile.depthToRadial = In(2); tile.radialToDepth = In(3);";
 
 std::string with_scales(const std::string& statement) {
-  return on_tile("const ConeScales scales = ConeScalesOf(tile);" + statement);
+  return std::string(kTile) + "const ConeScales scales = ConeScalesOf(tile);" + statement;
 }
 
-Case joined(Case first, const Case& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
+struct Range {
+  float low, high;
+  bool whole = false;
+};
+
+Range whole(int low, int high) {
+  return {float(low), float(high), true};
+}
+
+// Cases of a number of each range.
+Inputs in(std::vector<Range> ranges) {
+  return [ranges = std::move(ranges)](Random& random) {
+    Case values;
+    for (const Range& range : ranges)
+      values.push_back(range.whole ? float(random.integer(int(range.low), int(range.high)))
+                                   : random.between(range.low, range.high));
+    return values;
+  };
+}
+
+// What the second makes follows what the first makes, and is drawn before it.
+Inputs joined(Inputs first, Inputs second) {
+  return [first = std::move(first), second = std::move(second)](Random& random) {
+    const Case last = second(random);
+    Case values = first(random);
+    values.insert(values.end(), last.begin(), last.end());
+    return values;
+  };
+}
+
+Inputs on_tile(std::vector<Range> ranges) {
+  return joined(tile, in(std::move(ranges)));
 }
 
 // The moments of two depths in [-1, 1], then a depth near the farther one or behind it.
-Case two_depths(Random& random, int moments) {
-  const float a = random.between(-1.0F, 1.0F), b = random.between(-1.0F, 1.0F),
-              share = random.between(0.0F, 1.0F);
-  Case values;
-  for (int power = 1; power <= moments; ++power)
-    values.push_back(share * std::pow(a, float(power)) + (1.0F - share) * std::pow(b, float(power)));
-  values.push_back(std::min(1.0F, std::max(a, b) + random.between(-0.05F, 0.2F)));
-  return values;
+Inputs two_depths(int moments) {
+  return [moments](Random& random) {
+    const float a = random.between(-1.0F, 1.0F), b = random.between(-1.0F, 1.0F),
+                share = random.between(0.0F, 1.0F);
+    Case values;
+    for (int power = 1; power <= moments; ++power)
+      values.push_back(share * std::pow(a, float(power)) + (1.0F - share) * std::pow(b, float(power)));
+    values.push_back(std::min(1.0F, std::max(a, b) + random.between(-0.05F, 0.2F)));
+    return values;
+  };
 }
 
-Case two_moments(Random& random) {
-  return two_depths(random, 2);
+// A sample of up to 64.
+Case sample(Random& random) {
+  const int count = random.integer(1, 64);
+  return {float(random.integer(0, count - 1)), float(count)};
 }
 
-Case four_moments(Random& random) {
-  return two_depths(random, 4);
-}
-
-Case unit(Random& random) {
-  return {random.between(0.0F, 1.0F)};
+Case clumped_sample(Random& random) {
+  const Case one = sample(random);
+  return {one[0], one[1], random.between(0.0F, 2.0F)};
 }
 
 // The centre within its texel, as half has it, and the number of fetches.
@@ -78,258 +103,143 @@ Case direction(Random& random) {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
+Case turned_point(Random& random) {
+  const float angle = random.between(0.0F, 6.2831853F);
+  return {random.between(-0.7F, 0.7F), random.between(-0.7F, 0.7F), std::cos(angle), std::sin(angle)};
+}
+
+// A sum and the weight, or the count, that it is divided by.
+Case weighted_sum(Random& random) {
+  const float weights = random.between(0.25F, 64.0F);
+  return {weights * random.between(0.0F, 1.0F), weights};
+}
+
+Case counted_sum(Random& random) {
+  const int count = random.integer(1, 64);
+  return {random.between(0.0F, float(count)), float(count)};
+}
+
+// A position in the first sphere and the second, whose border is a step of the weight, and the spheres'
+// scale.
+Case in_spheres(Random& random) {
+  Case position = direction(random);
+  const float radius = random.between(0.0F, 1.0F);
+  for (float& coordinate : position) coordinate *= radius;
+  return {position[0], position[1], position[2] + 0.6F, random.between(3.0F, 50.0F)};
+}
+
+const Inputs kUnit = in({{0, 1}});
+
+HalfFunction half(std::string name, const Quantity& quantity, std::string file, std::string statement,
+                  int outputs, Inputs inputs, std::string folder = "Core") {
+  Random any(1);
+  const int words = int(inputs(any).size());
+  return {std::move(name),
+          quantity,
+          {std::move(file), std::move(statement), words, outputs, {}, std::move(folder)},
+          std::move(inputs)};
+}
+
 }  // namespace
 
 std::vector<HalfFunction> half_functions() {
   return {
-      {"FibonacciDisk",
-       kDisc,
-       {"Disk", "const float2 p = FibonacciDisk(InInt(0), InInt(1), In(2)); Out(0, p.x); Out(1, p.y);", 3, 2},
-       [](Random& random) {
-         const int count = random.integer(1, 64);
-         return Case{float(random.integer(0, count - 1)), float(count), random.between(0.0F, 2.0F)};
-       }},
-      {"VogelDisk",
-       kDisc,
-       {"Disk", "const float2 p = VogelDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2},
-       [](Random& random) {
-         const int count = random.integer(1, 64);
-         return Case{float(random.integer(0, count - 1)), float(count)};
-       }},
-      {"RotateDisk",
-       kDisc,
-       {"Disk",
-        "const float2 p = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, p.x); Out(1, p.y);",
-        4, 2},
-       [](Random& random) {
-         const float angle = random.between(0.0F, 6.2831853F);
-         return Case{random.between(-0.7F, 0.7F), random.between(-0.7F, 0.7F), std::cos(angle),
-                     std::sin(angle)};
-       }},
-      {"GradientNoise",
-       kTurn,
-       {"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
-       [](Random& random) {
-         return Case{float(random.integer(0, 1919)), float(random.integer(0, 1079)),
-                     float(random.integer(0, 63))};
-       }},
-      {"RotationFromNoise",
-       kDisc,
-       {"Noise", "const float2 p = RotationFromNoise(In(0)); Out(0, p.x); Out(1, p.y);", 1, 2},
-       unit},
-      {"TentFetches, weights",
-       kVisibility,
-       {"TentWeights",
-        "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
-        "axis.weight[i]);",
-        2, 4},
-       tent},
-      {"TentFetches, positions",
-       kTexels,
-       {"TentWeights",
-        "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
-        "axis.position[i]);",
-        2, 4},
-       tent},
-      {"DepthGap",
-       kDepth,
-       {"DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 2, 1},
-       [](Random& random) {
-         return Case{random.between(0.0F, 1.0F), random.between(0.0F, 1.0F)};
-       }},
-      {"TexelCoordinates",
-       kTexels,
-       {"TileBounds",
-        on_tile("const float2 p = TexelCoordinates(float2(In(4), In(5)), tile); Out(0, p.x); Out(1, p.y);"),
-        6, 2},
-       [](Random& random) {
-         return joined(tile(random), {random.between(0.5F, 1.0F), random.between(0.0F, 0.5F)});
-       }},
-      {"PenumbraRadius",
-       kTexels,
-       {"Penumbra", with_scales("Out(0, PenumbraRadius(In(4), scales));"), 5, 1},
-       [](Random& random) { return joined(tile(random), {random.between(0.0F, 0.1F)}); }},
-      {"SearchRadius",
-       kTexels,
-       {"Penumbra", with_scales("Out(0, SearchRadius(In(4), In(5), In(6), scales));"), 7, 1},
-       [](Random& random) {
-         return joined(tile(random),
-                       {random.between(0.0F, 1.0F), random.between(0.1F, 5.0F), random.between(0.0F, 2.0F)});
-       }},
-      {"ConeOffset",
-       kDepth,
-       {"Penumbra", with_scales("Out(0, ConeOffset(In(4), In(5), 1.0, scales));"), 6, 1},
-       [](Random& random) {
-         return joined(tile(random), {random.between(0.0F, 32.0F), random.between(0.0F, 2.0F)});
-       }},
-      {"AverageGap",
-       kDepth,
-       {"Penumbra", "Out(0, AverageGap(In(0), In(1)));", 2, 1},
-       [](Random& random) {
-         const float weights = random.between(0.25F, 64.0F);
-         return Case{weights * random.between(0.0F, 1.0F), weights};
-       }},
-      {"LitShare",
-       kVisibility,
-       {"Penumbra", "Out(0, LitShare(In(0), In(1)));", 2, 1},
-       [](Random& random) {
-         return Case{random.between(0.0F, 64.0F), random.between(0.0F, 64.0F)};
-       }},
-      {"MeanVisibility",
-       kVisibility,
-       {"Penumbra", "Out(0, MeanVisibility(In(0), In(1)));", 2, 1},
-       [](Random& random) {
-         const int count = random.integer(1, 64);
-         return Case{random.between(0.0F, float(count)), float(count)};
-       }},
-      {"SanitizeVisibility",
-       kVisibility,
-       {"FloatBits", "Out(0, SanitizeVisibility(In(0)));", 1, 1},
-       [](Random& random) { return Case{random.between(-0.5F, 1.5F)}; }},
-      {"ChebyshevBound",
-       kVisibility,
-       {"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), 1e-5));", 3, 1},
-       two_moments},
-      {"ReduceBleeding",
-       kVisibility,
-       {"MomentBounds", "Out(0, ReduceBleeding(In(0), In(1)));", 2, 1},
-       [](Random& random) {
-         return Case{random.between(0.0F, 1.0F), random.between(0.0F, 0.6F)};
-       }},
-      {"HamburgerBound",
-       kVisibility,
-       {"HamburgerBound", "Out(0, HamburgerBound(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5));", 5, 1},
-       four_moments},
-      {"BlockersOfVariance, share",
-       kVisibility,
-       {"BlockerMean", "Out(0, BlockersOfVariance(float2(In(0), In(1)), In(2), 1e-5).share);", 3, 1},
-       two_moments},
-      {"BlockersOfMoments, share",
-       kVisibility,
-       {"BlockerMean", "Out(0, BlockersOfMoments(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5).share);", 5,
-        1},
-       four_moments},
-      {"RingTapRadius",
-       kDisc,
-       {"RingMask", "Out(0, RingTapRadius(InInt(0), 32, InInt(1)));", 2, 1},
-       [](Random& random) {
-         return Case{float(random.integer(0, 31)), float(random.integer(1, 2))};
-       }},
-      {"RingsInside",
-       kRings,
-       {"RingMask", "Out(0, RingsInside(In(0), 32, InInt(1)));", 2, 1},
-       [](Random& random) {
-         return Case{random.between(0.0F, 1.0F), float(random.integer(1, 2))};
-       }},
-      {"RingVisibility",
-       kVisibility,
-       {"RingMask",
-        "RingMask mask = EmptyRingMask(); mask.words[0] = uint(InInt(0)) | uint(InInt(1)) << 8 | "
-        "uint(InInt(2)) << 16 | uint(InInt(3)) << 24; Out(0, RingVisibility(mask, In(4), InInt(5)));",
-        6, 1},
-       [](Random& random) {
-         return Case{float(random.integer(0, 255)), float(random.integer(0, 255)),
-                     float(random.integer(0, 255)), float(random.integer(0, 255)),
-                     random.between(1.0F, 32.0F),   float(random.integer(1, 2))};
-       }},
-      {"NextCascadeWeight",
-       kVisibility,
-       {"CascadeSelection",
-        "CascadeSpheres spheres; spheres.centre0 = float3(0, 0, 0.6 * In(3)); spheres.centre1 = float3(0, 0, "
-        "1.2 * In(3)); spheres.centre2 = spheres.centre1; spheres.centre3 = spheres.centre1; "
-        "spheres.squaredRadii = float4(1, 4, 4, 4) * In(3) * In(3); Out(0, NextCascadeWeight(float3(In(0), "
-        "In(1), In(2)) * In(3), spheres, 0, 4, 0.2));",
-        4, 1},
-       // The positions lie in the first sphere and the second, whose border is a step of the weight.
-       [](Random& random) {
-         Case position = direction(random);
-         const float radius = random.between(0.0F, 1.0F);
-         for (float& coordinate : position) coordinate *= radius;
-         position[2] += 0.6F;
-         return joined(position, {random.between(3.0F, 50.0F)});
-       }},
-      {"ReceiverPlaneDepth",
-       kDepth,
-       {"ReceiverPlane", "Out(0, ReceiverPlaneDepth(In(0), float2(In(1), In(2)), float2(In(3), In(4))));", 5,
-        1},
-       [](Random& random) {
-         return Case{random.between(0.1F, 0.9F), random.between(-4.0F, 4.0F), random.between(-4.0F, 4.0F),
-                     random.between(-0.004F, 0.004F), random.between(-0.004F, 0.004F)};
-       }},
-      {"AdaptiveBias",
-       kDepth,
-       {"ShadowBias", "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(2)), 0.1));", 3, 1},
-       [](Random& random) {
-         return Case{random.between(-4.0F, 4.0F), random.between(-4.0F, 4.0F), random.between(0.0F, 0.004F)};
-       }},
-      {"CasterBiasMetres",
-       kMetres,
-       {"ShadowBias",
-        "const float2 b = CasterBiasMetres(float2(In(0), In(1)), In(2), In(3)); Out(0, b.x); Out(1, b.y);", 4,
-        2},
-       [](Random& random) {
-         return Case{random.between(0.0F, 3.0F), random.between(0.0F, 3.0F), random.between(0.002F, 0.1F),
-                     random.between(1.0F, 3.5F)};
-       }},
-      {"BiasCaster",
-       kMetres,
-       {"ShadowBias",
-        "const float3 p = BiasCaster(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), float3("
-        "0, 1, 0), float2(-0.05, -0.05)); Out(0, p.x); Out(1, p.y); Out(2, p.z);",
-        6, 3},
-       [](Random& random) {
-         return joined(
-             {random.between(-100.0F, 100.0F), random.between(0.0F, 20.0F), random.between(-100.0F, 100.0F)},
-             direction(random));
-       }},
-      {"PlaneWeight",
-       kVisibility,
-       {"ScreenPosition",
-        "Out(0, PlaneWeight(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), 0.05));", 6, 1},
-       [](Random& random) {
-         return joined(
-             {random.between(-0.1F, 0.1F), random.between(-0.1F, 0.1F), random.between(-0.1F, 0.1F)},
-             direction(random));
-       }},
-      {"AxialDepth",
-       kMetres,
-       {"SpotLight", "Out(0, AxialDepth(In(0), BoundedSpotMap(float4(0.1, 20, 0.6, 0.1))));", 1, 1},
-       unit},
-      {"PenumbraRadiusMetres",
-       kMetres,
-       {"SpotLight",
-        "const SpotMap map = BoundedSpotMap(float4(0.1, 20, 0.6, 0.1)); Out(0, PenumbraRadiusMetres("
-        "In(0), In(1), map));",
-        2, 1},
-       [](Random& random) {
-         return Case{random.between(0.0F, 0.1F), random.between(1.0F, 20.0F)};
-       }},
-      {"WarpedMoments, first",
-       kVisibility,
-       {"DepthWarp",
-        "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.x * exp(-2.5)); Out(1, m.y * "
-        "exp(-2.5));",
-        1,
-        2,
-        {},
-        "Map"},
-       unit},
-      {"WarpedMoments, second",
-       kVisibility,
-       {"DepthWarp",
-        "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.z * exp(-5.0)); Out(1, m.w * "
-        "exp(-5.0));",
-        1,
-        2,
-        {},
-        "Map"},
-       unit},
-      {"MapBlurWeight",
-       kVisibility,
-       {"MapBlur", "Out(0, MapBlurWeight(InInt(0), In(1)));", 2, 1, {}, "Map"},
-       [](Random& random) {
-         return Case{float(random.integer(-8, 8)), random.between(0.5F, 4.0F)};
-       }},
+      half("FibonacciDisk", kDisc, "Disk",
+           "const float2 p = FibonacciDisk(InInt(0), InInt(1), In(2)); Out(0, p.x); Out(1, p.y);", 2,
+           clumped_sample),
+      half("VogelDisk", kDisc, "Disk",
+           "const float2 p = VogelDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, sample),
+      half("RotateDisk", kDisc, "Disk",
+           "const float2 p = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, p.x); Out(1, "
+           "p.y);",
+           2, turned_point),
+      half("GradientNoise", kTurn, "Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 1,
+           in({whole(0, 1919), whole(0, 1079), whole(0, 63)})),
+      half("RotationFromNoise", kDisc, "Noise",
+           "const float2 p = RotationFromNoise(In(0)); Out(0, p.x); Out(1, p.y);", 2, kUnit),
+      half("TentFetches, weights", kVisibility, "TentWeights",
+           "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
+           "axis.weight[i]);",
+           4, tent),
+      half("TentFetches, positions", kTexels, "TentWeights",
+           "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
+           "axis.position[i]);",
+           4, tent),
+      half("DepthGap", kDepth, "DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 1, in({{0, 1}, {0, 1}})),
+      half("TexelCoordinates", kTexels, "TileBounds",
+           std::string(kTile) +
+               "const float2 p = TexelCoordinates(float2(In(4), In(5)), tile); Out(0, p.x); Out(1, p.y);",
+           2, on_tile({{0.5F, 1}, {0, 0.5F}})),
+      half("PenumbraRadius", kTexels, "Penumbra", with_scales("Out(0, PenumbraRadius(In(4), scales));"), 1,
+           on_tile({{0, 0.1F}})),
+      half("SearchRadius", kTexels, "Penumbra",
+           with_scales("Out(0, SearchRadius(In(4), In(5), In(6), scales));"), 1,
+           on_tile({{0, 1}, {0.1F, 5}, {0, 2}})),
+      half("ConeOffset", kDepth, "Penumbra", with_scales("Out(0, ConeOffset(In(4), In(5), 1.0, scales));"), 1,
+           on_tile({{0, 32}, {0, 2}})),
+      half("AverageGap", kDepth, "Penumbra", "Out(0, AverageGap(In(0), In(1)));", 1, weighted_sum),
+      half("LitShare", kVisibility, "Penumbra", "Out(0, LitShare(In(0), In(1)));", 1, in({{0, 64}, {0, 64}})),
+      half("MeanVisibility", kVisibility, "Penumbra", "Out(0, MeanVisibility(In(0), In(1)));", 1,
+           counted_sum),
+      half("SanitizeVisibility", kVisibility, "FloatBits", "Out(0, SanitizeVisibility(In(0)));", 1,
+           in({{-0.5F, 1.5F}})),
+      half("ChebyshevBound", kVisibility, "MomentBounds",
+           "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), 1e-5));", 1, two_depths(2)),
+      half("ReduceBleeding", kVisibility, "MomentBounds", "Out(0, ReduceBleeding(In(0), In(1)));", 1,
+           in({{0, 1}, {0, 0.6F}})),
+      half("HamburgerBound", kVisibility, "HamburgerBound",
+           "Out(0, HamburgerBound(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5));", 1, two_depths(4)),
+      half("BlockersOfVariance, share", kVisibility, "BlockerMean",
+           "Out(0, BlockersOfVariance(float2(In(0), In(1)), In(2), 1e-5).share);", 1, two_depths(2)),
+      half("BlockersOfMoments, share", kVisibility, "BlockerMean",
+           "Out(0, BlockersOfMoments(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5).share);", 1,
+           two_depths(4)),
+      half("RingTapRadius", kDisc, "RingMask", "Out(0, RingTapRadius(InInt(0), 32, InInt(1)));", 1,
+           in({whole(0, 31), whole(1, 2)})),
+      half("RingsInside", kRings, "RingMask", "Out(0, RingsInside(In(0), 32, InInt(1)));", 1,
+           in({{0, 1}, whole(1, 2)})),
+      half("RingVisibility", kVisibility, "RingMask",
+           "RingMask mask = EmptyRingMask(); mask.words[0] = uint(InInt(0)) | uint(InInt(1)) << 8 | "
+           "uint(InInt(2)) << 16 | uint(InInt(3)) << 24; Out(0, RingVisibility(mask, In(4), InInt(5)));",
+           1, in({whole(0, 255), whole(0, 255), whole(0, 255), whole(0, 255), {1, 32}, whole(1, 2)})),
+      half("NextCascadeWeight", kVisibility, "CascadeSelection",
+           "CascadeSpheres spheres; spheres.centre0 = float3(0, 0, 0.6 * In(3)); spheres.centre1 = float3(0, "
+           "0, 1.2 * In(3)); spheres.centre2 = spheres.centre1; spheres.centre3 = spheres.centre1; "
+           "spheres.squaredRadii = float4(1, 4, 4, 4) * In(3) * In(3); Out(0, "
+           "NextCascadeWeight(float3(In(0), In(1), In(2)) * In(3), spheres, 0, 4, 0.2));",
+           1, in_spheres),
+      half("ReceiverPlaneDepth", kDepth, "ReceiverPlane",
+           "Out(0, ReceiverPlaneDepth(In(0), float2(In(1), In(2)), float2(In(3), In(4))));", 1,
+           in({{0.1F, 0.9F}, {-4, 4}, {-4, 4}, {-0.004F, 0.004F}, {-0.004F, 0.004F}})),
+      half("AdaptiveBias", kDepth, "ShadowBias",
+           "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(2)), 0.1));", 1,
+           in({{-4, 4}, {-4, 4}, {0, 0.004F}})),
+      half("CasterBiasMetres", kMetres, "ShadowBias",
+           "const float2 b = CasterBiasMetres(float2(In(0), In(1)), In(2), In(3)); Out(0, b.x); Out(1, b.y);",
+           2, in({{0, 3}, {0, 3}, {0.002F, 0.1F}, {1, 3.5F}})),
+      half("BiasCaster", kMetres, "ShadowBias",
+           "const float3 p = BiasCaster(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), float3(0, "
+           "1, 0), float2(-0.05, -0.05)); Out(0, p.x); Out(1, p.y); Out(2, p.z);",
+           3, joined(in({{-100, 100}, {0, 20}, {-100, 100}}), direction)),
+      half("PlaneWeight", kVisibility, "ScreenPosition",
+           "Out(0, PlaneWeight(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), 0.05));", 1,
+           joined(in({{-0.1F, 0.1F}, {-0.1F, 0.1F}, {-0.1F, 0.1F}}), direction)),
+      half("AxialDepth", kMetres, "SpotLight",
+           "Out(0, AxialDepth(In(0), BoundedSpotMap(float4(0.1, 20, 0.6, 0.1))));", 1, kUnit),
+      half("PenumbraRadiusMetres", kMetres, "SpotLight",
+           "const SpotMap map = BoundedSpotMap(float4(0.1, 20, 0.6, 0.1)); Out(0, "
+           "PenumbraRadiusMetres(In(0), In(1), map));",
+           1, in({{0, 0.1F}, {1, 20}})),
+      half("WarpedMoments, first", kVisibility, "DepthWarp",
+           "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.x * exp(-2.5)); Out(1, m.y * "
+           "exp(-2.5));",
+           2, kUnit, "Map"),
+      half("WarpedMoments, second", kVisibility, "DepthWarp",
+           "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.z * exp(-5.0)); Out(1, m.w * "
+           "exp(-5.0));",
+           2, kUnit, "Map"),
+      half("MapBlurWeight", kVisibility, "MapBlur", "Out(0, MapBlurWeight(InInt(0), In(1)));", 1,
+           in({whole(-8, 8), {0.5F, 4}}), "Map"),
   };
 }
 

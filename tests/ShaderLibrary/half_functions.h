@@ -1,6 +1,7 @@
 // The library's functions that are computed in 16-bit half, and the values that scenes give them.
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -17,13 +18,13 @@ struct Quantity {
   bool turns = false;  // 0 and 1 are the same
 };
 
-using Case = std::vector<float>;
+using Inputs = std::function<Case(Random&)>;  // makes the inputs of one case
 
 struct HalfFunction {
   std::string function;  // the name on the page
   Quantity quantity;
   CoreFunction called;
-  Case (*inputs)(Random&);  // makes the inputs of one case
+  Inputs inputs;
 
   friend void PrintTo(const HalfFunction& tested, std::ostream* out) { *out << tested.function; }
 };

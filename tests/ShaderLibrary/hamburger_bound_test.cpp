@@ -40,7 +40,7 @@ TEST(CanonicalWeight, IsTheShareOfOneOfThreeDepths) {
     inputs.push_back(static_cast<float>(depths.at[0]));
     shares.push_back(depths.share[0]);
   }
-  const std::vector<float> weights = run(weight, DepthDirection::conventional, inputs);
+  const std::vector<float> weights = run(weight, inputs);
   for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(weights[i], shares[i], 5e-3) << i;
 }
 
@@ -61,7 +61,7 @@ TEST(CanonicalDepths, AreTheOtherTwoOfThreeDepths) {
     exact.push_back(std::min(depths.at[1], depths.at[2]));
     exact.push_back(std::max(depths.at[1], depths.at[2]));
   }
-  const std::vector<float> found = run(others, DepthDirection::conventional, inputs);
+  const std::vector<float> found = run(others, inputs);
   for (std::size_t i = 0; i < exact.size(); ++i) ASSERT_NEAR(found[i], exact[i], 5e-3) << i;
 }
 
@@ -77,7 +77,7 @@ TEST(MixedMoments, AreThoseOfTheMixedDistribution) {
     for (int word = 0; word < 4; ++word) inputs.push_back(random.between(-1.0f, 1.0f));
     inputs.push_back(random.between(0.0f, 0.1f));
   }
-  const std::vector<float> out = run(mixed, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(mixed, inputs);
   const double smooth[4] = {0.0, 0.375, 0.0, 0.375};
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double mix = inputs[i / 4 * 5 + 4];
@@ -102,7 +102,7 @@ TEST(ReducedPowers, AreOrthogonal) {
       inputs.push_back(static_cast<float>(depth));
     }
   }
-  const std::vector<float> y = run(powers, DepthDirection::conventional, inputs);
+  const std::vector<float> y = run(powers, inputs);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double variance = all[i].mean(2) - all[i].mean(1) * all[i].mean(1);
     if (variance < 0.01) continue;
@@ -132,7 +132,7 @@ TEST(HamburgerBound, IsExactForThreeDepths) {
     add_case(inputs, depths, receiver, 0.0f);
     shares.push_back(depths.behind(receiver));
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   // The last pivot is at least 1e-4 of the moments, which are rounded to 2^-24.
   for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(bounds[i], shares[i], 5e-3) << i;
 }
@@ -147,7 +147,7 @@ TEST(HamburgerBound, IsABoundForManyDepths) {
     add_case(inputs, depths, receiver, 3e-7f);
     shares.push_back(depths.behind(receiver));
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     ASSERT_GE(bounds[i], shares[i] - 5e-3) << i;
     ASSERT_LE(bounds[i], 1.0f) << i;
@@ -168,7 +168,7 @@ TEST(HamburgerBound, IsAtMostThatOfTwoMoments) {
     const double behind = receiver - depths.mean(1);
     chebyshev.push_back(behind > 0.0 ? variance / (variance + behind * behind) : 1.0);
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   double sum = 0.0;
   for (std::size_t i = 0; i < chebyshev.size(); ++i) {
     ASSERT_LE(bounds[i], chebyshev[i] + 5e-3) << i;
@@ -188,7 +188,7 @@ TEST(HamburgerBound, ToldApartFromOneDepth) {
     add_case(inputs, depth, depth.at[0] + (is_behind ? 0.02 : -0.02), 3e-7f);
     behind.push_back(is_behind);
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   for (std::size_t i = 0; i < behind.size(); ++i) {
     if (behind[i])
       ASSERT_LT(bounds[i], 0.02f) << i;
@@ -204,7 +204,7 @@ TEST(HamburgerBound, StaysInRangeForMomentsOfNoDistribution) {
     for (int word = 0; word < 5; ++word) inputs.push_back(random.between(-1.0f, 1.0f));
     inputs.push_back(i % 2 == 0 ? 0.0f : 1e-3f);
   }
-  for (const float bound : run(kBound, DepthDirection::conventional, inputs)) {
+  for (const float bound : run(kBound, inputs)) {
     ASSERT_GE(bound, 0.0f);
     ASSERT_LE(bound, 1.0f);
   }

@@ -123,10 +123,9 @@ TEST_P(EveryVersion, TileScalesAreTheGoldenOnes) {
 }
 
 const HdrpFunction kParameters{
-    "const PcssHdrpParameters p = PenumbraHdrpParametersOf(_HDShadowDatas[0]);"
-    "Out(0, p.blockerSamples); Out(1, p.filterSamples); Out(2, p.blockerClump); Out(3, p.minFilterTexels);"
-    "Out(4, p.maxPenumbraMetres); Out(5, p.maxSamplingMetres); Out(6, p.searchTanHalf); Out(7, "
-    "p.minFilterTanHalf);",
+    "const PcssHdrpParameters p = PenumbraHdrpParametersOf(_HDShadowDatas[0]);Out(0, p.blockerSamples); "
+    "Out(1, p.filterSamples); Out(2, p.blockerClump); Out(3, p.minFilterTexels);Out(4, p.maxPenumbraMetres); "
+    "Out(5, p.maxSamplingMetres); Out(6, p.searchTanHalf); Out(7, p.minFilterTanHalf);",
     1, 8};
 
 float tan_half(double degrees) {

@@ -22,20 +22,18 @@ const CoreFunction kWeights{"HorizonBlend",
                             2, 8};
 
 std::vector<Weights> weights_of(const std::vector<float>& directions) {
-  const std::vector<float> flat = run(kWeights, DepthDirection::conventional, directions);
+  const std::vector<float> flat = run(kWeights, directions);
   std::vector<Weights> all(flat.size() / 8);
   for (std::size_t i = 0; i < flat.size(); ++i) all[i / 8][i % 8] = flat[i];
   return all;
 }
 
 TEST(HorizonWeights, AreThoseOfTheTwoNeighbours) {
-  Random random(7);
-  std::vector<float> directions;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> directions = random_cases(7, [&](Random& random) {
     const float length = std::fabs(random.magnitude(-20.0f, 20.0f));
     const float azimuth = random.between(-3.2f, 3.2f);
-    directions.insert(directions.end(), {length * std::sin(azimuth), length * std::cos(azimuth)});
-  }
+    return Case{length * std::sin(azimuth), length * std::cos(azimuth)};
+  });
   const std::vector<Weights> all = weights_of(directions);
   const long double eighth = std::acos(-1.0L) / 4.0L;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -88,7 +86,7 @@ TEST(BlendedHorizon, IsLinearBetweenTwoDirections) {
     const float azimuth = static_cast<float>(i) / 100.0f * std::acos(-1.0f) / 4.0f;
     directions.insert(directions.end(), {std::sin(azimuth), std::cos(azimuth)});
   }
-  const std::vector<float> angles = run(blended, DepthDirection::conventional, directions);
+  const std::vector<float> angles = run(blended, directions);
   for (std::size_t i = 0; i < angles.size(); ++i)
     EXPECT_NEAR(angles[i], static_cast<float>(i) / 1000.0f, 1e-6f) << i;
 }
@@ -102,7 +100,7 @@ TEST(HorizonVisibility, IsTheShareOfTheSunAboveTheHorizon) {
                                  0.1f, 0.1f, 0.005f,  // half of it
                                  0.1f, 0.2f, 0.005f, 0.2f,  0.1f, 0.005f, 0.1f,  0.2f,
                                  nan,  0.1f, 0.2f,   -1.0f, nan,  0.2f,   0.005f};
-  EXPECT_EQ(run(visibility, DepthDirection::conventional, cases),
+  EXPECT_EQ(run(visibility, cases),
             (std::vector<float>{1.0f, 0.0f, 0.0f, 0.5f, 1.0f, 0.0f, 1.0f, 1.0f, 1.0f}));
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace penumbra::shader_library_tests {
@@ -45,6 +46,24 @@ class Random {
  private:
   std::mt19937 engine_;
 };
+
+using Case = std::vector<float>;  // the inputs of one case
+
+// The cases that `of_case(random)` or `of_case(random, number)` makes, one after the other.
+template <typename OfCase>
+std::vector<float> random_cases(std::uint32_t seed, const OfCase& of_case, int count = kRandomCases) {
+  Random random(seed);
+  std::vector<float> inputs;
+  for (int i = 0; i < count; ++i) {
+    Case one;
+    if constexpr (std::is_invocable_v<OfCase, Random&, int>)
+      one = of_case(random, i);
+    else
+      one = of_case(random);
+    inputs.insert(inputs.end(), one.begin(), one.end());
+  }
+  return inputs;
+}
 
 // As many of special_floats(), drawn at random.
 inline std::vector<float> random_special_floats(Random& random, std::size_t count) {

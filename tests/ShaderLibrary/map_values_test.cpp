@@ -20,14 +20,11 @@ double centred(float stored, DepthDirection direction) {
 }
 
 TEST(FourMoments, AreStoredBetweenZeroAndOneAndComeBack) {
-  const CoreFunction moments{
-      "FourMoments",
+  const CoreFunction moments = function_in(
+      "Map", "FourMoments",
       "float4 s = StoredMoments(In(0)); float4 m = MomentsOf(s); for (int i = 0; i < 4; ++i) { Out(i, s[i]); "
       "Out(4 + i, m[i]); }",
-      1,
-      8,
-      {},
-      "Map"};
+      1, 8);
   for (const DepthDirection direction : kDepthDirections) {
     const std::vector<float> depths = depths_over_the_range();
     const std::vector<float> out = run(moments, direction, depths);
@@ -48,14 +45,11 @@ TEST(FourMoments, AreStoredBetweenZeroAndOneAndComeBack) {
 }
 
 TEST(StoredDepthMoments, LieBetweenZeroAndOneAndComeBack) {
-  const CoreFunction moments{"DepthMoments",
-                             "float2 s = StoredDepthMoments(In(0)); float2 m = DepthMomentsOf(s); Out(0, "
-                             "s.x); Out(1, s.y); Out(2, m.x); "
-                             "Out(3, m.y);",
-                             1,
-                             4,
-                             {},
-                             "Map"};
+  const CoreFunction moments =
+      function_in("Map", "DepthMoments",
+                  "float2 s = StoredDepthMoments(In(0)); float2 m = DepthMomentsOf(s); Out(0, "
+                  "s.x); Out(1, s.y); Out(2, m.x); Out(3, m.y);",
+                  1, 4);
   for (const DepthDirection direction : kDepthDirections) {
     const std::vector<float> depths = depths_over_the_range();
     const std::vector<float> out = run(moments, direction, depths);
@@ -72,15 +66,12 @@ TEST(StoredDepthMoments, LieBetweenZeroAndOneAndComeBack) {
 // A tile of 1024 texels lies at (1024, 0). In its middle the taps' distances and widths make up the deviation
 // that was asked for; at its border no tap reads beyond, in the coarser of two levels.
 TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
-  const CoreFunction taps{
-      "MapLevels",
-      "TileBounds b; b.minimum = float2(1024.0, 0.0); b.maximum = float2(2048.0, 1024.0); "
-      "LevelTaps t = TapsOf(float2(In(0), In(1)), In(2), b); Out(0, t.level); for (int i = 0; "
-      "i < 4; ++i) { Out(1 + 2 * i, t.at[i].x); Out(2 + 2 * i, t.at[i].y); }",
-      3,
-      9,
-      {},
-      "Map"};
+  const CoreFunction taps =
+      function_in("Map", "MapLevels",
+                  "TileBounds b; b.minimum = float2(1024.0, 0.0); b.maximum = float2(2048.0, 1024.0); "
+                  "LevelTaps t = TapsOf(float2(In(0), In(1)), In(2), b); Out(0, t.level); for (int i = 0; "
+                  "i < 4; ++i) { Out(1 + 2 * i, t.at[i].x); Out(2 + 2 * i, t.at[i].y); }",
+                  3, 9);
   Random random(52);
   std::vector<float> inputs;
   for (int i = 0; i < kRandomCases; ++i) {
@@ -89,7 +80,7 @@ TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
     inputs.push_back(middle ? 512.0f : random.between(0.0f, 1024.0f));
     inputs.push_back(middle ? random.between(0.6f, 200.0f) : random.between(0.1f, 2000.0f));
   }
-  const std::vector<float> out = run(taps, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run(taps, inputs);
   for (std::size_t i = 0; i < std::size_t(kRandomCases); ++i) {
     const float* found = &out[9 * i];
     const double deviation = inputs[3 * i + 2], reach = 0.5 * std::exp2(std::ceil(found[0]));
@@ -108,14 +99,11 @@ TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
 
 // The largest exponents that DepthWarp.hlsl names fit into the numbers of both formats.
 TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
-  const CoreFunction warp{
-      "DepthWarp",
-      "float4 m = WarpedMoments(In(0), float2(In(1), In(1))); Out(0, ExponentialOfDepth(In(0), "
-      "In(2))); for (int i = 0; i < 4; ++i) Out(1 + i, m[i]);",
-      3,
-      5,
-      {},
-      "Map"};
+  const CoreFunction warp =
+      function_in("Map", "DepthWarp",
+                  "float4 m = WarpedMoments(In(0), float2(In(1), In(1))); Out(0, ExponentialOfDepth(In(0), "
+                  "In(2))); for (int i = 0; i < 4; ++i) Out(1 + i, m[i]);",
+                  3, 5);
   struct Format {
     double smallest, largest;  // normal numbers
     float squared, single;     // exponents
@@ -124,8 +112,7 @@ TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
   for (const Format& format : {Format{std::ldexp(1.0, -126), std::ldexp(1.0, 128) / float_sum, 86.0f, 172.0f},
                                Format{std::ldexp(1.0, -14), 65504.0, 9.0f, 19.0f}}) {
     for (const float depth : {0.0f, 1.0f}) {
-      for (const float value :
-           run(warp, DepthDirection::conventional, {depth, format.squared, format.single})) {
+      for (const float value : run(warp, {depth, format.squared, format.single})) {
         EXPECT_LT(std::fabs(value), format.largest) << depth << ", " << format.single;
         EXPECT_GT(std::fabs(value), format.smallest) << depth << ", " << format.single;
       }
@@ -134,13 +121,9 @@ TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
 }
 
 TEST(DepthWarp, IsTheExponentialOfTheDepth) {
-  const CoreFunction warp{
-      "DepthWarp",
-      "float2 w = WarpedDepth(CentredDepth(In(0)), float2(80.0, 10.0)); Out(0, w.x); Out(1, w.y);",
-      1,
-      2,
-      {},
-      "Map"};
+  const CoreFunction warp = function_in(
+      "Map", "DepthWarp",
+      "float2 w = WarpedDepth(CentredDepth(In(0)), float2(80.0, 10.0)); Out(0, w.x); Out(1, w.y);", 1, 2);
   for (const DepthDirection direction : kDepthDirections) {
     const std::vector<float> depths = depths_over_the_range();
     const std::vector<float> out = run(warp, direction, depths);
@@ -153,14 +136,11 @@ TEST(DepthWarp, IsTheExponentialOfTheDepth) {
 }
 
 TEST(LogarithmicSum, IsTheLogarithmOfTheSumWithoutOverflow) {
-  const CoreFunction sum{
-      "LogarithmicSum",
+  const CoreFunction sum = function_in(
+      "Map", "LogarithmicSum",
       "LogarithmicSum s = EmptyLogarithmicSum(); for (uint i = 0; i < 4; ++i) s = AddTerm(s, In(2 * "
       "i), In(2 * i + 1)); Out(0, LogarithmOf(s));",
-      8,
-      1,
-      {},
-      "Map"};
+      8, 1);
   Random random(51);
   std::vector<float> inputs;
   std::vector<double> exact;
@@ -177,7 +157,7 @@ TEST(LogarithmicSum, IsTheLogarithmOfTheSumWithoutOverflow) {
       total += inputs[at + 1] * std::exp(static_cast<long double>(inputs[at]) - largest);
     exact.push_back(static_cast<double>(largest + std::log(total)));
   }
-  const std::vector<float> sums = run(sum, DepthDirection::conventional, inputs);
+  const std::vector<float> sums = run(sum, inputs);
   // A float near 1000 has a spacing of 6e-5, and the exponentials' arguments have that error.
   for (std::size_t i = 0; i < exact.size(); ++i)
     ASSERT_NEAR(sums[i], exact[i], i % 2 == 0 ? 3e-6 : 2e-4) << i;

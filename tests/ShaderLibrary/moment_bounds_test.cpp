@@ -25,7 +25,7 @@ TEST(MomentBounds, AreExactForTwoDepths) {
                                  static_cast<float>(depths.at[1]), 1e-12f});
     shares.push_back(depths.share[1]);
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   // The moments are rounded to 2^-25 of 1/4; the variance of two depths 0.05 apart is at least 1e-4.
   for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(bounds[i], shares[i], 5e-4) << i;
 }
@@ -41,7 +41,7 @@ TEST(MomentBounds, AreBoundsForManyDepths) {
                                  static_cast<float>(receiver), 1e-12f});
     shares.push_back(depths.behind(receiver));
   }
-  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  const std::vector<float> bounds = run(kBound, inputs);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     ASSERT_GE(bounds[i], shares[i] - 1e-3) << i;
     ASSERT_LE(bounds[i], 1.0f) << i;
@@ -49,15 +49,14 @@ TEST(MomentBounds, AreBoundsForManyDepths) {
 }
 
 TEST(MomentBounds, AreOneAtAndBeforeTheMean) {
-  const std::vector<float> bounds =
-      run(kBound, DepthDirection::conventional, {0.25f, 0.0625f, 0.25f, 1e-9f, 0.25f, 0.125f, -0.5f, 1e-9f});
+  const std::vector<float> bounds = run(kBound, {0.25f, 0.0625f, 0.25f, 1e-9f, 0.25f, 0.125f, -0.5f, 1e-9f});
   EXPECT_EQ(bounds, (std::vector<float>{1.0f, 1.0f}));
 }
 
 TEST(MomentBounds, LessBleedingIsDarkUpToItsAmount) {
   const CoreFunction reduce{"MomentBounds", "Out(0, ReduceBleeding(In(0), In(1)));", 2, 1};
-  const std::vector<float> reduced = run(reduce, DepthDirection::conventional,
-                                         {1.0f, 0.25f, 0.25f, 0.25f, 0.625f, 0.25f, 0.1f, 0.25f, 0.3f, 0.0f});
+  const std::vector<float> reduced =
+      run(reduce, {1.0f, 0.25f, 0.25f, 0.25f, 0.625f, 0.25f, 0.1f, 0.25f, 0.3f, 0.0f});
   EXPECT_EQ(reduced, (std::vector<float>{1.0f, 0.0f, 0.5f, 0.0f, 0.3f}));
 }
 

@@ -11,12 +11,10 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 std::vector<float> pixels() {
-  Random random(24);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(), {float(random.integer(0, 7679)) + 0.5f, float(random.integer(0, 4319)) + 0.5f,
-                                 float(random.integer(0, 200))});
-  }
+  const std::vector<float> inputs = random_cases(24, [&](Random& random) {
+    return Case{float(random.integer(0, 7679)) + 0.5f, float(random.integer(0, 4319)) + 0.5f,
+                float(random.integer(0, 200))};
+  });
   return inputs;
 }
 
@@ -36,8 +34,7 @@ long double gradient_noise(const float* in) {
 TEST(Noise, IsJimenezsGradientNoise) {
   const std::vector<float> inputs = pixels();
   const std::vector<float> results =
-      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
-          DepthDirection::conventional, inputs);
+      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1}, inputs);
   double worst = 0.0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     ASSERT_GE(results[i], 0.0f);
@@ -56,8 +53,7 @@ TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
     for (int x = 0; x < side; ++x) inputs.insert(inputs.end(), {float(x) + 0.5f, float(y) + 0.5f, 0.0f});
   }
   const std::vector<float> noise =
-      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
-          DepthDirection::conventional, inputs);
+      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1}, inputs);
   for (int y = 0; y + 3 <= side; ++y) {
     for (int x = 0; x + 3 <= side; ++x) {
       std::array<int, 3> thirds{};
@@ -77,8 +73,7 @@ TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
   inputs.reserve(kRandomCases);
   for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i) / kRandomCases);
   expect_exact(
-      {"Noise", "const float2 r = RotationFromNoise(In(0)); Out(0, r.x); Out(1, r.y);", 1, 2},
-      DepthDirection::conventional, inputs,
+      {"Noise", "const float2 r = RotationFromNoise(In(0)); Out(0, r.x); Out(1, r.y);", 1, 2}, inputs,
       [](const float* in) {
         const long double angle = 2.0L * std::numbers::pi_v<long double> * in[0];
         return std::vector<Exact>{{std::cos(angle), 1.0L}, {std::sin(angle), 1.0L}};
@@ -92,7 +87,7 @@ TEST(Noise, CascadesAreChosenIndependentlyOfTheRotation) {
                                           "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
                                           "Out(1, CascadeNoise(float2(In(0), In(1)), uint(InInt(2))));",
                                           3, 2},
-                                         DepthDirection::conventional, pixels());
+                                         pixels());
   const std::size_t count = results.size() / 2;
   double cosines = 0.0;
   double sines = 0.0;
@@ -119,7 +114,7 @@ TEST(Noise, DiskRotationIsTheRotationOfTheNoise) {
            "const float2 b = RotationFromNoise(GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
            "Out(0, a.x - b.x); Out(1, a.y - b.y); Out(2, dot(a, a));",
            3, 3},
-          DepthDirection::conventional, pixels());
+          pixels());
   for (std::size_t i = 0; i < results.size() / 3; ++i) {
     ASSERT_EQ(results[3 * i], 0.0f);
     ASSERT_EQ(results[3 * i + 1], 0.0f);

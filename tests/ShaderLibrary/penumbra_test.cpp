@@ -12,10 +12,8 @@ namespace {
 // per metre, depth to radial and its inverse.
 constexpr const char* kScales =
     "ShadowTile tile; tile.offsetScale = float4(0, 0, In(0), In(0)); tile.atlasTexelSize = float4(0, 0, "
-    "In(1), In(1));"
-    "tile.uvPerMetre = In(2); tile.depthPerMetre = In(3); tile.depthToRadial = In(4); tile.radialToDepth = "
-    "In(5);"
-    "const ConeScales scales = ConeScalesOf(tile);";
+    "In(1), In(1));tile.uvPerMetre = In(2); tile.depthPerMetre = In(3); tile.depthToRadial = In(4); "
+    "tile.radialToDepth = In(5);const ConeScales scales = ConeScalesOf(tile);";
 constexpr int kTileWords = 6;
 constexpr std::size_t kSetupWords = 10;  // tile, and four words of the setup
 
@@ -44,7 +42,7 @@ TEST(ConeScales, AreTheTilesScalesPerTexel) {
            "Out(0, scales.texelsPerDepth); Out(1, scales.depthPerTexel);"
            "Out(2, scales.texelsPerMetre); Out(3, scales.depthPerMetre); Out(4, scales.largestRadius);",
        kTileWords, 5},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double texels = tile_texels(in);
         return std::vector<Exact>{{in[4] * texels}, {in[5] / texels}, {in[2] * texels}, {in[3]}, {texels}};
@@ -93,7 +91,7 @@ TEST(ConeOffset, RisesFromTheSlackToItsCap) {
   expect_exact(
       {"Penumbra", std::string(kScales) + "Out(0, ConeOffset(In(6), In(7), In(8), scales));", kTileWords + 3,
        1},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double per_texel = in[5] / tile_texels(in);
         const long double offset = std::max(in[6] - static_cast<long double>(in[7]), 0.0L) * per_texel;
@@ -115,7 +113,7 @@ TEST(Penumbra, RadiiAndOffsetsAreFiniteForAnyTile) {
                                                         "Out(1, SearchRadius(In(7), In(8), In(9), scales));"
                                                         "Out(2, ConeOffset(In(6), In(7), In(9), scales));",
                                  kTileWords + 4, 3},
-                                DepthDirection::conventional, inputs)) {
+                                inputs)) {
     ASSERT_TRUE(std::isfinite(result));
     ASSERT_GE(result, 0.0f);
     ASSERT_LE(result, 65536.0f);
@@ -129,7 +127,7 @@ TEST(AverageGap, DividesOnlyByWhatWasWeighed) {
   while (inputs.size() < 2 * std::size_t(kRandomCases))
     inputs.insert(inputs.end(), {random.between(0.0f, 64.0f), random.between(0.0f, 64.0f)});
   expect_exact(
-      {"Penumbra", "Out(0, AverageGap(In(0), In(1)));", 2, 1}, DepthDirection::conventional, inputs,
+      {"Penumbra", "Out(0, AverageGap(In(0), In(1)));", 2, 1}, inputs,
       [](const float* in) {
         return std::vector<Exact>{{in[1] > 0.0f ? static_cast<long double>(in[0]) / in[1] : 0.0L}};
       },
@@ -146,13 +144,13 @@ TEST(LitShare, IsExactWhereAllOrNothingIsLit) {
   }
   const CoreFunction share{"Penumbra", "Out(0, LitShare(In(0), In(1)));", 2, 1};
   expect_exact(
-      share, DepthDirection::conventional, inputs,
+      share, inputs,
       [](const float* in) {
         const long double sum = static_cast<long double>(in[0]) + in[1];
         return std::vector<Exact>{{sum > 0.0L ? in[0] / sum : 1.0L}};
       },
       3.0L);
-  const std::vector<float> results = run(share, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run(share, inputs);
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (inputs[2 * i + 1] == 0.0f) {
       ASSERT_EQ(results[i], 1.0f);
@@ -163,20 +161,15 @@ TEST(LitShare, IsExactWhereAllOrNothingIsLit) {
 }
 
 TEST(MeanVisibility, IsExactlyOneForEveryCountFullyLit) {
-  Random random(31);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(31, [&](Random& random, int i) {
     const float count = float(random.integer(1, 4096));
-    inputs.insert(inputs.end(), {i % 3 == 0   ? count
-                                 : i % 3 == 1 ? 0.0f
-                                              : random.between(0.0f, count),
-                                 count});
-  }
+    return Case{i % 3 == 0 ? count : i % 3 == 1 ? 0.0f : random.between(0.0f, count), count};
+  });
   const CoreFunction mean{"Penumbra", "Out(0, MeanVisibility(In(0), In(1)));", 2, 1};
   expect_exact(
-      mean, DepthDirection::conventional, inputs,
+      mean, inputs,
       [](const float* in) { return std::vector<Exact>{{static_cast<long double>(in[0]) / in[1]}}; }, 2.5L);
-  const std::vector<float> results = run(mean, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run(mean, inputs);
   for (std::size_t i = 0; i < results.size(); i += 3) ASSERT_EQ(results[i], 1.0f) << inputs[2 * i];
   for (std::size_t i = 1; i < results.size(); i += 3) ASSERT_EQ(results[i], 0.0f) << inputs[2 * i + 1];
 }

@@ -14,10 +14,9 @@ namespace {
 // The inputs are position, plane and light.
 const CoreFunction kOnto{
     "PlanarShadow",
-    "const PlanarPoint p = OntoPlane(float3(In(0), In(1), In(2)), float4(In(3), In(4), In(5), In(6)),"
-    " float4(In(7), In(8), In(9), In(10)));"
-    "Out(0, p.position.x); Out(1, p.position.y); Out(2, p.position.z); Out(3, p.height);"
-    "Out(4, p.valid ? 1.0 : 0.0);",
+    "const PlanarPoint p = OntoPlane(float3(In(0), In(1), In(2)), float4(In(3), In(4), In(5), In(6)), "
+    "float4(In(7), In(8), In(9), In(10)));Out(0, p.position.x); Out(1, p.position.y); Out(2, p.position.z); "
+    "Out(3, p.height);Out(4, p.valid ? 1.0 : 0.0);",
     11, 5};
 
 using Vector = std::array<long double, 3>;
@@ -43,7 +42,7 @@ TEST(OntoPlane, IsOnThePlaneAndOnTheLineThroughTheLight) {
     one[10] = static_cast<float>(i % 2);
     cases.insert(cases.end(), one.begin(), one.end());
   }
-  const std::vector<float> seen = run(kOnto, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kOnto, cases);
   int valid = 0;
   for (std::size_t i = 0; i < seen.size() / 5; ++i) {
     const float* in = &cases[11 * i];
@@ -71,21 +70,19 @@ TEST(OntoPlane, IsOnThePlaneAndOnTheLineThroughTheLight) {
 TEST(OntoPlane, IsFiniteForAnyNumbers) {
   Random random(42);
   const std::vector<float> cases = random_special_floats(random, 11 * kRandomCases);
-  for (const float value : run(kOnto, DepthDirection::conventional, cases)) ASSERT_TRUE(std::isfinite(value));
+  for (const float value : run(kOnto, cases)) ASSERT_TRUE(std::isfinite(value));
 }
 
 TEST(HeightFade, FallsFromOneAtTheReceiverToZero) {
   const CoreFunction fade{"HeightFade", "Out(0, HeightFade(In(0), In(1)));", 2, 1};
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(run(fade, DepthDirection::conventional,
-                {0.0f, 2.0f, 0.5f,     2.0f, 2.0f, 2.0f, 9.0f, 2.0f,  -1.0f, 2.0f,
-                 nan,  2.0f, infinity, 2.0f, 1.0f, 0.0f, 1.0f, -1.0f, 1.0f,  nan}),
+  EXPECT_EQ(run(fade, {0.0f, 2.0f, 0.5f,     2.0f, 2.0f, 2.0f, 9.0f, 2.0f,  -1.0f, 2.0f,
+                       nan,  2.0f, infinity, 2.0f, 1.0f, 0.0f, 1.0f, -1.0f, 1.0f,  nan}),
             (std::vector<float>{1.0f, 0.75f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 1.0f, 1.0f, 1.0f}));
   std::vector<float> cases;
   for (const float height : special_floats())
     for (const float metres : special_floats()) cases.insert(cases.end(), {height, metres});
-  for (const float seen : run(fade, DepthDirection::conventional, cases))
-    ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
+  for (const float seen : run(fade, cases)) ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }
 
 }  // namespace

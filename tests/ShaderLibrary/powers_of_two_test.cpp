@@ -13,7 +13,7 @@ TEST(PowersOfTwo, ArePowersOfEveryExponent) {
   while (inputs.size() < std::size_t(kRandomCases))
     for (int exponent = -126; exponent <= 127; ++exponent) inputs.push_back(float(exponent));
   expect_exact(
-      {"PowersOfTwo", "Out(0, PowerOfTwo(int(In(0))));", 1, 1}, DepthDirection::conventional, inputs,
+      {"PowersOfTwo", "Out(0, PowerOfTwo(int(In(0))));", 1, 1}, inputs,
       [](const float* in) { return std::vector<Exact>{{std::ldexp(1.0L, int(in[0]))}}; }, 0.0L);
 }
 
@@ -29,7 +29,7 @@ TEST(PowersOfTwo, CeilLog2IsTheSmallestExponentThatReachesTheValue) {
   while (inputs.size() < std::size_t(kRandomCases))
     inputs.push_back(std::ldexp(random.between(1.0f, 2.0f), int(random.between(0.0f, 127.0f))));
   expect_exact(
-      {"PowersOfTwo", "Out(0, float(CeilLog2(In(0))));", 1, 1}, DepthDirection::conventional, inputs,
+      {"PowersOfTwo", "Out(0, float(CeilLog2(In(0))));", 1, 1}, inputs,
       [](const float* in) {
         int exponent = 0;
         while (std::ldexp(1.0L, exponent) < static_cast<long double>(in[0])) ++exponent;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/inputs.h"
@@ -14,9 +13,8 @@ namespace {
 // The inputs are origin, direction, lowest and highest corner, and length.
 const CoreFunction kThrough{
     "RayBox",
-    "const float2 part = RayThroughBox(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)),"
-    " float3(In(6), In(7), In(8)), float3(In(9), In(10), In(11)), In(12));"
-    "Out(0, part.x); Out(1, part.y);",
+    "const float2 part = RayThroughBox(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), "
+    "float3(In(6), In(7), In(8)), float3(In(9), In(10), In(11)), In(12));Out(0, part.x); Out(1, part.y);",
     13, 2};
 
 // Each slab cuts the interval.
@@ -49,7 +47,7 @@ TEST(RayThroughBox, IsThePartBetweenItsSixPlanes) {
     one[12] = random.between(0.0f, 10.0f);
     cases.insert(cases.end(), one.begin(), one.end());
   }
-  const std::vector<float> seen = run(kThrough, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kThrough, cases);
   int met = 0;
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const auto [from, to] = clipped(&cases[13 * i]);
@@ -66,9 +64,8 @@ TEST(RayThroughSlab, IsAllOfARayAlongItOrNothing) {
       "RayBox",
       "const float2 part = RayThroughSlab(In(0), In(1), In(2), In(3)); Out(0, part.x); Out(1, part.y);", 4,
       2};
-  const std::vector<float> seen =
-      run(slab, DepthDirection::conventional,
-          {0.0f, 2.0f, 1.0f, 4.0f, 0.0f, -2.0f, 1.0f, 4.0f, 2.0f, 0.0f, 1.0f, 4.0f, 5.0f, 0.0f, 1.0f, 4.0f});
+  const std::vector<float> seen = run(slab, {0.0f, 2.0f, 1.0f, 4.0f, 0.0f, -2.0f, 1.0f, 4.0f, 2.0f, 0.0f,
+                                             1.0f, 4.0f, 5.0f, 0.0f, 1.0f, 4.0f});
   EXPECT_EQ(std::vector<float>(seen.begin(), seen.begin() + 4),
             (std::vector<float>{0.5f, 2.0f, -2.0f, -0.5f}));
   EXPECT_TRUE(seen[4] < -1e30f && seen[5] > 1e30f) << "inside";
@@ -83,7 +80,7 @@ TEST(RayThroughBox, IsFiniteAndOrderedForAnyNumbers) {
     cases.push_back(random.integer(0, 1) == 0
                         ? odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]
                         : random.between(-2.0f, 2.0f));
-  const std::vector<float> seen = run(kThrough, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kThrough, cases);
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const float from = seen[2 * i], to = seen[2 * i + 1], length = cases[13 * i + 12];
     ASSERT_TRUE(std::isfinite(from) && std::isfinite(to) && from >= 0.0f && to >= from) << i;

@@ -21,13 +21,12 @@ long double fog_share(long double part, long double depth) {
 }
 
 TEST(FogShare, IsWhereThatPartOfTheLightHasBeenScattered) {
-  Random random(71);
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i)
-    cases.insert(cases.end(), {random.between(0.0f, 1.0f), std::pow(10.0f, random.between(-6.0f, 1.8f))});
+  std::vector<float> cases = random_cases(71, [&](Random& random) {
+    return Case{random.between(0.0f, 1.0f), std::pow(10.0f, random.between(-6.0f, 1.8f))};
+  });
   for (const float depth : {0.0f, 0.0999f, 0.1f, 1.0f, 79.0f})
     for (const float part : {0.0f, 0.5f, 1.0f}) cases.insert(cases.end(), {part, depth});
-  const std::vector<float> seen = run(kFogShare, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kFogShare, cases);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const long double part = cases[2 * i], depth = cases[2 * i + 1];
     // The place moves by this much for a step of the part, of which a float has 2^24.
@@ -43,8 +42,7 @@ TEST(FogShare, IsInRangeForAnyNumbers) {
   std::vector<float> cases;
   for (const float part : special_floats())
     for (const float depth : special_floats()) cases.insert(cases.end(), {part, depth});
-  for (const float seen : run(kFogShare, DepthDirection::conventional, cases))
-    ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
+  for (const float seen : run(kFogShare, cases)) ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }
 
 // Each sample lies within its own part, at the jitter's share of it.
@@ -54,7 +52,7 @@ TEST(RaySampleShare, SharesTheLengthInEqualParts) {
     for (int i = 0; i < count; ++i)
       for (const float jitter : {0.0f, 0.25f, 0.5f, 1.0f})
         cases.insert(cases.end(), {static_cast<float>(i), static_cast<float>(count), jitter, 0.0f});
-  const std::vector<float> seen = run(kSampleShare, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kSampleShare, cases);
   for (std::size_t i = 0; i < seen.size() / 2; ++i) {
     const auto index = static_cast<double>(cases[4 * i]);
     const auto count = static_cast<double>(cases[4 * i + 1]);
@@ -69,7 +67,7 @@ TEST(RaySampleShare, WeighsAFunctionAsTheFogDoes) {
     std::vector<float> cases;
     for (int i = 0; i < kCount; ++i)
       cases.insert(cases.end(), {static_cast<float>(i), static_cast<float>(kCount), 0.5f, depth});
-    const std::vector<float> seen = run(kSampleShare, DepthDirection::conventional, cases);
+    const std::vector<float> seen = run(kSampleShare, cases);
     const auto light = [](long double t) { return 0.5L + 0.5L * std::sin(5.0L * t); };
     long double mean = 0.0L, wanted = 0.0L, weights = 0.0L;
     for (std::size_t i = 0; i < kCount; ++i) mean += light(static_cast<long double>(seen[2 * i])) / kCount;
@@ -93,7 +91,7 @@ TEST(RaySampleShare, RisesWithTheIndexAndStaysInRange) {
                                  static_cast<float>(random.integer(0, 1) == 0 ? 64 : 7), odd[0], odd[1]});
     cases[cases.size() - 3] = cases[cases.size() - 7];  // the sample counts are equal
   }
-  const std::vector<float> seen = run(kSampleShare, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kSampleShare, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     ASSERT_TRUE(seen[4 * i] >= 0.0f && seen[4 * i] <= 1.0f) << i;
     ASSERT_GE(seen[4 * i + 2], seen[4 * i]) << i;
@@ -105,7 +103,7 @@ TEST(BoundedRaySamples, Are1To64) {
   const std::vector<int> counts{-1000000000, -1, 0, 1, 17, 64, 65, 1000000000};
   for (const int count : counts)
     cases.insert(cases.end(), {static_cast<float>(0), static_cast<float>(count), 0.5f, 0.0f});
-  const std::vector<float> seen = run(kSampleShare, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kSampleShare, cases);
   for (std::size_t i = 0; i < counts.size(); ++i)
     EXPECT_EQ(static_cast<int>(seen[2 * i + 1]), std::min(std::max(counts[i], 1), 64));
 }

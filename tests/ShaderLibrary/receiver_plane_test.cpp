@@ -63,22 +63,17 @@ TEST(ReceiverPlane, FromDerivativesInvertsTheJacobian) {
   }
   // Scaling to unit length rounds each entry once, products round once more, and the determinant and the
   // quotient again (a division may be off by 2.5 ULP in Vulkan). The sum is 12 ULP of the terms.
-  expect_exact({"ReceiverPlane", kFromDerivatives, 6, 2}, DepthDirection::conventional, inputs,
-               exact_from_derivatives, 12.0L);
+  expect_exact({"ReceiverPlane", kFromDerivatives, 6, 2}, inputs, exact_from_derivatives, 12.0L);
 }
 
 TEST(ReceiverPlane, DegenerateDerivativesKnowNoPlane) {
-  Random random(11);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(11, [&](Random& random, int i) {
     const float u = random.magnitude(-6.0f, 0.0f), v = random.magnitude(-6.0f, 0.0f);
     // The second derivative is parallel to the first, or has no length at all.
     const float factor = i % 3 == 0 ? 0.0f : random.magnitude(-3.0f, 3.0f);
-    inputs.insert(inputs.end(),
-                  {u, v, random.between(-1.0f, 1.0f), factor * u, factor * v, random.between(-1.0f, 1.0f)});
-  }
-  for (const float result :
-       run({"ReceiverPlane", kFromDerivatives, 6, 2}, DepthDirection::conventional, inputs)) {
+    return Case{u, v, random.between(-1.0f, 1.0f), factor * u, factor * v, random.between(-1.0f, 1.0f)};
+  });
+  for (const float result : run({"ReceiverPlane", kFromDerivatives, 6, 2}, inputs)) {
     ASSERT_EQ(result, 0.0f);
   }
 }
@@ -136,8 +131,7 @@ TEST(ReceiverPlane, FromNormalIsThePlanesSlope) {
     if (std::max(std::fabs(exact[0].value), std::fabs(exact[1].value)) > 0.99L * kLargestGradient) continue;
     inputs.insert(inputs.end(), in.begin(), in.end());
   }
-  expect_exact({"ReceiverPlane", kFromNormal, 12, 2}, DepthDirection::conventional, inputs, exact_from_normal,
-               16.0L);
+  expect_exact({"ReceiverPlane", kFromNormal, 12, 2}, inputs, exact_from_normal, 16.0L);
 }
 
 TEST(ReceiverPlane, GradientsAreFiniteAndBoundedForAnyInput) {
@@ -148,11 +142,10 @@ TEST(ReceiverPlane, GradientsAreFiniteAndBoundedForAnyInput) {
   }
   const std::string all =
       std::string("{ ") + kFromDerivatives + " } { " + kFromNormal +
-      " Out(2, g.x); Out(3, g.y); } const float2 b = BoundGradient(float2(In(0), In(1)));"
-      "Out(4, b.x); Out(5, b.y);"
-      "const float2 d = ReceiverPlaneFromDerivatives(float3(In(0), In(1), In(2)), float3(In(3), "
-      "In(4), In(5))); Out(0, d.x); Out(1, d.y);";
-  for (const float result : run({"ReceiverPlane", all, 12, 6}, DepthDirection::conventional, inputs)) {
+      " Out(2, g.x); Out(3, g.y); } const float2 b = BoundGradient(float2(In(0), In(1)));Out(4, b.x); Out(5, "
+      "b.y);const float2 d = ReceiverPlaneFromDerivatives(float3(In(0), In(1), In(2)), float3(In(3), In(4), "
+      "In(5))); Out(0, d.x); Out(1, d.y);";
+  for (const float result : run({"ReceiverPlane", all, 12, 6}, inputs)) {
     ASSERT_TRUE(std::isfinite(result));
     ASSERT_LE(std::fabs(result), 1024.001f);
   }
@@ -167,7 +160,7 @@ TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
   expect_exact(
       {"ReceiverPlane", "const float2 b = BoundGradient(float2(In(0), In(1))); Out(0, b.x); Out(1, b.y);", 2,
        2},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double steepest = std::max(std::fabs(in[0]), std::fabs(in[1]));
         const long double factor = std::min(1.0L, kLargestGradient / steepest);
@@ -178,17 +171,14 @@ TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
 
 // The depth has two products and two sums; fused operations round less.
 TEST(ReceiverPlane, DepthOnThePlaneStaysInTheMap) {
-  Random random(15);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(),
-                  {random.between(0.0f, 1.0f), random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
-                   random.between(-0.02f, 0.02f), random.between(-0.02f, 0.02f)});
-  }
+  const std::vector<float> inputs = random_cases(15, [&](Random& random) {
+    return Case{random.between(0.0f, 1.0f), random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
+                random.between(-0.02f, 0.02f), random.between(-0.02f, 0.02f)};
+  });
   expect_exact(
       {"ReceiverPlane", "Out(0, ReceiverPlaneDepth(In(0), float2(In(1), In(2)), float2(In(3), In(4))));", 5,
        1},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double a = static_cast<long double>(in[1]) * in[3];
         const long double b = static_cast<long double>(in[2]) * in[4];

@@ -56,7 +56,7 @@ TEST(RingMask, IsTheLitAreaOfTheRingsInsideOfThePenumbra) {
                                  radius * random.between(0.0f, 1.3f), radius, static_cast<float>(taps),
                                  static_cast<float>(1 + i / 2 % 2)});
   }
-  const std::vector<float> out = run({"RingMask", kVisibility, 6, 3}, DepthDirection::conventional, inputs);
+  const std::vector<float> out = run({"RingMask", kVisibility, 6, 3}, inputs);
   for (std::size_t i = 0; i < masks.size(); ++i) {
     const float* in = &inputs[6 * i];
     const Disc disc{in[3], static_cast<int>(in[4]), static_cast<int>(in[5])};
@@ -81,16 +81,14 @@ TEST(RingMask, IsTheLitAreaOfTheRingsInsideOfThePenumbra) {
 // The inputs are sixteen random bits, which half of the word they are, the word's first ring, and the
 // exponent.
 TEST(RingMask, AddsTheAreasOfBitsByCounts) {
-  Random random(74);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i)
-    inputs.insert(inputs.end(),
-                  {static_cast<float>(random.integer(0, 65535)), static_cast<float>(random.integer(0, 1)),
-                   static_cast<float>(32 * random.integer(0, 31)), static_cast<float>(1 + i % 2)});
+  const std::vector<float> inputs = random_cases(74, [&](Random& random, int i) {
+    return Case{static_cast<float>(random.integer(0, 65535)), static_cast<float>(random.integer(0, 1)),
+                static_cast<float>(32 * random.integer(0, 31)), static_cast<float>(1 + i % 2)};
+  });
   const std::vector<float> out =
       run({"RingMask",
            "Out(0, float(AreaOfBits(uint(In(0)) << (In(1) > 0.5 ? 16u : 0u), InInt(2), InInt(3))));", 4, 1},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const float* in = &inputs[4 * i];
     float area = 0.0f;
@@ -110,7 +108,7 @@ TEST(RingMask, BoundsItsCounts) {
            "OutInt(0, BoundedRingCount(InInt(0))); OutInt(1, BoundedRingExponent(InInt(0)));"
            "Out(2, float(RingBit(InInt(0)) >> 16)); Out(3, float(RingBit(InInt(0)) & 0xFFFFu));",
            1, 4},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const int count = static_cast<int>(inputs[i]);
     ASSERT_EQ(out[4 * i], static_cast<float>(std::clamp(count, 1, 32)));
@@ -127,7 +125,7 @@ TEST(RingMask, SelectsTheInnermostBits) {
   const std::vector<float> out = run(
       {"RingMask",
        "const uint b = InnermostRings(InInt(0)); Out(0, float(b & 0xFFFFu)); Out(1, float(b >> 16));", 1, 2},
-      DepthDirection::conventional, counts);
+      counts);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const int bits = std::clamp(static_cast<int>(counts[i]), 0, 32);
     const auto expected = static_cast<std::uint32_t>((std::uint64_t(1) << bits) - 1);

@@ -20,7 +20,7 @@ TEST(RowOrder, CountsAlongRows) {
   expect_exact(
       {"RowOrder", "int2 p = PlaceInRows(int(In(0)), int(In(1))); Out(0, float(p.x)); Out(1, float(p.y));", 2,
        2},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const int index = int(in[0]);
         const int width = int(in[1]);

@@ -1,6 +1,5 @@
 // Screen/SampleEdges.hlsl: where samples lie, and which of them see different surfaces.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -26,7 +25,7 @@ TEST(SampleEdges, SamplesLieWhereDirect3DHasThem) {
              2,
              {},
              "Screen"},
-            DepthDirection::conventional, inputs);
+            inputs);
     EXPECT_EQ(results, patterns[i]) << samples;
   }
 }
@@ -37,17 +36,15 @@ std::vector<float> differ(const std::vector<float>& inputs) {
   return run({"SampleEdges",
               "EdgeParameters p; p.edgeSamples = 4; p.depthTolerance = 1.0; p.normalCosine = 0.9;"
               "SampleSurface a; a.positionWS = float3(In(0), In(1), In(2)); a.normalWS = float3(In(3), "
-              "In(4), In(5));"
-              "a.seen = In(6) > 0.5; a.metresPerPixel = 0.02;"
-              "SampleSurface b; b.positionWS = float3(In(7), In(8), In(9)); b.normalWS = float3(In(10), "
-              "In(11), In(12));"
-              "b.seen = In(13) > 0.5; b.metresPerPixel = 0.03;"
-              "Out(0, SurfacesDiffer(a, b, p) ? 1.0 : 0.0); Out(1, SurfacesDiffer(b, a, p) ? 1.0 : 0.0);",
+              "In(4), In(5));a.seen = In(6) > 0.5; a.metresPerPixel = 0.02;SampleSurface b; b.positionWS = "
+              "float3(In(7), In(8), In(9)); b.normalWS = float3(In(10), In(11), In(12));b.seen = In(13) > "
+              "0.5; b.metresPerPixel = 0.03;Out(0, SurfacesDiffer(a, b, p) ? 1.0 : 0.0); Out(1, "
+              "SurfacesDiffer(b, a, p) ? 1.0 : 0.0);",
               14,
               2,
               {},
               "Screen"},
-             DepthDirection::conventional, inputs);
+             inputs);
 }
 
 TEST(SampleEdges, SurfacesDifferByWhatIsSeenByDistanceAndByNormal) {

@@ -1,8 +1,6 @@
 // Core/ScreenPosition.hlsl: cameras of any kind taken back to the world, and normals from depths alone.
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/exactness.h"
@@ -19,9 +17,7 @@ constexpr float kNoDepthSlope = 2.0f;
 
 const std::string kPoint =
     "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), In(11), "
-    "In(12), In(13), In(14), In(15));"
-    "const float2 pixel = float2(1.0 / 1920.0, 1.0 / 1080.0);"
+    "In(10), In(11), In(12), In(13), In(14), In(15));const float2 pixel = float2(1.0 / 1920.0, 1.0 / 1080.0);"
     "const ScreenPoint at = ScreenPointOf(m, float2(In(16), In(17)), In(18));";
 
 // Depths at which something is seen: between 1/1000 and all of the way from far to near.
@@ -61,7 +57,7 @@ TEST(ScreenPosition, IsTheMatrixApplied) {
   expect_exact(
       {"ScreenPosition",
        kPoint + "Out(0, at.positionWS.x); Out(1, at.positionWS.y); Out(2, at.positionWS.z);", kRow, 3},
-      DepthDirection::conventional, random_points(61),
+      random_points(61),
       [](const float* in) {
         const ExactPoint exact = exact_point(in, in[16], in[17], in[18]);
         std::vector<Exact> result;
@@ -78,7 +74,7 @@ TEST(ScreenPosition, TangentsAreDerivativesOfThePosition) {
        kPoint + "const float3 t = ScreenTangent(m, at, float3(In(19), In(20), In(21)));"
                 "Out(0, t.x); Out(1, t.y); Out(2, t.z);",
        kRow, 3},
-      DepthDirection::conventional, random_points(62),
+      random_points(62),
       [](const float* in) {
         const long double h = 1e-6L;
         const Vector step(in[19], in[20], in[21]);
@@ -104,8 +100,7 @@ TEST(ScreenPosition, TangentsAreDerivativesOfThePosition) {
 
 TEST(ScreenPosition, PixelWidthIsTheSmallerSideInThePlaneOfEqualDepth) {
   expect_exact(
-      {"ScreenPosition", kPoint + "Out(0, MetresPerPixel(m, at, pixel));", kRow, 1},
-      DepthDirection::conventional, random_points(63),
+      {"ScreenPosition", kPoint + "Out(0, MetresPerPixel(m, at, pixel));", kRow, 1}, random_points(63),
       [](const float* in) {
         const Vector at = exact_point(in, in[16], in[17], in[18]).position;
         const Vector right = exact_point(in, in[16] + 1.0L / kWidth, in[17], in[18]).position;
@@ -144,7 +139,7 @@ TEST(ScreenPosition, NormalsAreThoseOfThePlaneThatMadeTheDepths) {
            kPoint + "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel);"
                     "Out(0, n.x); Out(1, n.y); Out(2, n.z);",
            kRow, 3},
-          DepthDirection::conventional, inputs);
+          inputs);
   long double worst = 0.0L;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vector got(results[3 * i], results[3 * i + 1], results[3 * i + 2]);
@@ -167,7 +162,7 @@ TEST(ScreenPosition, NormalsOfWhatMakesNoSenseAreZeroOrUnit) {
       run({"ScreenPosition",
            kPoint + "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel); Out(0, dot(n, n));",
            kRow, 1},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (const float squared : results)
     ASSERT_TRUE(squared == 0.0f || std::abs(squared - 1.0f) < 1e-5f) << squared;
   // The slope is not known here.
@@ -178,7 +173,7 @@ TEST(ScreenPosition, NormalsOfWhatMakesNoSenseAreZeroOrUnit) {
             kPoint +
                 "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel); Out(0, dot(n, n));",
             kRow, 1},
-           DepthDirection::conventional, unknown)) {
+           unknown)) {
     ASSERT_EQ(squared, 0.0f);
   }
 }
@@ -190,8 +185,7 @@ bool is_surface(float depth) {
 TEST(ScreenPosition, NeitherSkyNorNearPlaneNorNanIsASurface) {
   const std::vector<float> inputs = special_floats();
   const std::vector<float> results =
-      run({"ScreenPosition", "Out(0, IsSurfaceDepth(In(0)) ? 1.0 : 0.0);", 1, 1},
-          DepthDirection::conventional, inputs);
+      run({"ScreenPosition", "Out(0, IsSurfaceDepth(In(0)) ? 1.0 : 0.0);", 1, 1}, inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     // Numbers too small for a normal float may be 0 to the device.
     if (std::fpclassify(inputs[i]) == FP_SUBNORMAL) continue;
@@ -226,7 +220,7 @@ TEST(ScreenPosition, SlopesFollowTheSurfaceThatGoesOn) {
            "Out(0, DepthSlopes(along).x); Out(1, DepthSlopes(along).y); Out(2, NearerSlope(along));"
            "Out(3, ContradictsItself(along) ? 1.0 : 0.0); Out(4, StraighterSlope(In(0), along, In(4)));",
            5, 5},
-          DepthDirection::conventional, inputs);
+          inputs);
   int contradictions = 0;
   for (std::size_t i = 0; i < inputs.size() / 5; ++i) {
     const float* in = &inputs[5 * i];
@@ -251,17 +245,15 @@ TEST(ScreenPosition, SlopesFollowTheSurfaceThatGoesOn) {
 }
 
 TEST(ScreenPosition, PlaneWeightFallsFromOneToZeroBesideThePlane) {
-  Random random(68);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(), {random.between(-3.0f, 3.0f), random.between(0.01f, 2.0f)});
-  }
+  std::vector<float> inputs = random_cases(68, [&](Random& random) {
+    return Case{random.between(-3.0f, 3.0f), random.between(0.01f, 2.0f)};
+  });
   for (const float beside : special_floats()) inputs.insert(inputs.end(), {beside, 1.0f});
   for (const float tolerance : special_floats()) inputs.insert(inputs.end(), {0.5f, tolerance});
   const std::vector<float> results =
       run({"ScreenPosition", "Out(0, PlaneWeight(float3(7.0, In(0), -3.0), float3(0.0, 1.0, 0.0), In(1)));",
            2, 1},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const double beside = std::abs(inputs[2 * i]);
     const double tolerance = inputs[2 * i + 1];

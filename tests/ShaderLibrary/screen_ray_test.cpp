@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
 #include "ShaderLibrary/core_function.h"
@@ -19,10 +18,9 @@ constexpr int kRayRow = 16 + 3 + 3 + 1;  // matrix by rows, (u, v, depth), direc
 
 const std::string kRay =
     "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), In(11), In(12), In(13), In(14), In(15));"
-    "const float3 origin = float3(In(16), In(17), In(18));"
-    "const ScreenRay ray = ScreenRayOf(m, ScreenPointOf(m, origin.xy, origin.z), origin, "
-    "float3(In(19), In(20), In(21)));";
+    "In(10), In(11), In(12), In(13), In(14), In(15));const float3 origin = float3(In(16), In(17), In(18));"
+    "const ScreenRay ray = ScreenRayOf(m, ScreenPointOf(m, origin.xy, origin.z), origin, float3(In(19), "
+    "In(20), In(21)));";
 
 Matrix matrix_of(const std::array<long double, 16>& rows) {
   Matrix matrix;
@@ -109,7 +107,7 @@ TEST(ScreenRay, PointsAreThoseOfTheWorldProjected) {
        kRay + "const float3 p = ScreenRayPoint(ray, ScreenRayAlong(ray, In(22)));"
               "Out(0, p.x); Out(1, p.y); Out(2, p.z);",
        kRayRow, 3},
-      DepthDirection::conventional, random_rays(71),
+      random_rays(71),
       [](const float* in) {
         const Vector exact = end_of(in).point;
         const Vector scale = sensitivity(in);
@@ -122,16 +120,14 @@ TEST(ScreenRay, PointsAreThoseOfTheWorldProjected) {
 
 TEST(ScreenRay, LengthsComeBackAndARayBehindTheCameraHasNoEnd) {
   const std::vector<float> rays = random_rays(72);
-  const std::vector<float> back =
-      run({"ScreenRay", kRay + "Out(0, ScreenRayMetres(ray, ScreenRayAlong(ray, In(22))));", kRayRow, 1},
-          DepthDirection::conventional, rays);
+  const std::vector<float> back = run(
+      {"ScreenRay", kRay + "Out(0, ScreenRayMetres(ray, ScreenRayAlong(ray, In(22))));", kRayRow, 1}, rays);
   for (std::size_t i = 0; i < back.size(); ++i)
     ASSERT_NEAR(back[i], rays[i * kRayRow + 22], 2e-5 * rays[i * kRayRow + 22]) << i;
   // The inputs are bend and metres.
   const std::vector<float> inputs{-0.5f, 1.0f, -0.5f, 2.0f, -0.5f, 3.0f, 0.0f, 3.0f, 1.0f, 3.0f};
-  const std::vector<float> along =
-      run({"ScreenRay", "ScreenRay ray; ray.bend = In(0); Out(0, ScreenRayAlong(ray, In(1)));", 2, 1},
-          DepthDirection::conventional, inputs);
+  const std::vector<float> along = run(
+      {"ScreenRay", "ScreenRay ray; ray.bend = In(0); Out(0, ScreenRayAlong(ray, In(1)));", 2, 1}, inputs);
   EXPECT_FLOAT_EQ(along[0], 2.0f);
   EXPECT_GE(along[1], 1e6f);
   EXPECT_GE(along[2], 1e6f);
@@ -154,7 +150,7 @@ TEST(ScreenRay, EndsAtTheBorderOfThePicture) {
        "ScreenRay ray; ray.origin = float3(In(0), In(1), In(2)); ray.slope = float3(In(3), In(4), In(5)); "
        "ray.bend = 0.0; Out(0, ScreenRayWithin(ray, In(6))); Out(1, WithinUnit(In(0), In(3), In(6)));",
        7, 2},
-      DepthDirection::conventional, inputs);
+      inputs);
   for (std::size_t i = 0; i < ends.size() / 2; ++i) {
     const float* in = &inputs[7 * i];
     const auto last_inside = [&](int coordinates) {

@@ -1,5 +1,4 @@
 // Tests Core/ScreenScale.hlsl on every screen from 1 to 400 pixels wide, halved.
-#include <algorithm>
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/inputs.h"
@@ -18,8 +17,8 @@ TEST(ScreenScale, IsTheQuotientOfSizesRoundedUp) {
       scales.push_back(scale);
     }
   }
-  const std::vector<float> results = run({"ScreenScale", "OutInt(0, ScreenScale(In(0), In(1)));", 2, 1},
-                                         DepthDirection::conventional, inputs);
+  const std::vector<float> results =
+      run({"ScreenScale", "OutInt(0, ScreenScale(In(0), In(1)));", 2, 1}, inputs);
   for (std::size_t i = 0; i < scales.size(); ++i) ASSERT_EQ(results[i], float(scales[i])) << inputs[2 * i];
 }
 
@@ -37,7 +36,7 @@ TEST(ScreenScale, HalfPixelsEncloseTheFullOne) {
            "OutInt(2, FullPixel(int2(before + 1, before + 1), 2, size).y);"
            "OutInt(3, FullPixel(int2(InInt(1), InInt(1)), 1, size).x);",
            2, 4},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
     const int size = int(inputs[2 * i]);
     const int pixel = int(inputs[2 * i + 1]);

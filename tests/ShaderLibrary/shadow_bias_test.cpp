@@ -10,17 +10,15 @@ namespace {
 
 // The bias is two products.
 TEST(ShadowBias, CasterBiasGrowsWithTexelAndKernel) {
-  Random random(16);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(), {random.between(0.0f, 10.0f), random.between(0.0f, 10.0f),
-                                 random.between(1e-4f, 1.0f), random.between(1.0f, 4.0f)});
-  }
+  const std::vector<float> inputs = random_cases(16, [&](Random& random) {
+    return Case{random.between(0.0f, 10.0f), random.between(0.0f, 10.0f), random.between(1e-4f, 1.0f),
+                random.between(1.0f, 4.0f)};
+  });
   expect_exact(
       {"ShadowBias",
        "const float2 b = CasterBiasMetres(float2(In(0), In(1)), In(2), In(3)); Out(0, b.x); Out(1, b.y);", 4,
        2},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const long double kernel = static_cast<long double>(in[2]) * in[3];
         return std::vector<Exact>{{-in[0] * kernel}, {-in[1] * kernel}};
@@ -50,7 +48,7 @@ TEST(ShadowBias, CastersMoveAwayFromTheLightAndInward) {
        "const float3 p = BiasCaster(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)),"
        "float3(In(6), In(7), In(8)), float2(In(9), In(10))); Out(0, p.x); Out(1, p.y); Out(2, p.z);",
        11, 3},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         long double cosine = 0.0L;
         for (int axis = 0; axis < 3; ++axis) cosine += static_cast<long double>(in[3 + axis]) * in[6 + axis];
@@ -71,15 +69,11 @@ TEST(ShadowBias, CastersMoveAwayFromTheLightAndInward) {
 // The difference 1 - c^2 cancels near c = 1, where the slope itself is small: the error is of the size of one
 // slope unit. Square root and division have 2.5 ULP each in Vulkan.
 TEST(ShadowBias, SlopeScaledBiasFollowsTheTangent) {
-  Random random(18);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(),
-                  {random.between(0.0f, 0.01f), random.between(0.0f, 0.01f), random.between(-0.1f, 0.999f)});
-  }
+  const std::vector<float> inputs = random_cases(18, [&](Random& random) {
+    return Case{random.between(0.0f, 0.01f), random.between(0.0f, 0.01f), random.between(-0.1f, 0.999f)};
+  });
   expect_exact(
-      {"ShadowBias", "Out(0, SlopeScaledBias(In(0), In(1), In(2), 0.25));", 3, 1},
-      DepthDirection::conventional, inputs,
+      {"ShadowBias", "Out(0, SlopeScaledBias(In(0), In(1), In(2), 0.25));", 3, 1}, inputs,
       [](const float* in) {
         const long double c = std::clamp(static_cast<long double>(in[2]), 1e-3L, 1.0L);
         const long double slope = std::sqrt(1.0L - c * c) / c;
@@ -93,16 +87,13 @@ TEST(ShadowBias, SlopeScaledBiasFollowsTheTangent) {
 }
 
 TEST(ShadowBias, AdaptiveBiasIsThePlanesRiseUnderTheKernel) {
-  Random random(19);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
-    inputs.insert(inputs.end(), {random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
-                                 random.between(0.0f, 0.01f), random.between(0.0f, 0.01f)});
-  }
+  const std::vector<float> inputs = random_cases(19, [&](Random& random) {
+    return Case{random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f), random.between(0.0f, 0.01f),
+                random.between(0.0f, 0.01f)};
+  });
   // The highest corner of the kernel is found by looking at all four. The bias has two products and a sum.
   expect_exact(
-      {"ShadowBias", "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(3)), 0.25));", 4, 1},
-      DepthDirection::conventional, inputs,
+      {"ShadowBias", "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(3)), 0.25));", 4, 1}, inputs,
       [](const float* in) {
         long double rise = 0.0L;
         for (const long double u : {-1.0L, 1.0L}) {
@@ -122,7 +113,7 @@ TEST(ShadowBias, ReceiverBiasesAreBoundedForAnyInput) {
                                  "Out(0, SlopeScaledBias(In(0), In(1), In(2), 0.25));"
                                  "Out(1, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(3)), 0.25));",
                                  4, 2},
-                                DepthDirection::conventional, inputs)) {
+                                inputs)) {
     ASSERT_GE(result, 0.0f);
     ASSERT_LE(result, 0.25f);
   }

@@ -16,43 +16,49 @@ constexpr int kReceivers = 1000000;
 // reads it, from the receiver. The texel blocks as it does in SingleLoop.hlsl.
 const std::string kDecision =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
-    "1.0;"
-    "r.centre = float2(0.0, 0.0); r.depth = In(2); r.gradient = float2(In(3), In(4));"
-    "Out(0, DecideByRange(float2(In(0), In(1)), r, In(5)));"
-    "const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, float2(In(7), In(8))));"
-    "Out(1, DepthGap(In(6), plane) > 0.0 && DepthGap(In(6), r.depth) > 0.0 ? 1.0 : 0.0);";
+    "1.0;r.centre = float2(0.0, 0.0); r.depth = In(2); r.gradient = float2(In(3), In(4));Out(0, "
+    "DecideByRange(float2(In(0), In(1)), r, In(5)));const float plane = KeepBehindNearPlane(r.depth + "
+    "dot(r.gradient, float2(In(7), In(8))));Out(1, DepthGap(In(6), plane) > 0.0 && DepthGap(In(6), r.depth) "
+    "> 0.0 ? 1.0 : 0.0);";
 
 TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
   for (const DepthDirection direction : kDepthDirections) {
     const bool reversed = direction == DepthDirection::reversed;
-    Random random(75);
-    std::vector<float> inputs;
-    for (int i = 0; i < kReceivers; ++i) {
-      // The range is narrow and close to the receiver's plane, where decisions are made, or any.
-      const float depth = random.between(0.0f, 1.0f);
-      const float reach = random.between(0.0f, 60.0f);
-      const float slope = i % 4 == 0 ? 0.0f : std::fabs(random.magnitude(-6.0f, -2.0f));
-      const float turn = random.between(0.0f, 6.2831853f);
-      const float gradient_x = slope * std::cos(turn), gradient_y = slope * std::sin(turn);
-      const float rise = slope * (reach + 0.75f);
-      const float spread = i % 2 == 0 ? 1.0f : 3.0f * rise + 1e-6f;
-      float a = std::clamp(depth + random.between(-spread, spread), 0.0f, 1.0f);
-      float b = std::clamp(depth + random.between(-spread, spread), 0.0f, 1.0f);
-      if (i % 5 == 0) a = depth;
-      const float nearest = reversed ? std::max(a, b) : std::min(a, b);
-      const float farthest = reversed ? std::min(a, b) : std::max(a, b);
-      // The texel lies at one of the range's ends, uphill or downhill at the end of the reach, or anywhere
-      // between.
-      const float texel = i % 3 == 0   ? nearest
-                          : i % 3 == 1 ? farthest
-                                       : a + (b - a) * random.between(0.0f, 1.0f);
-      const float far = reach + 0.7071f;
-      const float along = i % 7 == 0 ? far : i % 7 == 1 ? -far : random.between(-far, far);
-      inputs.insert(inputs.end(), {nearest, farthest, depth, gradient_x, gradient_y, reach,
-                                   std::clamp(texel, std::min(a, b), std::max(a, b)), along * std::cos(turn),
-                                   along * std::sin(turn)});
-    }
-    CoreFunction function{"SingleLoopRanges", kDecision, 9, 2, {}, "Filters/SingleLoop"};
+    const std::vector<float> inputs = random_cases(
+        75,
+        [&](Random& random, int i) {
+          // The range is narrow and close to the receiver's plane, where decisions are made, or any.
+          const float depth = random.between(0.0f, 1.0f);
+          const float reach = random.between(0.0f, 60.0f);
+          const float slope = i % 4 == 0 ? 0.0f : std::fabs(random.magnitude(-6.0f, -2.0f));
+          const float turn = random.between(0.0f, 6.2831853f);
+          const float gradient_x = slope * std::cos(turn), gradient_y = slope * std::sin(turn);
+          const float rise = slope * (reach + 0.75f);
+          const float spread = i % 2 == 0 ? 1.0f : 3.0f * rise + 1e-6f;
+          float a = std::clamp(depth + random.between(-spread, spread), 0.0f, 1.0f);
+          float b = std::clamp(depth + random.between(-spread, spread), 0.0f, 1.0f);
+          if (i % 5 == 0) a = depth;
+          const float nearest = reversed ? std::max(a, b) : std::min(a, b);
+          const float farthest = reversed ? std::min(a, b) : std::max(a, b);
+          // The texel lies at one of the range's ends, uphill or downhill at the end of the reach, or
+          // anywhere between.
+          const float texel = i % 3 == 0   ? nearest
+                              : i % 3 == 1 ? farthest
+                                           : a + (b - a) * random.between(0.0f, 1.0f);
+          const float far = reach + 0.7071f;
+          const float along = i % 7 == 0 ? far : i % 7 == 1 ? -far : random.between(-far, far);
+          return Case{nearest,
+                      farthest,
+                      depth,
+                      gradient_x,
+                      gradient_y,
+                      reach,
+                      std::clamp(texel, std::min(a, b), std::max(a, b)),
+                      along * std::cos(turn),
+                      along * std::sin(turn)};
+        },
+        kReceivers);
+    CoreFunction function = function_in("Filters/SingleLoop", "SingleLoopRanges", kDecision, 9, 2);
     const std::vector<float> out = run(function, direction, inputs);
     int lit = 0, dark = 0, undecided = 0;
     for (std::size_t i = 0; i < out.size() / 2; ++i) {
@@ -71,19 +77,15 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
 // but noise; receivers are near their plane, or anywhere. The block lies anywhere around the receiver.
 const std::string kPlanes =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
-    "1.0;"
-    "r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = float2(In(17), In(18));"
-    "const float2 away = float2(In(19), In(20)); float4 depths[4]; int i;"
-    "for (i = 0; i < 4; ++i) depths[i] = float4(In(4 * i), In(4 * i + 1), In(4 * i + 2), In(4 * i + 3));"
-    "r.inPerspective = false; r.awayFromAxis = 0.0;"
-    "const GroupBounds block = BoundBlock(PlanesOfBlock(depths), away, 4.0, 0.0, GroupOf(r));"
-    "Out(0, block.noneAbove ? 1.0 : block.allAbove && block.smallestGap > 0.0 ? 0.0 : -1.0);"
-    "int blocking = 0; for (i = 0; i < 16; ++i) {"
-    "const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], kGatherY[i % 4]);"
-    "const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at));"
-    "if (DepthGap(depths[i / 4][i % 4], plane) > 0.0 && DepthGap(depths[i / 4][i % 4], r.depth) > 0.0) "
-    "++blocking; }"
-    "OutInt(1, blocking);";
+    "1.0;r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = float2(In(17), In(18));const float2 "
+    "away = float2(In(19), In(20)); float4 depths[4]; int i;for (i = 0; i < 4; ++i) depths[i] = float4(In(4 "
+    "* i), In(4 * i + 1), In(4 * i + 2), In(4 * i + 3));r.inPerspective = false; r.awayFromAxis = 0.0;const "
+    "GroupBounds block = BoundBlock(PlanesOfBlock(depths), away, 4.0, 0.0, GroupOf(r));Out(0, "
+    "block.noneAbove ? 1.0 : block.allAbove && block.smallestGap > 0.0 ? 0.0 : -1.0);int blocking = 0; for "
+    "(i = 0; i < 16; ++i) {const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], "
+    "kGatherY[i % 4]);const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at));if "
+    "(DepthGap(depths[i / 4][i % 4], plane) > 0.0 && DepthGap(depths[i / 4][i % 4], r.depth) > 0.0) "
+    "++blocking; }OutInt(1, blocking);";
 
 TEST(SingleLoopExits, WhatPlanesDecideHoldsForEveryTexelOfTheirBlock) {
   for (const DepthDirection direction : kDepthDirections) {
@@ -131,7 +133,7 @@ TEST(SingleLoopExits, FacingAwayIsDarkOnlyWhereTheFourTapsAre) {
                                       1,
                                       {},
                                       "Filters/SingleLoop"},
-                                     DepthDirection::conventional, inputs);
+                                     inputs);
   const std::vector<float> expected{1.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
   EXPECT_EQ(out, expected);
 }

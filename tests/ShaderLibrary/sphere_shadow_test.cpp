@@ -40,14 +40,15 @@ long double counted_share(long double light, long double blocker, long double ap
 }
 
 TEST(DiscShareBesideDisc, IsTheAreaOutsideOfTheOther) {
-  Random random(51);
-  std::vector<float> cases;
-  for (int i = 0; i < 4000; ++i) {
-    const float light = std::pow(10.0f, random.between(-2.5f, -0.5f));
-    const float blocker = light * std::pow(10.0f, random.between(-1.0f, 1.5f));
-    cases.insert(cases.end(), {light, blocker, (light + blocker) * random.between(0.0f, 1.1f)});
-  }
-  const std::vector<float> seen = run(kShare, DepthDirection::conventional, cases);
+  const std::vector<float> cases = random_cases(
+      51,
+      [&](Random& random) {
+        const float light = std::pow(10.0f, random.between(-2.5f, -0.5f));
+        const float blocker = light * std::pow(10.0f, random.between(-1.0f, 1.5f));
+        return Case{light, blocker, (light + blocker) * random.between(0.0f, 1.1f)};
+      },
+      4000);
+  const std::vector<float> seen = run(kShare, cases);
   for (std::size_t i = 0; i < seen.size(); ++i)
     ASSERT_NEAR(seen[i], static_cast<double>(counted_share(cases[3 * i], cases[3 * i + 1], cases[3 * i + 2])),
                 2e-4)
@@ -59,8 +60,7 @@ TEST(DiscShareBesideDisc, StaysInRangeForAnyNumbers) {
   for (const float light : special_floats())
     for (const float blocker : special_floats())
       for (const float apart : special_floats()) cases.insert(cases.end(), {light, blocker, apart});
-  for (const float seen : run(kShare, DepthDirection::conventional, cases))
-    ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
+  for (const float seen : run(kShare, cases)) ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }
 
 // The rays go over the sun's disc in 64 rings of 64.
@@ -119,7 +119,7 @@ TEST(SphereVisibility, IsTheShareOfRaysThatPassTheSphere) {
           distance * one[4 + axis] + 1.2f * (one[3] + distance * one[7]) * random.between(-1.0f, 1.0f);
     cases.insert(cases.end(), one.begin(), one.end());
   }
-  const std::vector<float> seen = run(kSphere, DepthDirection::conventional, cases);
+  const std::vector<float> seen = run(kSphere, cases);
   int partly = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const long double wanted = traced(&cases[8 * i]);
@@ -130,22 +130,19 @@ TEST(SphereVisibility, IsTheShareOfRaysThatPassTheSphere) {
 }
 
 TEST(SphereVisibility, IsDarkInsideAndLitBeforeASphereBehind) {
-  EXPECT_EQ(run(kSphere, DepthDirection::conventional,
-                {0.1f, 0.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // inside
-                 0.0f, -5.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // under the receiver
-                 0.0f, 5.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // before the sun
-                 0.0f, 5.0f,  0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.005f}),  // without a size
+  EXPECT_EQ(run(kSphere, {0.1f, 0.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // inside
+                          0.0f, -5.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // under the receiver
+                          0.0f, 5.0f,  0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.005f,    // before the sun
+                          0.0f, 5.0f,  0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.005f}),  // without a size
             (std::vector<float>{0.0f, 1.0f, 0.0f, 1.0f}));
   Random random(53);
   const std::vector<float> cases = random_special_floats(random, 8 * kRandomCases);
-  for (const float seen : run(kSphere, DepthDirection::conventional, cases))
-    ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
+  for (const float seen : run(kSphere, cases)) ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }
 
 TEST(CircularSegment, IsHalfTheCircleAtItsCentreAndAllOfItBehind) {
   const CoreFunction segment{"SphereShadow", "Out(0, CircularSegment(In(0), In(1), In(2)));", 3, 1};
-  const std::vector<float> seen =
-      run(segment, DepthDirection::conventional, {2.0f, 0.0f, 2.0f, 2.0f, -2.0f, 0.0f, 2.0f, 2.0f, 0.0f});
+  const std::vector<float> seen = run(segment, {2.0f, 0.0f, 2.0f, 2.0f, -2.0f, 0.0f, 2.0f, 2.0f, 0.0f});
   const float area = 4.0f * std::acos(-1.0f);
   EXPECT_NEAR(seen[0], 0.5f * area, 1e-5f);
   EXPECT_NEAR(seen[1], area, 1e-5f);
@@ -156,7 +153,7 @@ TEST(CircularSegment, IsHalfTheCircleAtItsCentreAndAllOfItBehind) {
     angles.push_back(angle);
     cases.insert(cases.end(), {1.0f, std::cos(angle), std::sin(angle)});
   }
-  const std::vector<float> cut = run(segment, DepthDirection::conventional, cases);
+  const std::vector<float> cut = run(segment, cases);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const long double a = angles[i], wanted = a - std::sin(a) * std::cos(a);
     ASSERT_NEAR(cut[i], static_cast<double>(wanted), 1e-4 * static_cast<double>(wanted)) << a;

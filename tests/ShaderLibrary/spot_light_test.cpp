@@ -102,7 +102,7 @@ TEST(SpotPenumbra, FollowsSimilarTriangles) {
            "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, 1);"
            "Out(3, In(5) * TileAtReceiver(tile, map, In(4)).depthToRadial);",
        kMapWords + 2, 4},
-      DepthDirection::conventional, inputs, exact, 12.0L);
+      inputs, exact, 12.0L);
 }
 
 TEST(SpotPenumbra, TheTilesScalesAreTheSlopesAtTheReceiver) {
@@ -121,7 +121,7 @@ TEST(SpotPenumbra, TheTilesScalesAreTheSlopesAtTheReceiver) {
            "1, 1); tile = TileAtReceiver(tile, map, In(4)); Out(0, tile.uvPerMetre); Out(1, "
            "tile.depthPerMetre); Out(2, tile.radialToDepth); Out(3, InverseMetresPerDepth(map));",
        kMapWords + 1, 4},
-      DepthDirection::conventional, inputs,
+      inputs,
       [](const float* in) {
         const Real receiver = in[4];
         return std::vector<Exact>{{1.0L / (2.0L * in[2] * receiver)},
@@ -188,13 +188,12 @@ TEST(SpotSource, LooksLikeAnEllipseAwayFromTheAxis) {
   const std::vector<float> results = run(
       {"SpotLight",
        std::string(kMap) +
-           "const float2 away = AwayFromAxis(float2(In(4), In(5)), map);"
-           "const float2 circle = float2(cos(In(6)), sin(In(6)));"
-           "const float2 ellipse = StretchAwayFromAxis(circle, away); Out(0, ellipse.x); Out(1, ellipse.y);"
-           "const float4 back = SquaredRadiusFacingLight(ellipse.x, ellipse.y, away); Out(2, back.x);"
-           "Out(3, AxisCosine(away));",
+           "const float2 away = AwayFromAxis(float2(In(4), In(5)), map);const float2 circle = "
+           "float2(cos(In(6)), sin(In(6)));const float2 ellipse = StretchAwayFromAxis(circle, away); Out(0, "
+           "ellipse.x); Out(1, ellipse.y);const float4 back = SquaredRadiusFacingLight(ellipse.x, ellipse.y, "
+           "away); Out(2, back.x);Out(3, AxisCosine(away));",
        kMapWords + 3, 4},
-      DepthDirection::conventional, inputs);
+      inputs);
   for (int i = 0; i < kRandomCases; ++i) {
     const float* in = &inputs[std::size_t(i) * (kMapWords + 3)];
     const Real receiver_depth = 2.0L, blocker_depth = 1.0L;

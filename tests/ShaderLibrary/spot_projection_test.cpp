@@ -39,8 +39,7 @@ std::vector<float> light_and_position(parameters::SetupGenerator& generator, Dep
 
 constexpr const char* kMatrix =
     "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), "
-    "In(11), In(12), In(13), In(14), In(15));";
+    "In(10), In(11), In(12), In(13), In(14), In(15));";
 
 // The rows of the matrix times (p, 1), in long double; `terms` gets the sum of the terms' sizes.
 std::array<Real, 4> project(const float* in, const Vector& p, Real* terms = nullptr) {
@@ -66,10 +65,9 @@ TEST(SpotCoordinate, CoversWhatLiesInTheMapsPyramid) {
     const std::vector<float> results =
         run({"SpotLight",
              std::string(kMatrix) + "const SpotCoordinate c = ProjectOntoSpotMap(float3(In(16), In(17), "
-                                    "In(18)), m, float4(0, 0, 1, 1));"
-                                    "Out(0, c.shadowCoord.x); Out(1, c.shadowCoord.y); Out(2, "
-                                    "c.shadowCoord.z); Out(3, c.axialMetres);"
-                                    "Out(4, c.covered ? 1.0 : 0.0);",
+                                    "In(18)), m, float4(0, 0, 1, 1));Out(0, c.shadowCoord.x); Out(1, "
+                                    "c.shadowCoord.y); Out(2, c.shadowCoord.z); Out(3, c.axialMetres);Out(4, "
+                                    "c.covered ? 1.0 : 0.0);",
              19, 5},
             direction, inputs);
     int covered = 0, behind = 0;
@@ -247,18 +245,16 @@ TEST(SpotLight, EverythingIsFiniteForAnyInput) {
          std::string(kMap) + kMatrix +
              "Out(0, map.nearMetres); Out(1, map.farMetres - map.nearMetres); Out(2, map.tanHalf); Out(3, "
              "map.sourceRadiusMetres); const float depth = AxialDepth(FiniteOr(In(4), 0.5), map); Out(4, "
-             "depth);"
-             "Out(5, StoredDepth(depth, map)); const float gap = min(max(FiniteOr(In(5), 0.0), 0.0), 1.0);"
-             "Out(6, PenumbraRadiusMetres(gap, depth, map));"
-             "Out(7, SearchRadiusMetres(depth, map)); Out(8, RadiusInTileUV(1.0, depth, map));"
-             "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, "
-             "1); tile = TileAtReceiver(tile, map, depth); Out(9, tile.uvPerMetre); Out(10, "
-             "tile.depthPerMetre); Out(11, tile.depthToRadial); Out(12, tile.radialToDepth);"
-             "const SpotCoordinate c = ProjectOntoSpotMap(float3(In(16), In(17), In(18)), m, float4(0, 0, 1, "
-             "1)); Out(13, c.shadowCoord.x); Out(14, c.shadowCoord.y); Out(15, c.shadowCoord.z); Out(16, "
-             "c.axialMetres); const float2 away = AwayFromAxis(FiniteOr(float2(In(19), In(20)), float2(0.0, "
-             "0.0)), map);"
-             "const float2 s = StretchAwayFromAxis(float2(1.0, 1.0), away); Out(17, s.x); Out(18, s.y);",
+             "depth);Out(5, StoredDepth(depth, map)); const float gap = min(max(FiniteOr(In(5), 0.0), 0.0), "
+             "1.0);Out(6, PenumbraRadiusMetres(gap, depth, map));Out(7, SearchRadiusMetres(depth, map)); "
+             "Out(8, RadiusInTileUV(1.0, depth, map));ShadowTile tile; tile.offsetScale = float4(0, 0, 1, "
+             "1); tile.atlasTexelSize = float4(1, 1, 1, 1); tile = TileAtReceiver(tile, map, depth); Out(9, "
+             "tile.uvPerMetre); Out(10, tile.depthPerMetre); Out(11, tile.depthToRadial); Out(12, "
+             "tile.radialToDepth);const SpotCoordinate c = ProjectOntoSpotMap(float3(In(16), In(17), "
+             "In(18)), m, float4(0, 0, 1, 1)); Out(13, c.shadowCoord.x); Out(14, c.shadowCoord.y); Out(15, "
+             "c.shadowCoord.z); Out(16, c.axialMetres); const float2 away = "
+             "AwayFromAxis(FiniteOr(float2(In(19), In(20)), float2(0.0, 0.0)), map);const float2 s = "
+             "StretchAwayFromAxis(float2(1.0, 1.0), away); Out(17, s.x); Out(18, s.y);",
          22, 19},
         direction, inputs);
     for (std::size_t i = 0; i < results.size(); ++i)

@@ -42,8 +42,7 @@ INSTANTIATE_TEST_SUITE_P(EverySize, TentWeights, ::testing::Values(2, 3, 4));
 // is exactly 1.
 TEST_P(TentWeights, SumToExactlyOneInAnyOrder) {
   const std::vector<float> inputs = offsets();
-  const std::vector<float> results =
-      run({"TentWeights", fetches(GetParam()), 1, 8}, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run({"TentWeights", fetches(GetParam()), 1, 8}, inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const float* weight = &results[8 * i];
     ASSERT_EQ(((weight[0] + weight[1]) + weight[2]) + weight[3], 1.0f) << "offset " << inputs[i];
@@ -60,8 +59,7 @@ TEST_P(TentWeights, WeighEveryTexelByItsAreaUnderTheTent) {
   const int taps = GetParam();
   const long double width = 2.0L * taps - 1.0L;
   const std::vector<float> inputs = offsets();
-  const std::vector<float> results =
-      run({"TentWeights", fetches(taps), 1, 8}, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run({"TentWeights", fetches(taps), 1, 8}, inputs);
   long double worst = 0.0L;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     std::array<long double, 16> texel_weight{};  // texels -8 .. 7
@@ -86,15 +84,13 @@ TEST_P(TentWeights, WeighEveryTexelByItsAreaUnderTheTent) {
 // The area has sums of products without cancellation: four roundings of each side, one of the sum, one of the
 // scale.
 TEST(TentMass, IsTheAreaBetweenItsBounds) {
-  Random random(4);
-  std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) {
+  const std::vector<float> inputs = random_cases(4, [&](Random& random) {
     const float width = 3.0f + 2.0f * float(random.integer(0, 2));
     const float a = random.between(-1.0f, width + 1.0f);
-    inputs.insert(inputs.end(), {a, a + random.between(0.0f, 2.0f), width});
-  }
+    return Case{a, a + random.between(0.0f, 2.0f), width};
+  });
   expect_exact(
-      {"TentWeights", "Out(0, TentMass(In(0), In(1), In(2)));", 3, 1}, DepthDirection::conventional, inputs,
+      {"TentWeights", "Out(0, TentMass(In(0), In(1), In(2)));", 3, 1}, inputs,
       [](const float* in) {
         const long double mass = tent_area_below(in[1], in[2]) - tent_area_below(in[0], in[2]);
         // b - a of clamped bounds is exact or rounded at the size of the bounds themselves.
@@ -110,13 +106,12 @@ TEST(RoundToWeightGrid, GivesTheNearestMultiple) {
   // 2^23 w + 1/2 may itself round up to a whole number when w lies just below the middle, so the bound is not
   // quite 1/2.
   expect_exact(
-      {"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, DepthDirection::conventional, inputs,
+      {"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, inputs,
       [](const float* in) {
         return std::vector<Exact>{{in[0], 1.0L}};
       },
       0.51L);
-  const std::vector<float> results =
-      run({"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, DepthDirection::conventional, inputs);
+  const std::vector<float> results = run({"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, inputs);
   for (const float result : results) ASSERT_EQ(std::fmod(result, 0x1p-23f), 0.0f) << result;
 }
 

@@ -9,10 +9,9 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 constexpr const char* kTile =
-    "ShadowTile tile; tile.offsetScale = float4(In(0), In(1), In(2), In(3));"
-    "tile.atlasTexelSize = float4(1.0 / In(4), 1.0 / In(5), In(4), In(5));"
-    "tile.uvPerMetre = 0.0; tile.depthPerMetre = 0.0; tile.depthToRadial = 0.0; tile.radialToDepth = 0.0;"
-    "const TileBounds bounds = BoundsInTexels(tile);";
+    "ShadowTile tile; tile.offsetScale = float4(In(0), In(1), In(2), In(3));tile.atlasTexelSize = float4(1.0 "
+    "/ In(4), 1.0 / In(5), In(4), In(5));tile.uvPerMetre = 0.0; tile.depthPerMetre = 0.0; tile.depthToRadial "
+    "= 0.0; tile.radialToDepth = 0.0;const TileBounds bounds = BoundsInTexels(tile);";
 
 // A tile of URP's atlases: the number of cascades, the size of the atlas, and which tile it is.
 struct Tile {
@@ -64,7 +63,7 @@ TEST(TileBounds, AreTheTilesWholeTexels) {
        std::string(kTile) + "Out(0, bounds.minimum.x); Out(1, bounds.minimum.y); Out(2, bounds.maximum.x);"
                             "Out(3, bounds.maximum.y);",
        8, 4},
-      DepthDirection::conventional, tiles_and_coordinates(false),
+      tiles_and_coordinates(false),
       [](const float* in) {
         const Bounds b = bounds_of(in);
         return std::vector<Exact>{{b.low[0]}, {b.low[1]}, {b.high[0]}, {b.high[1]}};
@@ -79,7 +78,7 @@ TEST(TileBounds, TexelCoordinatesStayInTheTile) {
        std::string(kTile) + "const float2 t = TexelCoordinates(float2(In(6), In(7)), tile);"
                             "Out(0, t.x); Out(1, t.y);",
        8, 2},
-      DepthDirection::conventional, tiles_and_coordinates(false),
+      tiles_and_coordinates(false),
       [](const float* in) {
         const Bounds b = bounds_of(in);
         std::vector<Exact> exact(2);
@@ -100,7 +99,7 @@ TEST(TileBounds, BilinearFootprintsStayInTheTileHoweverTheDeviceRounds) {
            std::string(kTile) +
                "const float2 t = ClampFootprint(float2(In(6), In(7)), bounds); Out(0, t.x); Out(1, t.y);",
            8, 2},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size() / 8; ++i) {
     const float* in = &inputs[8 * i];
     const Bounds b = bounds_of(in);
@@ -123,7 +122,7 @@ TEST(TileBounds, QuadCornersAreTheNearestWithFourTexelsInTheTile) {
            std::string(kTile) +
                "const float2 t = ClampQuadCorner(float2(In(6), In(7)), bounds); Out(0, t.x); Out(1, t.y);",
            8, 2},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (std::size_t i = 0; i < inputs.size() / 8; ++i) {
     const float* in = &inputs[8 * i];
     const Bounds b = bounds_of(in);
@@ -151,7 +150,7 @@ TEST(TileBounds, AreFiniteForTilesThatAreNoNumbers) {
                "const float2 b = ClampFootprint(p, bounds); const float2 c = ClampQuadCorner(p, bounds);"
                "Out(0, a.x); Out(1, a.y); Out(2, b.x); Out(3, b.y); Out(4, c.x); Out(5, c.y);",
            8, 6},
-          DepthDirection::conventional, inputs);
+          inputs);
   for (const float result : results) ASSERT_TRUE(std::isfinite(result));
 }
 

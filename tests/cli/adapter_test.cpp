@@ -106,7 +106,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
   EXPECT_GT(rmse_all({"--adapter", "mine=" + file, "--project", path("game").string()}), 0.0);
   const auto without = measure({"--adapter", "mine=" + file});
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_THAT(without.errors, AllOf(HasSubstr("mine.hlsl:2"), HasSubstr("com.mine.shadows")));
+  EXPECT_THAT(without.errors, HasSubstrs("mine.hlsl:2", "com.mine.shadows"));
   EXPECT_EQ(measure({"--adapter", "mine=" + file, "--project", path("nowhere").string()}).exit_code, 2);
 }
 

@@ -58,14 +58,13 @@ TEST_F(BakeProgram, ARawImageNeedsItsUnits) {
       bake({"heightfield", "--image", raw, "--heights", "0,100", "--area", "0,0,10,20", "-o", file("a.json")})
           .exit_code,
       0);
-  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("100.0"), HasSubstr("20.0")));
+  EXPECT_THAT(read("a.json"), HasSubstrs("100.0", "20.0"));
   EXPECT_EQ(bake({"heightfield", "--image", raw, "--heights", "0,100", "--area", "0,0,10,20", "--flip-z",
                   "-o", file("b.json")})
                 .exit_code,
             0);
   EXPECT_NE(read("a.png"), read("b.png"));
-  expect_refused({"heightfield", "--image", raw, "-o", file("c.json")},
-                 AllOf(HasSubstr("hill.raw"), HasSubstr("--heights")));
+  expect_refused({"heightfield", "--image", raw, "-o", file("c.json")}, HasSubstrs("hill.raw", "--heights"));
   expect_refused({"heightfield", "--image", raw, "--heights", "0,9", "-o", file("c.json")},
                  HasSubstr("--area"));
 }
@@ -94,7 +93,7 @@ TEST_F(BakeProgram, SaysWhatItCannotBake) {
                  HasSubstr("'4by4'"));
   expect_refused({"horizon", "--field", raw, "-o", file("x.json")}, HasSubstr("odd.raw"));
   expect_refused({"heightfield", "--scene", "stret", "-o", file("x.json")}, HasSubstr("street"));
-  expect_refused(with({"heightfield", "--image", raw}), AllOf(HasSubstr("odd.raw"), HasSubstr("5 bytes")));
+  expect_refused(with({"heightfield", "--image", raw}), HasSubstrs("odd.raw", "5 bytes"));
   expect_refused(with({"heightfield", "--image", file("absent.png")}), HasSubstr("absent.png"));
   expect_refused({"horizon", "--field", field, "-o", field}, HasSubstr("is a file that this run reads"));
   expect_refused({"heightfield", "--scene", "street", "-o", file("no/such/x.json")}, HasSubstr("x.json"));
@@ -121,12 +120,12 @@ TEST_F(BakeProgram, SaysWhyABakeWouldBeUseless) {
       HasSubstr("--heights"));
   expect_refused({"horizon", "--field", field, "--nearest", "1e5", "-o", to}, HasSubstr("--nearest"));
   expect_refused({"distance-field", "--scene", "street", "--voxels", "1", "-o", to},
-                 AllOf(HasSubstr("--voxels"), HasSubstr("2 .. 512")));
+                 HasSubstrs("--voxels", "2 .. 512"));
   expect_refused({"horizon", "--field", field, "--texels", "1x", "-o", to}, HasSubstr("--texels 512x256"));
   const std::string raw = write("hill.raw", std::string("\x00\x00\xff\xff\x00\x80\x00\x40", 8)).string();
   expect_refused(
       {"heightfield", "--image", raw, "--raw-size", "0x0", "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
-      AllOf(HasSubstr("0 x 0"), HasSubstr("--raw-size")));
+      HasSubstrs("0 x 0", "--raw-size"));
   const std::string wall = write("wall.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").string();
   expect_refused({"heightfield", "--scene", wall, "-o", to}, HasSubstr("vertical wall"));
   const std::string large = write("large.obj", "v 0 0 0\nv 1e9 0 0\nv 0 0 1e9\nf 1 2 3\n").string();
@@ -142,14 +141,14 @@ TEST_F(BakeProgram, ReadsOnlyRegularFiles) {
             0);
   for (const char* name : {"pipe.png", "pipe.raw"})
     expect_refused({"heightfield", "--image", file(name), "--heights", "0,9", "--area", "0,0,9,9", "-o", to},
-                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+                   HasSubstrs(name, "is a device or a pipe"));
   expect_refused({"horizon", "--field", file("pipe.json"), "-o", to},
                  HasSubstr("pipe.json: is a device or a pipe"));
   for (const char* name : {"pipe.obj", "pipe.glb"}) {
     expect_refused({"heightfield", "--scene", file(name), "-o", to},
-                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+                   HasSubstrs(name, "is a device or a pipe"));
     expect_refused({"distance-field", "--scene", file(name), "-o", to},
-                   AllOf(HasSubstr(name), HasSubstr("is a device or a pipe")));
+                   HasSubstrs(name, "is a device or a pipe"));
   }
   // The shell's <(...) names no folder in which the pictures lie.
   const auto through = shell(std::string(PENUMBRA_PROGRAM) + " bake horizon --field <(cat " + field +
@@ -167,7 +166,7 @@ TEST_F(BakeProgram, CountsSamplesWithoutASurface) {
   const std::string half = write("half.obj", "v 0 0 0\nv 4 0 0\nv 0 1 4\nf 1 3 2\n").string();
   const auto baked = bake({"heightfield", "--scene", half, "--samples", "9", "-o", file("half.json")});
   EXPECT_EQ(baked.exit_code, 0) << baked.errors;
-  EXPECT_THAT(baked.errors, AllOf(HasSubstr("samples without a surface"), HasSubstr("of 81")));
+  EXPECT_THAT(baked.errors, HasSubstrs("samples without a surface", "of 81"));
   const std::string json = read("half.json"), key = "\"samples_without_surface\": ";
   ASSERT_NE(json.find(key), std::string::npos) << json;
   const int count = std::stoi(json.substr(json.find(key) + key.size()));
@@ -216,9 +215,9 @@ TEST_F(BakeProgram, FieldsOfSeveralObjectsAreOneFile) {
                                            "--voxels",       "16",      "-o",  file("two.json")};
   const auto both = bake(arguments);
   EXPECT_EQ(both.exit_code, 0) << both.errors;
-  EXPECT_THAT(both.errors, AllOf(HasSubstr("objects: 2, of 2 parts"), HasSubstr("not closed")));
-  EXPECT_THAT(read("two.json"), AllOf(HasSubstr("distance-field-objects"), HasSubstr("two.png"),
-                                      HasSubstr("\"open_edges\": 3"), HasSubstr("\"too_thin\": 1.0")));
+  EXPECT_THAT(both.errors, HasSubstrs("objects: 2, of 2 parts", "not closed"));
+  EXPECT_THAT(read("two.json"),
+              HasSubstrs("distance-field-objects", "two.png", "\"open_edges\": 3", "\"too_thin\": 1.0"));
   EXPECT_NE(read("two.png"), "");
   expect_refused({"distance-field", "--scene", model, "--objects", "17", "-o", file("x.json")},
                  HasSubstr("16"));
@@ -243,7 +242,7 @@ TEST_F(BakeProgram, DistancesOfAClosedModelAndOfAnOpenOne) {
       write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n").string();
   const auto shell = bake({"distance-field", "--scene", open, "--voxels", "8", "-o", file("shell.json")});
   EXPECT_EQ(shell.exit_code, 0) << shell.errors;
-  EXPECT_THAT(shell.errors, AllOf(HasSubstr("not closed"), HasSubstr("3 edges")));
+  EXPECT_THAT(shell.errors, HasSubstrs("not closed", "3 edges"));
   EXPECT_THAT(read("shell.json"), HasSubstr("\"open_edges\": 3"));
   expect_refused({"distance-field", "--scene", "street", "--voxels", "513", "-o", file("x.json")},
                  HasSubstr("512"));

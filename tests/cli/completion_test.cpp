@@ -13,8 +13,7 @@ class Completion : public ProgramTest {
   void SetUp() override {
     ProgramTest::SetUp();
     for (const char* shell_name : {"bash", "zsh", "fish"}) {
-      const auto script = run({"completion", shell_name});
-      ASSERT_EQ(script.exit_code, 0) << script.errors;
+      const auto script = expect_success({"completion", shell_name});
       write(std::string("script.") + shell_name, script.output);
     }
     write("file.json", "{}");

@@ -23,8 +23,7 @@ class Cost : public ProgramTest {
   }
   // A baseline of the shader, with the first `from` in it made `to`.
   std::string baseline(const std::string& from, const std::string& to) const {
-    const auto written = run({"cost", shader(), "--family", "navi21", "--format", "json"});
-    EXPECT_EQ(written.exit_code, 0) << written.errors;
+    const auto written = expect_success({"cost", shader(), "--family", "navi21", "--format", "json"});
     std::string text = written.output;
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from << " in\n" << text;
@@ -41,8 +40,7 @@ TEST_F(Cost, TheWorkersSubcommandIsNotInHelp) {
 TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   const std::vector<std::string> command{"cost",   shader(),        "--family", "navi21",   "--keyword-set",
                                          "UNUSED", "--keyword-set", "DARK",     "--format", "csv"};
-  const auto once = run(command);
-  EXPECT_EQ(once.exit_code, 0) << once.errors;
+  const auto once = expect_success(command);
   EXPECT_THAT(once.output, StartsWith("family,techniques,file,entry,stage,keywords,instructions,"));
   EXPECT_THAT(once.output, HasSubstr("Main,fragment,+UNUSED,"));
   EXPECT_THAT(once.output, HasSubstr("Main,fragment,+DARK,"));
@@ -108,12 +106,11 @@ TEST_F(Cost, StagesThatAreNotMeasuredAreNamed) {
             "v; }\n[maxvertexcount(1)] void Geom(point V v[1], inout PointStream<V> s) { s.Append(v[0]); }\n"
             "float4 Frag() : SV_Target { return 1; }\nENDHLSL\n} } }\n")
           .string();
-  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto result = expect_success({"cost", file, "--family", "navi21", "--format", "csv"});
   EXPECT_THAT(result.errors,
               HasSubstr("Geometry.shader:2:1: warning: the geometry program 'Geom' is not measured: only "
                         "vertex, fragment and compute programs are"));
-  EXPECT_THAT(result.output, AllOf(HasSubstr(",Vert,"), HasSubstr(",Frag,")));
+  EXPECT_THAT(result.output, HasSubstrs(",Vert,", ",Frag,"));
 }
 
 TEST_F(Cost, EveryPassOfAShaderHasItsRows) {
@@ -131,8 +128,7 @@ TEST_F(Cost, EveryPassOfAShaderHasItsRows) {
           "fragment Frag\nfloat4 Vert(float4 p : POSITION) : SV_Position { return p.yxzw; }\nfloat4 Frag() : "
           "SV_Target { return 1; }\nENDHLSL }\n} }\n")
           .string();
-  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto result = expect_success({"cost", file, "--family", "navi21", "--format", "csv"});
   for (const char* row :
        {": One,Vert,vertex,", ": One,Frag,fragment,", ": 0.1,Vert,vertex,", ": 0.1,Frag,fragment,"})
     EXPECT_THAT(result.output, HasSubstr(file + row));
@@ -146,8 +142,7 @@ TEST_F(Cost, AUsersFileSeesTheMacrosThatUnityDefines) {
                                  "!defined(SHADER_STAGE_FRAGMENT)\n#error no macros\n#endif\n"
                                  "float4 Main() : SV_Target { return 1; }\n")
                                .string();
-  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto result = expect_success({"cost", file, "--family", "navi21", "--format", "csv"});
   EXPECT_THAT(result.output, HasSubstr(file + ",Main,fragment,"));
 }
 
@@ -195,8 +190,7 @@ TEST_F(Cost, TheDriversProcessIsConfinedBeforeItReadsAModule) {
       "'; for i in $(seq 600); do grep -q 'Seccomp:.2' /proc/$worker/status && break; sleep 0.05; done; "
       "grep -E 'Seccomp:|NoNewPrivs' /proc/$worker/status; "
       "echo '{\"stage\": \"fragment\", \"entry\": \"Main\", \"words\": 0}' >&9; exec 9>&-; wait $worker");
-  EXPECT_THAT(result.output, AllOf(HasSubstr("NoNewPrivs:\t1"), HasSubstr("Seccomp:\t2"),
-                                   HasSubstr("not valid SPIR-V for Vulkan 1.1")));
+  EXPECT_THAT(result.output, HasSubstrs("NoNewPrivs:\t1", "Seccomp:\t2", "not valid SPIR-V for Vulkan 1.1"));
 }
 #endif
 
@@ -204,14 +198,13 @@ TEST_F(Cost, AFamilyOrTechniqueNamedTwiceIsMeasuredOnce) {
   const std::vector<std::string> once{"cost", "--technique", "hard", "--family", "navi21", "--format", "csv"};
   std::vector<std::string> twice = once;
   twice.insert(twice.end(), {"--technique", "hard", "--family", "navi21"});
-  const auto result = run(twice);
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto result = expect_success(twice);
   EXPECT_EQ(result.output, run(once).output);
 }
 
 TEST_F(Cost, ItsOwnBaselinePasses) {
-  const auto result = run({"cost", shader(), "--family", "navi21", "--baseline", baseline("{", "{")});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto result =
+      expect_success({"cost", shader(), "--family", "navi21", "--baseline", baseline("{", "{")});
   EXPECT_THAT(result.errors, HasSubstr("1 row compared, 0 figures worse"));
 }
 
@@ -238,10 +231,9 @@ TEST_F(Cost, ABaselineOfAnotherDriverIsRefusedUnlessAsked) {
   const auto refused = run(command);
   EXPECT_EQ(refused.exit_code, 3);
   EXPECT_THAT(refused.output, IsEmpty()) << "it is said before anything is measured";
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("measured with radv Mesa 1."), HasSubstr("--any-driver")));
+  EXPECT_THAT(refused.errors, HasSubstrs("measured with radv Mesa 1.", "--any-driver"));
   command.emplace_back("--any-driver");
-  const auto compared = run(command);
-  EXPECT_EQ(compared.exit_code, 0) << compared.errors;
+  const auto compared = expect_success(command);
   EXPECT_THAT(compared.errors, HasSubstr("note: "));
 }
 
@@ -250,14 +242,10 @@ TEST_F(Cost, BadInputIsTwo) {
   EXPECT_EQ(family.exit_code, 2);
   EXPECT_THAT(family.errors, HasSubstr("did you mean 'navi21'?"));
   EXPECT_THAT(run({"cost", shader(), "--family", "d3d12"}).errors, HasSubstr("d3d11"));
-  const auto technique = run({"cost", "--technique", "tent5"});
-  EXPECT_EQ(technique.exit_code, 2);
-  EXPECT_THAT(technique.errors, HasSubstr("tent-5"));
+  expect_bad_input({"cost", "--technique", "tent5"}, HasSubstr("tent-5"));
   EXPECT_EQ(run({"cost", path("absent.hlsl").string()}).exit_code, 2);
   const auto baseline_file = write("bad.json", "{\"rows\": [}");
-  const auto baseline = run({"cost", shader(), "--baseline", baseline_file.string()});
-  EXPECT_EQ(baseline.exit_code, 2);
-  EXPECT_THAT(baseline.errors, HasSubstr("bad.json:1:"));
+  expect_bad_input({"cost", shader(), "--baseline", baseline_file.string()}, HasSubstr("bad.json:1:"));
 }
 
 TEST_F(Cost, AShaderThatDoesNotCompileIsAFindingAtItsLine) {
@@ -271,15 +259,14 @@ TEST_F(Cost, WithoutRadvItSaysWhatToInstall) {
   const auto result = shell("VK_DRIVER_FILES=/no/such.json VK_ICD_FILENAMES=/no/such.json " PENUMBRA_PROGRAM
                             " cost --technique hard --family navi21");
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("RADV, Mesa's Vulkan driver for AMD, cannot be used"),
-                                   HasSubstr("mesa-vulkan-drivers")));
+  EXPECT_THAT(result.errors,
+              HasSubstrs("RADV, Mesa's Vulkan driver for AMD, cannot be used", "mesa-vulkan-drivers"));
 }
 
 TEST_F(Cost, TheDocumentationIsWrittenFromAFile) {
   const std::string figures = baseline("{", "{");
   const auto page = write("page.md", "# Mine\n<!-- cost:begin -->\n<!-- cost:end -->\nend\n");
-  const auto result = run({"cost", "--from", figures, "--readme", page.string()});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  expect_success({"cost", "--from", figures, "--readme", page.string()});
   EXPECT_THAT(read("page.md"),
               AllOf(StartsWith("# Mine\n"), HasSubstr("tinted.hlsl Main | "), HasSubstr("\nend\n")));
 }

@@ -8,13 +8,13 @@
 #include <new>
 #include <stdexcept>
 
+#include "has_substrs.h"
 #include "input/input_error.h"
 #include "platform/interrupt.h"
 
 namespace penumbra::cli {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -37,8 +37,7 @@ TEST(Failure, InputIsTwoAndTheEnvironmentThree) {
 TEST(Failure, EverythingElseIsOurMistakeAndAsksForAReport) {
   const Failure failure = failure_after(std::logic_error("a raster pass without a target"));
   EXPECT_EQ(failure.code, 70);
-  EXPECT_THAT(failure.message,
-              AllOf(HasSubstr("a raster pass without a target"), HasSubstr("please report it")));
+  EXPECT_THAT(failure.message, HasSubstrs("a raster pass without a target", "please report it"));
   EXPECT_EQ(failure_after(3).code, 70);
   EXPECT_THAT(failure_after(InputError("", "is wrong")).message, Not(HasSubstr("report")));
 }

@@ -4,7 +4,6 @@
 namespace penumbra {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 class FinishedStudy : public ProgramTest {
@@ -44,7 +43,7 @@ TEST_F(FinishedStudy, IsDrawnWhateverItsTitlesAre) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(kept(), 0U);
   EXPECT_THAT(read("out/pareto-fetches.svg"),
-              AllOf(HasSubstr("&#39;Soft&#39; &#39;&#39;tent&#39;&#39;"), HasSubstr(R"(a\b `id`)")));
+              HasSubstrs("&#39;Soft&#39; &#39;&#39;tent&#39;&#39;", R"(a\b `id`)"));
 }
 
 TEST_F(FinishedStudy, IsNotBegunForRowsOrPresetsThatItWillLack) {
@@ -68,7 +67,7 @@ TEST_F(FinishedStudy, IsNotBegunWhereItsFilesCannotBe) {
         0);
     const auto result = shell(command());
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_THAT(result.errors, AllOf(HasSubstr(name), HasSubstr("of the report"))) << name;
+    EXPECT_THAT(result.errors, HasSubstrs(name, "of the report")) << name;
     EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
     std::filesystem::remove_all(path("out"));
   }
@@ -92,8 +91,7 @@ TEST_F(FinishedStudy, IsKeptUntilItsReportIsWritten) {
             path("out/report.html").string() + "; wait $program");
   EXPECT_EQ(failed.exit_code, 2) << failed.errors;
   EXPECT_THAT(failed.errors,
-              AllOf(HasSubstr("report.html"),
-                    HasSubstr("what was measured is kept; the same command goes on from there")));
+              HasSubstrs("report.html", "what was measured is kept; the same command goes on from there"));
   EXPECT_THAT(read("out/results.json"), HasSubstr("\"technique\": \"hard\""));
   EXPECT_FALSE(std::filesystem::exists(path("out/pareto-fetches.svg"))) << "of other results";
   EXPECT_FALSE(std::filesystem::exists(path("out/pictures/box.png"))) << "of other results";

@@ -31,9 +31,8 @@ TEST(Help, EveryOptionSaysItsDefault) {
       EXPECT_TRUE(may_be_long || line.size() <= 112U) << line;
     }
   }
-  EXPECT_THAT(
-      ProgramTest::run({"measure", "--help"}).output,
-      AllOf(HasSubstr("[default: 0.53,2,5]"), HasSubstr("[default: 480x270]"), HasSubstr("[default: 2048]")));
+  EXPECT_THAT(ProgramTest::run({"measure", "--help"}).output,
+              HasSubstrs("[default: 0.53,2,5]", "[default: 480x270]", "[default: 2048]"));
 }
 
 TEST(Help, EveryExampleParses) {
@@ -75,7 +74,7 @@ TEST(Help, BoundsAreThoseInForce) {
       const std::string name = command->get_name() + " " + option->get_name();
       for (const double inside : {low, high}) EXPECT_THAT(given(inside), Not(HasSubstr("outside"))) << name;
       for (const double outside : {low - 1, high + 1})
-        EXPECT_THAT(given(outside), AllOf(HasSubstr("outside"), HasSubstr(hint.rule))) << name;
+        EXPECT_THAT(given(outside), HasSubstrs("outside", hint.rule)) << name;
     }
   }
   EXPECT_GT(bounded, 25);
@@ -124,8 +123,7 @@ TEST(Help, NamesAreListed) {
 TEST(Help, AnUnknownValueNamesTheNearest) {
   const auto result = ProgramTest::run({"tables", "--format", "jsn"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors,
-              AllOf(HasSubstr("--format"), HasSubstr("'jsn'"), HasSubstr("did you mean 'json'?")));
+  EXPECT_THAT(result.errors, HasSubstrs("--format", "'jsn'", "did you mean 'json'?"));
 }
 
 }  // namespace

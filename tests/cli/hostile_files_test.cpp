@@ -7,7 +7,6 @@
 namespace penumbra {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -30,7 +29,7 @@ class HostileFiles : public ProgramTest {
                       const std::string& problem, const std::string& remedy) const {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.errors, StartsWith("penumbra: " + file.string() + ": "));
-    EXPECT_THAT(result.errors, AllOf(HasSubstr(problem), HasSubstr("\n  " + remedy)));
+    EXPECT_THAT(result.errors, HasSubstrs(problem, "\n  " + remedy));
     EXPECT_EQ(result.output, "");
   }
 

@@ -25,8 +25,7 @@ class Lists : public ProgramTest {
                                        "-o",
                                        path("pictures").string()};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const auto result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(arguments);
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
       const std::string name = entry.path().stem().string();

@@ -20,11 +20,9 @@ class MeasureFrom : public ProgramTest {
   }
 
   Json measured(const std::vector<std::string>& options) {
-    const platform::ChildResult result = run(small(options));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const auto result = expect_success(small(options));
     const std::filesystem::path file = write("results.json", result.output);
-    const platform::ChildResult again = run({"measure", "--from", file.string()});
-    EXPECT_EQ(again.exit_code, 0) << again.errors;
+    const auto again = expect_success({"measure", "--from", file.string()});
     EXPECT_EQ(again.output, result.output);
     return Json::parse(result.output);
   }
@@ -39,9 +37,8 @@ TEST_F(MeasureFrom, WhatIsAskedForTwiceIsMeasuredOnceAndReadAgain) {
 
 TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
   const auto refused = [&](const std::string& technique, const std::string& option) {
-    const auto result = run(small({"--scene", "slabs", "--technique", technique, option, "64"}));
-    EXPECT_EQ(result.exit_code, 2) << result.errors;
-    EXPECT_THAT(result.errors, testing::HasSubstr(option + " has no effect on techniques that read no"));
+    expect_bad_input(small({"--scene", "slabs", "--technique", technique, option, "64"}),
+                     testing::HasSubstr(option + " has no effect on techniques that read no"));
   };
   for (const char* option : {"--ground-samples", "--horizon-texels", "--field-voxels"})
     refused("hard", option);
@@ -64,8 +61,8 @@ TEST_F(MeasureFrom, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
 
 TEST_F(MeasureFrom, AReportOfEarlierFiguresHasNoFolderForPictures) {
   measured({"--scene", "slabs", "--light", "2", "--technique", "hard"});
-  const auto again = run({"measure", "--from", path("results.json").string(), "-o", path("again").string()});
-  ASSERT_EQ(again.exit_code, 0) << again.errors;
+  const auto again =
+      expect_success({"measure", "--from", path("results.json").string(), "-o", path("again").string()});
   EXPECT_TRUE(std::filesystem::exists(path("again/report.html")));
   EXPECT_FALSE(std::filesystem::exists(path("again/pictures")));
 }
@@ -114,10 +111,9 @@ TEST_F(MeasureFrom, PicturesGrowUntilTheyHoldEnoughPenumbra) {
 }
 
 TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
-  const platform::ChildResult measured =
-      run(small({"--scene", "slabs", "--light", "2", "--technique", "hard,tent-5", "--title",
-                 "hard=No filter", "--title", "tent-5=The tent's"}));
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured =
+      expect_success(small({"--scene", "slabs", "--light", "2", "--technique", "hard,tent-5", "--title",
+                            "hard=No filter", "--title", "tent-5=The tent's"}));
   EXPECT_THAT(measured.output, HasSubstr("--title 'hard=No filter'"));
   EXPECT_THAT(Json::parse(measured.output)["command"].get<std::string>(),
               HasSubstr("--title 'tent-5=The tent'\\''s'"));
@@ -127,27 +123,25 @@ TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
         write("README.md", "<!-- results:begin -->\n<!-- results:end -->\nrest\n").string();
     std::vector<std::string> arguments{"measure", "--from", results, "--readme", page};
     arguments.insert(arguments.end(), form.begin(), form.end());
-    const platform::ChildResult result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(arguments);
     return read("README.md");
   };
-  EXPECT_THAT(readme({}),
-              testing::AllOf(HasSubstr("| No filter, `hard` |"), HasSubstr("| The tent's, `tent-5` |")));
-  EXPECT_THAT(readme({"--brief"}), testing::AllOf(HasSubstr("| No filter |"), HasSubstr("| The tent's |")));
+  EXPECT_THAT(readme({}), HasSubstrs("| No filter, `hard` |", "| The tent's, `tent-5` |"));
+  EXPECT_THAT(readme({"--brief"}), HasSubstrs("| No filter |", "| The tent's |"));
   EXPECT_THAT(readme({"--line", "--rows", "tent-5"}),
               testing::AllOf(HasSubstr("against ray tracing; 2° light"), HasSubstr(": The tent's: "),
                              testing::Not(HasSubstr("No filter"))));
   const platform::ChildResult both =
       run({"measure", "--from", results, "--readme", "README.md", "--line", "--brief"});
   EXPECT_EQ(both.exit_code, 2);
-  EXPECT_THAT(both.errors, testing::AllOf(HasSubstr("--line"), HasSubstr("--brief")));
+  EXPECT_THAT(both.errors, HasSubstrs("--line", "--brief"));
 }
 
 TEST_F(MeasureFrom, AnUnknownSettingOfAnAdapterIsNamed) {
   const platform::ChildResult result =
       run({"measure", "--scene", "slabs", "--adapter", "mine=Shadow.hlsl;@normal-bais=1"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, testing::AllOf(HasSubstr("@normal-bais"), HasSubstr("@normal-bias")));
+  EXPECT_THAT(result.errors, HasSubstrs("@normal-bais", "@normal-bias"));
   EXPECT_THAT(run({"measure", "--scene", "slabs", "--adapter", "mine=Shadow.hlsl;@depth-bias=99"}).errors,
               HasSubstr("from 0 to 10"));
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "has_substrs.h"
 #include "platform/child_process.h"
 
 namespace penumbra {
@@ -24,6 +25,19 @@ class ProgramTest : public testing::Test {
   // The program runs with FXC where it is found.
   static platform::ChildResult run_with_fxc(std::vector<std::string> arguments) {
     return run_program(PENUMBRA_PROGRAM, std::move(arguments), {});
+  }
+
+  static platform::ChildResult expect_success(const std::vector<std::string>& arguments) {
+    platform::ChildResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << testing::PrintToString(arguments) << result.errors;
+    return result;
+  }
+
+  static void expect_bad_input(const std::vector<std::string>& arguments,
+                               const testing::Matcher<std::string>& says) {
+    const platform::ChildResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.errors;
+    EXPECT_THAT(result.errors, says) << testing::PrintToString(arguments);
   }
 
   static platform::ChildResult shell(const std::string& command) {

@@ -36,8 +36,7 @@ class Render : public ProgramTest {
                     const std::string& file) {
     std::vector<std::string> arguments = small(options);
     arguments.insert(arguments.end(), {"-o", path(folder).string()});
-    const auto result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const auto result = expect_success(arguments);
     EXPECT_THAT(result.output, HasSubstr(folder));
     return read(folder + "/" + file);
   }
@@ -111,22 +110,18 @@ TEST_F(Render, AFontWithoutAnEndIsRefused) {
 TEST_F(Render, WhatContradictsItselfIsRefused) {
   expect_refused({"--set", "blockerSamples=4", "--set", "blockerSamples=5"}, {"--set blockerSamples"});
   const std::string adapter = "mine=" + write("mine.hlsl", "").string();
-  const auto twice = run(small({"--adapter", adapter, "--adapter", adapter}));
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.errors, HasSubstr("'mine' is given twice"));
+  expect_bad_input(small({"--adapter", adapter, "--adapter", adapter}), HasSubstr("'mine' is given twice"));
 }
 
 TEST_F(Render, PicturesOfTwoAdaptersAreTwoFiles) {
   const std::string file = write("mine.hlsl", "").string();
-  const auto result = run(small({"--adapter", "a/b=" + file, "--adapter", "a-b=" + file}));
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, HasSubstr("the pictures of 'a/b' and 'a-b' would share a file"));
+  expect_bad_input(small({"--adapter", "a/b=" + file, "--adapter", "a-b=" + file}),
+                   HasSubstr("the pictures of 'a/b' and 'a-b' would share a file"));
 }
 
 TEST_F(Render, PicturesDoNotGoToStandardOutput) {
-  const auto result = run(small({"--technique", "hard", "-o", "-"}));
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, HasSubstr("--output: pictures go into a folder"));
+  expect_bad_input(small({"--technique", "hard", "-o", "-"}),
+                   HasSubstr("--output: pictures go into a folder"));
   EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
@@ -134,8 +129,7 @@ TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
   const auto sheet = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments{"--sheet", path("sheet.png").string()};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const auto result = run(small(arguments));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(small(arguments));
     return read("sheet.png");
   };
   const std::string once = sheet({"--light", "2", "--technique", "tent-5"});
@@ -147,8 +141,7 @@ TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
 TEST_F(Render, AWideSheetIsScaledDown) {
   const auto size = [&](const std::string& limit) {
     const std::string file = path("sheet.png").string();
-    const auto result = run(small({"--technique", "tent-5", "--max-width", limit, "--sheet", file}));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(small({"--technique", "tent-5", "--max-width", limit, "--sheet", file}));
     return png_size(read("sheet.png"));
   };
   const auto [width, height] = size("16384");
@@ -158,9 +151,8 @@ TEST_F(Render, AWideSheetIsScaledDown) {
 
 TEST_F(Render, AnAdapterAloneHasNothingToSet) {
   const auto file = write("mine.hlsl", "");
-  const auto result = run(small({"--adapter", "mine=" + file.string(), "--set", "blockerSamples=4"}));
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("only adapters"), HasSubstr("UNIFORM=")));
+  expect_bad_input(small({"--adapter", "mine=" + file.string(), "--set", "blockerSamples=4"}),
+                   HasSubstrs("only adapters", "UNIFORM="));
 }
 
 TEST_F(Render, ACropLiesInThePicture) {
@@ -183,20 +175,15 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
 }
 
 TEST_F(Render, ASheetNeedsAPlaceBeforeAnythingIsDrawn) {
-  const auto nowhere = run(small({"--sheet", path("no/sheet.png").string()}));
-  EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_THAT(nowhere.errors, AllOf(HasSubstr("no/sheet.png"), HasSubstr("does not exist")));
-  const auto folder = run(small({"--sheet", path("").string()}));
-  EXPECT_EQ(folder.exit_code, 2);
-  EXPECT_THAT(folder.errors, HasSubstr("is a folder"));
+  expect_bad_input(small({"--sheet", path("no/sheet.png").string()}),
+                   HasSubstrs("no/sheet.png", "does not exist"));
+  expect_bad_input(small({"--sheet", path("").string()}), HasSubstr("is a folder"));
   EXPECT_THAT(listing(), IsEmpty());
 }
 
 TEST_F(Render, OptionsOfASheetNeedOne) {
   for (const char* option : {"--crop", "--zoom", "--columns"}) {
-    const auto result = run(small({option, "1"}));
-    EXPECT_EQ(result.exit_code, 2) << option;
-    EXPECT_THAT(result.errors, HasSubstr("--sheet"));
+    expect_bad_input(small({option, "1"}), HasSubstr("--sheet"));
   }
   const auto both = run(small({"--sheet", path("sheet.png").string(), "-o", path("out").string()}));
   EXPECT_EQ(both.exit_code, 2);
@@ -205,10 +192,9 @@ TEST_F(Render, OptionsOfASheetNeedOne) {
 
 // The sheet has the reference and two values with a mask each: five cells in three rows of two.
 TEST_F(Render, OneCommandMakesASheet) {
-  const auto result = run(
+  const auto result = expect_success(
       small({"--technique", "fallback-high", "--set", "blockerSamples=1,64", "--show", "result,mask",
              "--crop", "8,4,48,24", "--zoom", "8", "--columns", "2", "--sheet", path("sheet.png").string()}));
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output, path("sheet.png").string() + "\n");
   EXPECT_THAT(listing(), testing::UnorderedElementsAre("cache", "sheet.png"));
   const auto [width, height] = png_size(read("sheet.png"));
@@ -230,8 +216,7 @@ TEST_F(Render, CaptionsAreTitlesNotNames) {
   const auto sheet = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments = small({"--sheet", path("sheet.png").string()});
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const auto result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(arguments);
     return read("sheet.png");
   };
   EXPECT_EQ(sheet({"--technique", "tent-3-plane,preset-high"}),
@@ -250,8 +235,7 @@ TEST_F(Render, AdaptersStandWhereTheyAreAskedToUnderTheirTitles) {
     std::vector<std::string> arguments =
         small({"--technique", "hard", "--adapter", "mine=" + file.string(), "--sheet", path(name).string()});
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const auto result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(arguments);
     return read(name);
   };
   const std::string last = sheet("last.png", {});
@@ -270,13 +254,10 @@ TEST_F(Render, AnInsetLiesInWhatIsShownAndFitsBeneathIt) {
 
 TEST_F(Render, ASheetIsAPngOrAJpegByItsName) {
   for (const char* name : {"sheet.gif", "sheet", "sheet.png.txt"}) {
-    const auto refused = run(small({"--sheet", path(name).string()}));
-    EXPECT_EQ(refused.exit_code, 2) << name;
-    EXPECT_THAT(refused.errors, HasSubstr("neither .png nor .jpg")) << name;
+    expect_bad_input(small({"--sheet", path(name).string()}), HasSubstr("neither .png nor .jpg"));
   }
   EXPECT_THAT(listing(), IsEmpty());
-  const auto result = run(small({"--technique", "hard", "--sheet", path("sheet.JPG").string()}));
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  expect_success(small({"--technique", "hard", "--sheet", path("sheet.JPG").string()}));
   EXPECT_TRUE(read("sheet.JPG").starts_with("\xFF\xD8\xFF"));
 }
 
@@ -294,8 +275,7 @@ TEST_F(Render, ALitSheetHasTheSizeOfOneWithoutLightAndTwiceTheSameBytes) {
     std::vector<std::string> arguments = small(
         {"--technique", "hard", "--columns", "2", "--inset", "30,18,12,8", "--sheet", path(name).string()});
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const auto result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(arguments);
     return read(name);
   };
   const std::string plain = sheet("plain.png", {});
@@ -316,9 +296,8 @@ TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
 TEST_F(Render, EveryDebugViewIsAnotherPicture) {
   std::set<std::string> sheets;
   for (const char* view : {"visibility", "cascades", "shadow-texels", "penumbra-width", "penumbra-mask"}) {
-    const auto result =
-        run(small({"--technique", "preset-low", "--show", view, "--sheet", path("sheet.png").string()}));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    expect_success(
+        small({"--technique", "preset-low", "--show", view, "--sheet", path("sheet.png").string()}));
     sheets.insert(read("sheet.png"));
   }
   EXPECT_EQ(sheets.size(), 5);

@@ -1,7 +1,6 @@
 // A technique of the user's own is its files alone: validate, measure and cost take them as they are.
 #include "cli/program.h"
 
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,7 +10,6 @@
 namespace penumbra {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 std::string added(const std::string& name) {
@@ -25,10 +23,9 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
   EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
 
-  const auto measured =
-      run({"measure", "--technique-list", added("Means"), "--scene", "trees", "--light", "2", "--map-size",
-           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured = expect_success({"measure", "--technique-list", added("Means"), "--scene", "trees",
+                                        "--light", "2", "--map-size", "128", "--size", "32x16",
+                                        "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
   const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
   EXPECT_EQ(record.at("technique"), "means");
   EXPECT_EQ(record.at("fetches_mean"), 1.0);
@@ -48,17 +45,16 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   EXPECT_GT(rows.at("operations_per_pixel"), 0.0);
   EXPECT_DOUBLE_EQ(record.at("operations_per_pixel").get<double>(), operations);
 
-  const auto cost = run({"cost", "--technique-list", added("Means"), "--family", "navi21"});
-  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  const auto cost = expect_success({"cost", "--technique-list", added("Means"), "--family", "navi21"});
   for (const char* pass : {"means: Depths", "means: Rows", "means: Columns", "means: Mips"})
     EXPECT_THAT(cost.output, HasSubstr(pass));
 }
 
 TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
-  const auto measured = run({"measure", "--technique-list", added("Means"), "--technique", "means,tent-5",
-                             "--scene", "trees", "--light", "2", "--map-size", "128", "--size", "32x16",
-                             "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured =
+      expect_success({"measure", "--technique-list", added("Means"), "--technique", "means,tent-5", "--scene",
+                      "trees", "--light", "2", "--map-size", "128", "--size", "32x16", "--reference-samples",
+                      "32", "--timing-repeats", "0", "--no-split"});
   const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].at("technique"), "means");
@@ -68,10 +64,10 @@ TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
 }
 
 TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
-  const auto measured = run({"measure", "--technique-list", added("Means"), "--technique", "all", "--scene",
-                             "all", "--light", "2", "--map-size", "128", "--size", "16x9",
-                             "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured =
+      expect_success({"measure", "--technique-list", added("Means"), "--technique", "all", "--scene", "all",
+                      "--light", "2", "--map-size", "128", "--size", "16x9", "--reference-samples", "32",
+                      "--timing-repeats", "0", "--no-split"});
   std::set<std::string> scenes;
   const nlohmann::json results = nlohmann::json::parse(measured.output);
   for (const nlohmann::json& record : results.at("records")) {
@@ -85,14 +81,13 @@ TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFi
   const auto refused =
       run({"measure", "--technique", "tent-5,cell-pcss", "--scene", "trees", "--map-size", "200"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("'cell-pcss' makes a texel of 'coarsePlanes' of 8 x 8 texels"),
-                                    HasSubstr("a cascade's tile of 100 texels is no multiple of 8"),
-                                    HasSubstr("choose a map size that is a multiple of 16")));
+  EXPECT_THAT(refused.errors, HasSubstrs("'cell-pcss' makes a texel of 'coarsePlanes' of 8 x 8 texels",
+                                         "a cascade's tile of 100 texels is no multiple of 8",
+                                         "choose a map size that is a multiple of 16"));
   EXPECT_EQ(refused.output, "");
-  const auto taken =
-      run({"measure", "--technique", "cell-pcss", "--scene", "trees", "--map-size", "176", "--light", "2",
-           "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  EXPECT_EQ(taken.exit_code, 0) << taken.errors;
+  expect_success({"measure", "--technique", "cell-pcss", "--scene", "trees", "--map-size", "176", "--light",
+                  "2", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0",
+                  "--no-split"});
 }
 
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {
@@ -109,12 +104,10 @@ TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
   const auto valid = run({"validate", "--technique-list", added("Blocks"), "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
   EXPECT_THAT(valid.output, HasSubstr("8 variants for 5 targets: 40 results"));
-  const auto measured =
-      run({"measure", "--technique-list", added("Blocks"), "--scene", "trees", "--light", "2", "--map-size",
-           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  EXPECT_EQ(measured.exit_code, 0) << measured.errors;
-  const auto cost = run({"cost", "--technique-list", added("Blocks"), "--family", "navi21"});
-  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  expect_success({"measure", "--technique-list", added("Blocks"), "--scene", "trees", "--light", "2",
+                  "--map-size", "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats",
+                  "0", "--no-split"});
+  const auto cost = expect_success({"cost", "--technique-list", added("Blocks"), "--family", "navi21"});
   for (const char* kernel : {"blocks: Mark", "blocks: Collect", "blocks: Sum", "blocks: Shade"})
     EXPECT_THAT(cost.output, HasSubstr(kernel));
 }
@@ -126,10 +119,9 @@ TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
   // of depth.
   EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
 
-  const auto measured =
-      run({"measure", "--technique-list", added("Layers"), "--scene", "trees", "--light", "2", "--map-size",
-           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured = expect_success({"measure", "--technique-list", added("Layers"), "--scene", "trees",
+                                        "--light", "2", "--map-size", "128", "--size", "32x16",
+                                        "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
   const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
   EXPECT_EQ(record.at("technique"), "layers");
   const nlohmann::json& layers = record.at("passes").at(0);
@@ -137,8 +129,7 @@ TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
   EXPECT_EQ(layers.at("runs"), "cascade");
   EXPECT_GT(layers.at("texels_written_per_pixel"), 0.0);
 
-  const auto cost = run({"cost", "--technique-list", added("Layers"), "--family", "navi21"});
-  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  const auto cost = expect_success({"cost", "--technique-list", added("Layers"), "--family", "navi21"});
   for (const char* pass : {"layers: Layers", "layers: Nearest"}) EXPECT_THAT(cost.output, HasSubstr(pass));
 }
 
@@ -152,14 +143,12 @@ TEST_F(TechniqueListCommand, TheFirstExampleOfThePageIsMeasuredAsItStands) {
   };
   write("Ring.hlsl", first_block("```hlsl\n"));
   const std::string manifest = write("Ring.technique.json", first_block("```json\n")).string();
-  const auto emitted = run({"emit", "--technique-list", manifest});
-  ASSERT_EQ(emitted.exit_code, 0) << emitted.errors;
+  expect_success({"emit", "--technique-list", manifest});
   const auto valid = run({"validate", "--technique-list", manifest, "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
-  const auto measured = run({"measure", "--technique-list", manifest, "--technique", "all", "--scene",
-                             "contact-boxes", "--size", "96x54", "--reference-samples", "32", "--light", "2",
-                             "--seeds", "1", "--timing-repeats", "0"});
-  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto measured = expect_success({"measure", "--technique-list", manifest, "--technique", "all",
+                                        "--scene", "contact-boxes", "--size", "96x54", "--reference-samples",
+                                        "32", "--light", "2", "--seeds", "1", "--timing-repeats", "0"});
   const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].at("technique"), "ring-8");
@@ -173,8 +162,8 @@ TEST_F(TechniqueListCommand, AMistakeIsNamedAtItsLine) {
   for (const char* subcommand : {"validate", "measure", "render", "cost"}) {
     const auto result = run({subcommand, "--technique-list", manifest});
     EXPECT_EQ(result.exit_code, 2) << subcommand;
-    EXPECT_THAT(result.errors, AllOf(HasSubstr("a.technique.json:2:"), HasSubstr("unknown key 'tilte'"),
-                                     HasSubstr("did you mean 'title'?")))
+    EXPECT_THAT(result.errors,
+                HasSubstrs("a.technique.json:2:", "unknown key 'tilte'", "did you mean 'title'?"))
         << subcommand;
   }
 }

@@ -85,15 +85,15 @@ TEST_F(UntrustedProject, AFileInAFolderThatCannotBeReadIsReportedBesideTheOthers
   const auto result = run({"validate", path("P/Assets").string(), "--no-cache", "--target", "spirv"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output,
-              AllOf(HasSubstr("Bad\"name.shader: error: cannot be read: its path holds a quotation mark"),
-                    HasSubstr("5 variants for 1 target: 5 results")));
+              HasSubstrs("Bad\"name.shader: error: cannot be read: its path holds a quotation mark",
+                         "5 variants for 1 target: 5 results"));
 }
 
 TEST_F(UntrustedProject, AKeyOfMegabytesIsNotEchoed) {
   const auto config = write("c.json", "{\"" + std::string(10'000'000, 'k') + "\": 1}");
   const auto result = run({"constants", "--config", config.string()});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("c.json:1:2: unknown key 'kkk"), HasSubstr("bytes left out")));
+  EXPECT_THAT(result.errors, HasSubstrs("c.json:1:2: unknown key 'kkk", "bytes left out"));
   EXPECT_LT(result.errors.size(), 6000u);
 }
 
@@ -121,8 +121,7 @@ TEST_F(UntrustedProject, WithoutAFolderForTheCacheTheRestWorks) {
         "-u PENUMBRA_CACHE -u XDG_CACHE_HOME HOME=" + write("file", "").string()}) {
     const auto result = shell("env " + variables + " " + command);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
-    EXPECT_THAT(result.errors,
-                AllOf(HasSubstr("note: nothing is kept for the next run"), HasSubstr("PENUMBRA_CACHE")));
+    EXPECT_THAT(result.errors, HasSubstrs("note: nothing is kept for the next run", "PENUMBRA_CACHE"));
     EXPECT_THAT(shell("env " + variables + " " + command + " --quiet").errors, "");
   }
   const auto without_temporary =

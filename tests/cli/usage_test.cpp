@@ -6,7 +6,6 @@
 namespace penumbra {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -74,7 +73,7 @@ TEST_F(Usage, WhatIsCalledOtherwiseElsewhereIsNamed) {
 
 TEST_F(Usage, BoundsThatAreOutsideThemselvesAreInHelpAndInForce) {
   const std::string help = run({"constants", "--help"}).output;
-  EXPECT_THAT(help, AllOf(HasSubstr("full angle; between 0 and 180"), HasSubstr("between 0 and 1 [")));
+  EXPECT_THAT(help, HasSubstrs("full angle; between 0 and 180", "between 0 and 1 ["));
   expect_refused({"constants", "--fov", "0"}, {"--fov: 0 is not between 0 and 180"});
   expect_refused({"constants", "--fov", "180"}, {"--fov: 180 is not between 0 and 180"});
   expect_refused({"constants", "--fov", "wide"}, {"--fov: 'wide' is not a number"});

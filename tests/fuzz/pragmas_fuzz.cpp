@@ -18,7 +18,8 @@ void list_variants(const variants::Pragmas& pragmas) {
   for (std::uint64_t i = 0; i < count && i < 64; ++i) {
     const variants::Keywords variant = whole.at(i);
     require(seen.insert(variant).second, "no variant is listed twice");
-    variants::shader_target(pragmas, variant);
+    const int target = variants::shader_target(pragmas, variant);
+    require(target >= 25 && target <= 69, "a shader model is one of Unity's");
   }
   if (count > 0) whole.at(count - 1);
   const std::vector<variants::PlannedProgram> programs{
@@ -38,7 +39,10 @@ void targets::pragmas(std::string_view bytes) {
   const variants::Pragmas pragmas =
       variants::read_pragmas({"a.shader", text, {{"UNITY_VERSION", "202230"}}, find});
   require(pragmas.diagnostics.size() <= 201, "at most 200 messages, and that there are more");
-  for (const hlsl::Diagnostic& message : pragmas.diagnostics) require_harmless(hlsl::format(message));
+  for (const hlsl::Diagnostic& message : pragmas.diagnostics) {
+    require(message.line >= 1 && message.column >= 1, "a message has a place");
+    require_harmless(hlsl::format(message));
+  }
   for (const char* renderer : {"vulkan", "gles3"}) variants::compiles_for(pragmas, renderer);
   read([&] { list_variants(pragmas); });
 }

@@ -198,7 +198,7 @@ def target_seeds():
     macros = literals('preprocessing/preprocessor_test.cpp')
     yield 'preprocessing', [bytes([kind]) + text for text in [*macros, *shader_texts] for kind in range(2)]
     yield 'project_files', [
-        *(bytes([kind]) + text for kind in range(4) for text in raw_strings('project/project_mutation_test.cpp')),
+        *(bytes([kind]) + text for kind in range(4) for text in raw_strings('fuzz/project_files_fuzz.cpp')),
         *first_bytes(4, [b'm_EditorVersion: 2022.3.20f1\nm_EditorVersionWithRevision: 2022.3.20f1 (61c2feb0970d)\n']),
         *first_bytes(2, files('package.json'))]
     yield 'report', []

@@ -1,5 +1,4 @@
 // Reads shader files: the tree of a .shader, the kernels of a .compute.
-#include <algorithm>
 #include <limits>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
@@ -34,7 +33,11 @@ void read_programs(const shaderlab::Shader& shader) {
   }
   for (const shaderlab::SubShader& sub_shader : shader.sub_shaders)
     for (const shaderlab::Pass& pass : sub_shader.passes)
-      if (pass.kind == shaderlab::Pass::Kind::use_pass) shaderlab::resolve_use_pass(shader, pass, {&shader});
+      if (pass.kind == shaderlab::Pass::Kind::use_pass) {
+        const shaderlab::FoundPass found = shaderlab::resolve_use_pass(shader, pass, {&shader});
+        require((found.pass == nullptr) == found.diagnostic.has_value(),
+                "a pass is found, or a message says why not");
+      }
 }
 
 }  // namespace
@@ -43,8 +46,10 @@ void targets::shaderlab(std::string_view bytes) {
   const shaderlab::ParsedShader parsed = shaderlab::parse_shader(bytes, "a.shader");
   show(parsed.diagnostics, parsed.complete);
   read_programs(parsed.shader);
-  for (const hlsl::Diagnostic& message : shaderlab::compute_kernels(bytes, "a.compute").diagnostics)
-    require_harmless(hlsl::format(message));
+  const shaderlab::ComputeKernels compute = shaderlab::compute_kernels(bytes, "a.compute");
+  for (const hlsl::Diagnostic& message : compute.diagnostics) require_harmless(hlsl::format(message));
+  for (const shaderlab::Kernel& kernel : compute.kernels)
+    require(!kernel.function.text.empty(), "a kernel has a name");
 }
 
 }  // namespace penumbra::fuzz

@@ -25,12 +25,7 @@ int all_digits(const std::string&) {
 }
 
 std::string message_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { read(text); });
 }
 
 TEST(JsonTable, HasALineForEachElementAndWritesSharedValuesOnce) {

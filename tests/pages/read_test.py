@@ -9,7 +9,7 @@ import filters  # noqa: E402
 import other_shadows  # noqa: E402
 import presets  # noqa: E402
 import validating  # noqa: E402
-from figures import ROOT, read_json  # noqa: E402
+from figures import ROOT, json_text, read_json  # noqa: E402
 from markdown import Problem, written  # noqa: E402
 
 
@@ -127,6 +127,14 @@ class HalfPrecision(unittest.TestCase):
         for text in (LINE.format("Near", 0.01, "a") + LINE.format("Far", 0.01, "b"), "[ RUN ]\n"):
             with self.assertRaises(Problem):
                 filters.figures_of_half(text)
+
+
+class JsonText(unittest.TestCase):
+    def test_each_case_has_a_line(self):
+        value = {"n": [1, 2], "cases": [{"a": {"b": 1}}, {"a": None}], "none": []}
+        self.assertEqual(json_text(value).splitlines(), ["{", '  "n": [1, 2],', '  "cases": [', '    {"a": {"b": 1}},',
+                                                         '    {"a": null}', "  ],", '  "none": []', "}"])
+        self.assertEqual(json.loads(json_text(value)), value)
 
 
 if __name__ == "__main__":

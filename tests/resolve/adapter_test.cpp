@@ -1,8 +1,6 @@
 // Tests a user's own shadow function: a small pipeline in URP's manner, and every way an adapter is refused.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include "input/input_error_matcher.h"
@@ -97,8 +95,8 @@ TEST_F(AdapterTest, APipelinesOwnMacrosAreCountedAndItsAnswerIsRight) {
 
 TEST_F(AdapterTest, TwinsAreNotedWithTheBodyThatIsKept) {
   const CompiledGraph compiled = compile(adapter_shader(from_folder("MeanOfNine.hlsl")));
-  EXPECT_THAT(compiled.notes, ElementsAre(AllOf(HasSubstr("Common.hlsl:7: note: 'Mean3(half, half, half)'"),
-                                                HasSubstr("Common.hlsl:8 is used for both"))));
+  EXPECT_THAT(compiled.notes, ElementsAre(HasSubstrs("Common.hlsl:7: note: 'Mean3(half, half, half)'",
+                                                     "Common.hlsl:8 is used for both")));
 }
 
 TEST_F(AdapterTest, OnlyUniformsThatAreReadAndNotProvidedAreNamed) {
@@ -144,16 +142,16 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
 )",
                    message);
   };
-  const auto comparison = AllOf(HasSubstr("Mine.hlsl:9:"), HasSubstr("'sampler_LinearClampCompare'"),
-                                HasSubstr("is a comparison sampler"), HasSubstr("SAMPLE_TEXTURE2D_SHADOW"));
+  const auto comparison = HasSubstrs("Mine.hlsl:9:", "'sampler_LinearClampCompare'",
+                                     "is a comparison sampler", "SAMPLE_TEXTURE2D_SHADOW");
   expect("GATHER_RED_TEXTURE2D(_ShadowMap, sampler_LinearClampCompare, uv).x", comparison);
   expect("SAMPLE_TEXTURE2D_LOD(_ShadowMap, sampler_LinearClampCompare, uv, 0.0).x", comparison);
   expect("SAMPLE_TEXTURE2D_LOD(_ShadowMap, sampler_ShadowMap, uv, 0.0).x",
-         AllOf(HasSubstr("Mine.hlsl:9: "), HasSubstr("'sampler_ShadowMap', which is a comparison sampler"),
-               HasSubstr("use sampler_LinearClamp or SAMPLE_TEXTURE2D_SHADOW")));
+         HasSubstrs("Mine.hlsl:9: ", "'sampler_ShadowMap', which is a comparison sampler",
+                    "use sampler_LinearClamp or SAMPLE_TEXTURE2D_SHADOW"));
   expect("SAMPLE_TEXTURE2D_SHADOW(_ShadowMap, sampler_LinearClamp, float3(uv, 0.5))",
-         AllOf(HasSubstr("Mine.hlsl:9: "), HasSubstr("'sampler_LinearClamp', which is not a comparison"),
-               HasSubstr("use sampler_LinearClampCompare")));
+         HasSubstrs("Mine.hlsl:9: ", "'sampler_LinearClamp', which is not a comparison",
+                    "use sampler_LinearClampCompare"));
 }
 
 TEST_F(AdapterTest, APixelThatIsDiscardedIsRefusedAtItsLine) {
@@ -167,7 +165,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     return 1.0;
 }
 )",
-        AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("discards the pixel"), HasSubstr("return 1.0")));
+        HasSubstrs("Mine.hlsl:4: ", "discards the pixel", "return 1.0"));
   }
 }
 
@@ -189,7 +187,7 @@ TEST_F(AdapterTest, AFileWithoutTheFunctionIsToldItsSignature) {
 TEST_F(AdapterTest, AMistakeIsShownAtItsPlace) {
   expect_refused(
       "float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)\n{\n    return lit;\n}\n",
-      AllOf(HasSubstr(": does not compile:\n  "), HasSubstr("Mine.hlsl:3:12: error:"), HasSubstr("lit")));
+      HasSubstrs(": does not compile:\n  ", "Mine.hlsl:3:12: error:", "lit"));
 }
 
 TEST_F(AdapterTest, ATextureNobodyProvidesIsNamedBesideThoseProvided) {
@@ -199,8 +197,8 @@ TEST_F(AdapterTest, ATextureNobodyProvidesIsNamedBesideThoseProvided) {
 TEXTURE2D(_Clouds);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return LOAD_TEXTURE2D(_Clouds, int2(0, 0)).x; }
 )",
-      AllOf(HasSubstr("Mine.hlsl:3: "), HasSubstr("texture '_Clouds'"), HasSubstr("does not provide"),
-            HasSubstr("';_Clouds=picture.png' or ';_Clouds=white'"), HasSubstr("_ShadowMap")));
+      HasSubstrs("Mine.hlsl:3: ", "texture '_Clouds'", "does not provide",
+                 "';_Clouds=picture.png' or ';_Clouds=white'", "_ShadowMap"));
 }
 
 TEST_F(AdapterTest, ASamplersMessageSaysWhichNamesAreSamplers) {
@@ -214,9 +212,9 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 )");
   mine.textures = {adapter_texture("_Clouds", "white")};
-  expect_input_error([&] { run(adapter_shader(mine), half_plane({0}, true)); },
-                     AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'sampler_of_clouds'"),
-                           HasSubstr("'point' or 'linear'"), HasSubstr("'clamp' or 'repeat'")));
+  expect_input_error(
+      [&] { run(adapter_shader(mine), half_plane({0}, true)); },
+      HasSubstrs("Mine.hlsl:4: ", "'sampler_of_clouds'", "'point' or 'linear'", "'clamp' or 'repeat'"));
 }
 
 TEST_F(AdapterTest, OnlyTexturesOfTwoDimensionsAreProvided) {
@@ -225,7 +223,7 @@ TEST_F(AdapterTest, OnlyTexturesOfTwoDimensionsAreProvided) {
 TEXTURECUBE(_Sky);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }
 )",
-                 AllOf(HasSubstr("Mine.hlsl:3:"), HasSubstr("only 2D textures are provided")));
+                 HasSubstrs("Mine.hlsl:3:", "only 2D textures are provided"));
   // The adapter declares and reads the sky as a pipeline's macros do; the picture would be bound in the
   // cube's place.
   Adapter sky = adapter(R"(
@@ -240,14 +238,13 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 )");
   sky.textures = {adapter_texture("_Sky", "white")};
   expect_input_error([&] { run(adapter_shader(sky), half_plane({0}, true)); },
-                     AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'_Sky' is not a plain 2D texture")));
+                     HasSubstrs("Mine.hlsl:4: ", "'_Sky' is not a plain 2D texture"));
 }
 
 TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {
   expect_refused(
       "float4 ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }\n",
-      AllOf(HasSubstr("Mine.hlsl:1: "), HasSubstr("returns more than one number"),
-            HasSubstr("returns a float")));
+      HasSubstrs("Mine.hlsl:1: ", "returns more than one number", "returns a float"));
 }
 
 // Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.
@@ -288,8 +285,7 @@ TEST_F(AdapterTest, UnitysDefaultTexturesAreKnownByName) {
   EXPECT_THAT(adapter_texture("_Mask", "white").picture.rgba, ElementsAre(255, 255, 255, 255));
   EXPECT_THAT(adapter_texture("_Mask", "bump").picture.rgba, ElementsAre(128, 128, 255, 128));
   expect_input_error([] { adapter_texture("_Mask", "whyte"); },
-                     AllOf(HasSubstr("_Mask=whyte"), HasSubstr("neither a number nor a picture's file"),
-                           HasSubstr("black, bump")));
+                     HasSubstrs("_Mask=whyte", "neither a number nor a picture's file", "black, bump"));
 }
 
 TEST_F(AdapterTest, ASamplersNameMustSayFilterAndAddressing) {
@@ -321,18 +317,17 @@ TEST_F(AdapterTest, NumbersThatDoNotFitTheirUniformAreRefused) {
     reads.uniforms[name] = numbers;
     expect_input_error([&] { run(adapter_shader(reads), half_plane({0}, true)); }, message);
   };
-  expect("_Taps", {1, 2}, AllOf(HasSubstr("'_Taps'"), HasSubstr("3 numbers"), HasSubstr("given 2")));
-  expect("_Count", {1.5}, AllOf(HasSubstr("'_Count'"), HasSubstr("integer")));
+  expect("_Taps", {1, 2}, HasSubstrs("'_Taps'", "3 numbers", "given 2"));
+  expect("_Count", {1.5}, HasSubstrs("'_Count'", "integer"));
   expect("_Count", {-1}, HasSubstr("integer"));
   expect("_Count", {1, 2}, HasSubstr("Numbers.hlsl:5: "));
   expect("_Tops", {1, 2, 3},
-         AllOf(HasSubstr("Numbers.hlsl:6: "), HasSubstr("no uniform '_Tops'"),
-               HasSubstr("did you mean '_Taps'?"), HasSubstr("it reads _Lights, _Taps, _Count")));
-  expect("_Taps[3]", {1},
-         AllOf(HasSubstr("Numbers.hlsl:4: "), HasSubstr("'_Taps' has _Taps[0], _Taps[1], _Taps[2]")));
-  expect("_Lights[1].rnge", {1},
-         AllOf(HasSubstr("Numbers.hlsl:3: "), HasSubstr("did you mean '_Lights[1].range'?"),
-               HasSubstr("'_Lights' has _Lights[0].range, ")));
+         HasSubstrs("Numbers.hlsl:6: ", "no uniform '_Tops'", "did you mean '_Taps'?",
+                    "it reads _Lights, _Taps, _Count"));
+  expect("_Taps[3]", {1}, HasSubstrs("Numbers.hlsl:4: ", "'_Taps' has _Taps[0], _Taps[1], _Taps[2]"));
+  expect(
+      "_Lights[1].rnge", {1},
+      HasSubstrs("Numbers.hlsl:3: ", "did you mean '_Lights[1].range'?", "'_Lights' has _Lights[0].range, "));
 }
 
 TEST_F(AdapterTest, AssetsOfAProjectAreIncluded) {
@@ -375,16 +370,14 @@ TEST_F(AdapterTest, AFileThatIsNotThereIsNoAdapter) {
   Adapter absent;
   absent.name = "absent";
   absent.file = "absent.hlsl";
-  expect_input_error([&] { adapter_shader(absent); },
-                     AllOf(HasSubstr("absent.hlsl"), HasSubstr("no such file")));
+  expect_input_error([&] { adapter_shader(absent); }, HasSubstrs("absent.hlsl", "no such file"));
 }
 
 TEST_F(AdapterTest, AMissingPackageRootIsNamed) {
   Adapter nine = from_folder("MeanOfNine.hlsl");
   nine.package_roots.pop_back();
-  expect_input_error(
-      [&] { compile(adapter_shader(nine)); },
-      AllOf(HasSubstr("MeanOfNine.hlsl:2"), HasSubstr("no package root is given for 'test.pipeline'")));
+  expect_input_error([&] { compile(adapter_shader(nine)); },
+                     HasSubstrs("MeanOfNine.hlsl:2", "no package root is given for 'test.pipeline'"));
 }
 
 }  // namespace

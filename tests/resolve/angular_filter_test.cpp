@@ -7,9 +7,8 @@
 #include <functional>
 #include <numeric>
 
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -165,8 +164,7 @@ TEST_P(AngularFilter, ANarrowPenumbraCostsFourFetchesHasNoNoiseAndNoSteps) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Depth, AngularFilter, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(Depth, AngularFilter, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -14,7 +14,7 @@
 #include <regex>
 
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
@@ -39,33 +39,24 @@ void fill_tile(scene::Frame& frame, int cascade, float depth) {
 class CellPcss : public testing::TestWithParam<bool> {
  protected:
   static GraphRunner& chain(const std::string& name, bool classified = false) {
-    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
-    const std::string key = name + (classified ? ", classified" : "");
-    std::unique_ptr<GraphRunner>& made = (*runners)[{key, GetParam()}];
-    if (made == nullptr) {
-      const techniques::TechniqueList& list = library_techniques();
-      ShadowGraph graph = technique_graph(list, list.find(name), Taps::as_listed, GetParam());
+    static KeptRunners runners;
+    return runners.of(name + (classified ? ", classified" : ""), GetParam(), [&] {
+      ShadowGraph graph = library_graph(name, GetParam());
       if (classified) remove_passes_after(graph.graph, "ClassifyTiles");
-      made = std::make_unique<GraphRunner>(test_device(), compile(graph));
-    }
-    return *made;
-  }
-
-  static ShadowGraph cell_pcss() {
-    const techniques::TechniqueList& list = library_techniques();
-    return technique_graph(list, list.find("cell-pcss"), Taps::as_listed, GetParam());
+      return graph;
+    });
   }
 
   // Cell PCSS's kernels with other numbers of windows, or of groups along an axis.
   static GraphRunner with_macros_of(const std::string& sample) {
-    ShadowGraph graph = cell_pcss();
+    ShadowGraph graph = library_graph("cell-pcss", GetParam());
     for (techniques::GraphPass& pass : graph.graph.passes) pass.file = sample_file(sample);
     return GraphRunner(test_device(), compile(graph));
   }
 
   // This runner filters each pixel by itself, whatever the planes say.
   static GraphRunner computed_alone() {
-    ShadowGraph graph = cell_pcss();
+    ShadowGraph graph = library_graph("cell-pcss", GetParam());
     const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), "ComputedOfPixels");
     remove_passes_after(graph.graph, "NextLevel");
     graph.graph.passes.push_back(last);
@@ -298,17 +289,11 @@ TEST_P(CellPcss, ComputesTheSamePixelsAtHalfResolution) {
 
 // There are two cameras side by side: each eye's picture is that which the kernels draw for it alone.
 TEST_P(CellPcss, DrawsBothEyesAtOnceAsEachAlone) {
-  const auto both_eyes = [&] {
-    const techniques::TechniqueList& list = library_techniques();
-    ShadowGraph graph = technique_graph(list, list.find("cell-pcss"), Taps::as_listed, GetParam());
-    graph.keywords.emplace_back("_PENUMBRA_BOTH_EYES");
-    for (techniques::GraphTexture& texture : graph.graph.textures)
-      if (texture.name == "visibility") texture.layers = 2;
-    return GraphRunner(test_device(), compile(graph));
-  };
-  static KeptOnDevice<std::map<bool, std::unique_ptr<GraphRunner>>> runners;
-  std::unique_ptr<GraphRunner>& runner = (*runners)[GetParam()];
-  if (runner == nullptr) runner = std::make_unique<GraphRunner>(both_eyes());
+  ShadowGraph of_both_eyes = library_graph("cell-pcss", GetParam());
+  of_both_eyes.keywords.emplace_back("_PENUMBRA_BOTH_EYES");
+  for (techniques::GraphTexture& texture : of_both_eyes.graph.textures)
+    if (texture.name == "visibility") texture.layers = 2;
+  GraphRunner runner(test_device(), compile(of_both_eyes));
   const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
   const scene::Frame other = under_disc(drawn("slabs", 4, GetParam()), 2.0);
   const CameraImage left = camera_image(frame, RowOrder::top_first);
@@ -322,7 +307,7 @@ TEST_P(CellPcss, DrawsBothEyesAtOnceAsEachAlone) {
   RunOptions options = kCellPcssOnce;
   options.count_fetches = false;
   options.second_eye = &right;
-  const std::vector<float> both = runner->run(on_device, &left, options).visibility[0];
+  const std::vector<float> both = runner.run(on_device, &left, options).visibility[0];
   std::vector<float> expected = alone(left);
   const std::vector<float> second = alone(right);
   EXPECT_NE(expected, second);
@@ -369,8 +354,7 @@ TEST(CellPcssWindows, HaveRoomForTheCellsAroundEveryCluster) {
   EXPECT_GT(most, 0.9 * window_constant("WINDOW_CELLS"));
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, CellPcss, testing::Bool(),
-                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, CellPcss, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

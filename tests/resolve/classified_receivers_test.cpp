@@ -28,7 +28,7 @@
 #include "reference/disc_samples.h"
 #include "resolve/adversarial_maps.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/map_rays.h"
 #include "resolve/shortened_graph.h"
 
@@ -89,28 +89,22 @@ glm::dvec2 disc_point(int ray, std::uint64_t seed) {
 class Classified : public testing::TestWithParam<bool> {
  protected:
   static GraphRunner& classifier() {
-    static KeptOnDevice<std::map<bool, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& made = (*runners)[GetParam()];
-    if (made == nullptr) {
-      const techniques::TechniqueList& list = library_techniques();
-      ShadowGraph graph = technique_graph(list, list.find("cell-pcss"), Taps::as_listed, GetParam());
+    static KeptRunners runners;
+    return runners.of("cell-pcss", GetParam(), [] {
+      ShadowGraph graph = library_graph("cell-pcss", GetParam());
       remove_passes_after(graph.graph, "ClassifyTiles");
       graph.parameters.set("_PenumbraPcssAngularParameters1", glm::vec4(kUnlimited, kUnlimited, 0.0F, 0.0F));
-      made = std::make_unique<GraphRunner>(test_device(), compile(graph));
-    }
-    return *made;
+      return graph;
+    });
   }
 
   static GraphRunner& prober() {
     static const techniques::TechniqueList list = techniques::read_technique_list(
         std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/TileReceivers.technique.json");
-    static KeptOnDevice<std::map<bool, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& made = (*runners)[GetParam()];
-    if (made == nullptr)
-      made = std::make_unique<GraphRunner>(
-          test_device(),
-          compile(technique_graph(list, list.find("tile-receivers"), Taps::as_listed, GetParam())));
-    return *made;
+    static KeptRunners runners;
+    return runners.of("tile-receivers", GetParam(), [] {
+      return technique_graph(list, list.find("tile-receivers"), Taps::as_listed, GetParam());
+    });
   }
 
   static TileReceivers receivers_of(const FrameOnDevice& on_device, const CameraImage& camera) {
@@ -399,8 +393,7 @@ TEST_P(Classified, RaysMeetWhatTheFormulaOfColumnsSays) {
   EXPECT_GT(proved, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, Classified, testing::Bool(),
-                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, Classified, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -25,14 +25,8 @@ class ConservativeMask : public testing::TestWithParam<bool> {
   static double depth(double distance) { return GetParam() ? 1.0 - distance : distance; }
 
   static GraphRunner& chain(const std::string& name) {
-    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& made = (*runners)[{name, GetParam()}];
-    if (made == nullptr) {
-      const techniques::TechniqueList& list = library_techniques();
-      made = std::make_unique<GraphRunner>(
-          test_device(), compile(technique_graph(list, list.find(name), Taps::as_listed, GetParam())));
-    }
-    return *made;
+    static KeptRunners runners;
+    return runners.of(name, GetParam(), [&] { return library_graph(name, GetParam()); });
   }
 
   struct Decided {
@@ -205,8 +199,7 @@ TEST_P(ConservativeMask, DecidesRightForAMillionReceivers) {
   EXPECT_GT(open, 25000);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, ConservativeMask, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, ConservativeMask, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -11,10 +11,9 @@
 #include <memory>
 
 #include "resolve/adversarial_maps.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -47,14 +46,12 @@ class DepthBlockMaps : public testing::TestWithParam<bool> {
     techniques::Technique technique = list.find(graph);
     technique.values["level"] = {static_cast<double>(level)};
     technique.values["channel"] = {static_cast<double>(channel)};
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& runner = (*runners)[graph + (GetParam() ? "r" : "c")];
-    if (runner == nullptr)
-      runner = std::make_unique<GraphRunner>(
-          test_device(), compile(technique_graph(list, technique, Taps::as_listed, GetParam())));
-    runner->set_parameters(parameter_uniforms(list, technique));
+    static KeptRunners runners;
+    GraphRunner& runner = runners.of(
+        graph, GetParam(), [&] { return technique_graph(list, technique, Taps::as_listed, GetParam()); });
+    runner.set_parameters(parameter_uniforms(list, technique));
     GraphResult result =
-        runner->run(frame, nullptr, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false});
+        runner.run(frame, nullptr, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false});
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return std::move(result.visibility.front());
   }
@@ -148,8 +145,7 @@ TEST_P(DepthBlockMaps, CellsHaveTheMeanAndTheDeviationOfTheirTexels) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, DepthBlockMaps, testing::Bool(),
-                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, DepthBlockMaps, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

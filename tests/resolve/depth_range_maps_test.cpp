@@ -13,10 +13,9 @@
 #include <memory>
 #include <random>
 
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -137,13 +136,11 @@ class DepthRangeMaps : public testing::TestWithParam<bool> {
     techniques::Technique technique = list.find(graph);
     technique.values["channel"] = {static_cast<double>(channel)};
     technique.values["level"] = {static_cast<double>(level)};
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& runner = (*runners)[graph + (GetParam() ? "r" : "c")];
-    if (runner == nullptr)
-      runner = std::make_unique<GraphRunner>(
-          test_device(), compile(technique_graph(list, technique, Taps::as_listed, GetParam())));
-    runner->set_parameters(parameter_uniforms(list, technique));
-    GraphResult result = runner->run(FrameOnDevice(test_device(), frame), kOnce);
+    static KeptRunners runners;
+    GraphRunner& runner = runners.of(
+        graph, GetParam(), [&] { return technique_graph(list, technique, Taps::as_listed, GetParam()); });
+    runner.set_parameters(parameter_uniforms(list, technique));
+    GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return {std::move(result.visibility.front()), std::move(result.passes)};
   }
@@ -292,8 +289,7 @@ TEST_P(DepthRangeMaps, TheVarianceMapHasMeanAndMeanSquare) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, DepthRangeMaps, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, DepthRangeMaps, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

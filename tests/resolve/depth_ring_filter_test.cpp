@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
@@ -19,14 +19,9 @@ constexpr RunOptions kRingsOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fe
 
 class DepthRingFilter : public testing::TestWithParam<bool> {
  protected:
-  static ShadowGraph graph_of(const std::string& name) {
-    const techniques::TechniqueList& list = library_techniques();
-    return technique_graph(list, list.find(name), Taps::as_listed, GetParam());
-  }
-
   // The graph has the draws that make the planes, and a kernel of the test.
   static ShadowGraph of_pixels(const std::string& kernel) {
-    ShadowGraph graph = graph_of("cell-pcss");
+    ShadowGraph graph = library_graph("cell-pcss", GetParam());
     const techniques::PassGraph drawn = library_techniques().find("cell-pcss-pixel").graph;
     const techniques::GraphPass last = rings_by_textures(graph.graph.passes.back(), kernel);
     graph.graph.textures = drawn.textures;
@@ -40,17 +35,16 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
   enum class Chain { cell_pcss, classified, filtered, pixel, decided };
 
   static std::vector<float> run(Chain chain, const FrameOnDevice& frame, const CameraImage& camera) {
-    static KeptOnDevice<std::map<std::pair<Chain, bool>, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& made = (*runners)[{chain, GetParam()}];
-    if (made == nullptr) {
+    static KeptRunners runners;
+    GraphRunner& runner = runners.of(std::to_string(static_cast<int>(chain)), GetParam(), [&] {
       ShadowGraph graph = chain == Chain::decided    ? of_pixels("DecisionOfPixels")
-                          : chain == Chain::filtered ? graph_of("screen-pcss-angular-24-16")
+                          : chain == Chain::filtered ? library_graph("screen-pcss-angular-24-16", GetParam())
                           : chain == Chain::pixel    ? of_pixels("VisibilityOfPixels")
-                                                     : graph_of("cell-pcss");
+                                                     : library_graph("cell-pcss", GetParam());
       if (chain == Chain::classified) remove_passes_after(graph.graph, "ClassifyTiles");
-      made = std::make_unique<GraphRunner>(test_device(), compile(graph));
-    }
-    return made->run(frame, &camera, kRingsOnce).visibility[0];
+      return graph;
+    });
+    return runner.run(frame, &camera, kRingsOnce).visibility[0];
   }
 
   struct Pixels {
@@ -122,8 +116,7 @@ TEST_P(DepthRingFilter, FollowsTheBorderBetweenCascades) {
   EXPECT_GT(pixels.left, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, DepthRingFilter, testing::Bool(),
-                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, DepthRingFilter, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

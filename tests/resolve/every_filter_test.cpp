@@ -9,10 +9,9 @@
 #include <memory>
 #include <optional>
 
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/reference_bounds.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -206,20 +205,17 @@ class EveryFilter : public testing::TestWithParam<Case> {
 
   std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
     // Pipelines are kept: building one costs more than running it.
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> passes;
-    const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
-    std::unique_ptr<GraphRunner>& pass = (*passes)[key];
-    if (pass == nullptr) {
-      pass = std::make_unique<GraphRunner>(test_device(), compile(filter_over_map()));
-    }
+    static KeptRunners passes;
+    GraphRunner& pass =
+        passes.of(GetParam().technique, GetParam().reversed_z, [&] { return filter_over_map(); });
     const FrameOnDevice on_device(test_device(), frame, &opaque_casters());
     UniformValues all = filter_over_map().parameters;
     // The parameters of filters for spot lights are set, too: every_spot_filter_test.cpp has maps in
     // perspective.
     all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));
     all.merge(parameters);
-    pass->set_parameters(all);
-    return pass->run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
+    pass.set_parameters(all);
+    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
         .visibility.front();
   }
 

@@ -2,12 +2,13 @@
 // there is one, no NaN, nothing outside [0, 1], nothing learnt from outside the slice.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 #include <map>
 #include <memory>
 
+#include "as_identifier.h"
+#include "resolve/kept_runners.h"
 #include "resolve/spot_frame.h"
 
 namespace penumbra::resolve {
@@ -55,17 +56,15 @@ class EverySpotFilter : public testing::TestWithParam<Case> {
 
   std::vector<float> visibility(const SpotSetup& setup, const scene::Frame& frame,
                                 const UniformValues& more = {}) const {
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> passes;
-    const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
-    std::unique_ptr<GraphRunner>& pass = (*passes)[key];
+    static KeptRunners passes;
     const ShadowGraph graph = testing_frames::spot_graph(technique(), GetParam().reversed_z);
-    if (pass == nullptr) pass = std::make_unique<GraphRunner>(test_device(), compile(graph));
+    GraphRunner& pass = passes.of(GetParam().technique, GetParam().reversed_z, [&] { return graph; });
     UniformValues all = graph.parameters;
     all.merge(slice_uniforms(setup));
     all.merge(more);
-    pass->set_parameters(all);
+    pass.set_parameters(all);
     const FrameOnDevice on_device(test_device(), frame);
-    return pass->run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
+    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
         .visibility.front();
   }
 
@@ -211,9 +210,8 @@ TEST_P(EverySpotFilter, LearnsNothingFromOutsideItsSlice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, EverySpotFilter, testing::ValuesIn(all_cases()), [](const auto& instance) {
-  std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return as_identifier(instance.param.technique +
+                       (instance.param.reversed_z ? "_reversed" : "_conventional"));
 });
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "as_identifier.h"
 #include "resolve/graph_runner.h"
 #include "resolve/reference_bounds.h"
 #include "resolve/synthetic_frame.h"
@@ -246,11 +247,8 @@ TEST_P(FilteredMaps, GiveTheLightOfTheBlurredDepths) {
   EXPECT_DOUBLE_EQ(result.passes[2].fetches, 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, FilteredMaps, testing::ValuesIn(models()), [](const auto& instance) {
-  std::string name = instance.param.technique;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Library, FilteredMaps, testing::ValuesIn(models()),
+                         [](const auto& instance) { return as_identifier(instance.param.technique); });
 
 }  // namespace
 }  // namespace penumbra::resolve

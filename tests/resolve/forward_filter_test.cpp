@@ -5,7 +5,7 @@
 
 #include "platform/data_directory.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -14,10 +14,7 @@ constexpr RunOptions kForwardOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 class ForwardFilter : public testing::TestWithParam<bool> {
  protected:
-  static ShadowGraph technique() {
-    const techniques::TechniqueList& list = library_techniques();
-    return technique_graph(list, list.find("cell-pcss-pixel"), Taps::as_listed, GetParam());
-  }
+  static ShadowGraph technique() { return library_graph("cell-pcss-pixel", GetParam()); }
 
   static std::vector<std::string> maps_of(const ShadowGraph& graph) {
     std::vector<std::string> names;
@@ -103,8 +100,7 @@ TEST_P(ForwardFilter, IsTheSameAfterKernelsOfCellPcss) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, ForwardFilter, testing::Bool(),
-                         [](const auto& direction) { return direction.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, ForwardFilter, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

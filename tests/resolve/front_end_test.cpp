@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "as_identifier.h"
 #include "fxc/at_hand.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/compiler.h"
@@ -207,11 +208,8 @@ std::vector<std::string> all_techniques() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, FrontEnds, testing::ValuesIn(all_techniques()), [](const auto& instance) {
-  std::string name = instance.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Library, FrontEnds, testing::ValuesIn(all_techniques()),
+                         [](const auto& instance) { return as_identifier(instance.param); });
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -18,7 +18,6 @@ using testing::AllOf;
 using testing::Each;
 using testing::ElementsAre;
 using testing::Gt;
-using testing::HasSubstr;
 using testing::Lt;
 using testing_frames::FrameSetup;
 using testing_frames::TilePoint;
@@ -184,12 +183,12 @@ TEST(HdrpAdapter, OutsideAllSpheresIsLitWithoutAskingHdrp) {
 
 TEST(HdrpAdapter, ConventionalDepthIsRefused) {
   expect_input_error([&] { compile(adapter_shader(adapter(), false)); },
-                     AllOf(HasSubstr("HdrpPcss.hlsl"), HasSubstr("--reversed-z true")));
+                     HasSubstrs("HdrpPcss.hlsl", "--reversed-z true"));
 }
 
 TEST(HdrpAdapter, AnOlderHdrpIsRefusedWithTheVersionItTakes) {
   expect_input_error([&] { compile(adapter_shader(adapter_on_hdrp_14())); },
-                     AllOf(HasSubstr("dirLightPCSSParams0"), HasSubstr("HDRP has it since 17")));
+                     HasSubstrs("dirLightPCSSParams0", "HDRP has it since 17"));
 }
 
 }  // namespace

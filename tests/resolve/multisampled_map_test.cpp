@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <glm/matrix.hpp>
 
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 #include "scene/scene.h"
 
 namespace penumbra::resolve {
@@ -135,8 +134,7 @@ TEST_P(MultisampledMap, ATexelHoldsTheMeansOfItsSamples) {
   EXPECT_GT(parted, 40);
 }
 
-INSTANTIATE_TEST_SUITE_P(Depth, MultisampledMap, testing::Bool(),
-                         [](const auto& test) { return test.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(Depth, MultisampledMap, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <random>
 
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/map_receivers.h"
 
 namespace penumbra::resolve {
@@ -177,8 +177,7 @@ TEST_P(OpacityMask, AnEdgeIsSoftAndNotThatOfWhatIsBelow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Depth, OpacityMask, testing::Bool(),
-                         [](const auto& test) { return test.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(Depth, OpacityMask, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "as_identifier.h"
 #include "resolve/graph_runner.h"
 #include "resolve/peer_references.h"
 #include "resolve/synthetic_frame.h"
@@ -216,10 +217,8 @@ TEST_P(PeerFilters, FollowTheirEnginesRules) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, PeerFilters, testing::ValuesIn(all_cases()), [](const auto& instance) {
-  std::string name =
-      instance.param.peer.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return as_identifier(instance.param.peer.technique +
+                       (instance.param.reversed_z ? "_reversed" : "_conventional"));
 });
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -126,8 +126,7 @@ TEST_P(Planar, LightFromBelowCastsNothing) {
   EXPECT_THAT(drawn_by("planar", frame, &casters), testing::Each(1.0F));
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, Planar, testing::Bool(),
-                         [](const auto& test) { return test.param ? "Reversed" : "Conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, Planar, testing::Bool(), direction_name);
 
 class Blob : public testing::Test {
  protected:

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "resolve/graph_runner.h"
-#include "resolve/test_device.h"
+#include "resolve/kept_runners.h"
 
 namespace penumbra::resolve {
 
@@ -12,8 +11,7 @@ namespace penumbra::resolve {
 // textures, `receiver` and `tile`, and returns a float.
 inline ShadowGraph probe_graph(const std::string& technique, const std::string& body,
                                bool reversed_z = true) {
-  const techniques::TechniqueList& list = library_techniques();
-  ShadowGraph graph = technique_graph(list, list.find(technique), Taps::as_listed, reversed_z);
+  ShadowGraph graph = library_graph(technique, reversed_z);
   std::string& text = graph.filter->body;
   text.resize(text.find("float ResolveTechnique("));
   text += "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n" + body + "}\n";

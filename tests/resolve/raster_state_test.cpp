@@ -2,9 +2,8 @@
 #include "resolve/raster_state.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "shaderlab/parse.h"
 
 namespace penumbra::resolve {
@@ -12,7 +11,6 @@ namespace {
 
 using gpu::Blend;
 using gpu::DepthTest;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -25,12 +23,7 @@ RasterState state_of(const std::string& commands, std::size_t targets = 2, bool 
 }
 
 std::string refusal(const std::string& commands) {
-  try {
-    (void)state_of(commands);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { (void)state_of(commands); });
 }
 
 TEST(RasterState, WithoutCommandsItIsUnitys) {
@@ -129,13 +122,13 @@ TEST(RasterState, StencilIsThatOfBothFacesOrOfOne) {
 TEST(RasterState, WhatIsNotDrawnIsRefusedAtItsLine) {
   EXPECT_EQ(refusal("Cull Off ColorMask RGBA Conservative False"), "no error");
   EXPECT_THAT(refusal("\nBlend DstColor Zero"),
-              AllOf(HasSubstr("a.shader:3: 'Blend DstColor Zero' is not drawn here"), HasSubstr("One One")));
+              HasSubstrs("a.shader:3: 'Blend DstColor Zero' is not drawn here", "One One"));
   EXPECT_THAT(refusal("Blend One One, One Zero"), HasSubstr("alpha alike"));
   EXPECT_THAT(refusal("BlendOp Sub"), HasSubstr("Add, Min and Max"));
   EXPECT_THAT(refusal("ZTest NotEqual"), HasSubstr("'ZTest NotEqual'"));
   EXPECT_THAT(refusal("ColorMask RGB"), HasSubstr("all channels are written"));
   EXPECT_THAT(refusal("Stencil { Ref 1 }"),
-              AllOf(HasSubstr("'Stencil' is not drawn here"), HasSubstr("the pass has no stencil")));
+              HasSubstrs("'Stencil' is not drawn here", "the pass has no stencil"));
   EXPECT_THAT(refusal("AlphaToMask On"), HasSubstr("'AlphaToMask On'"));
 }
 

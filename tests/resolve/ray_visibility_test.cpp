@@ -19,7 +19,7 @@
 #include "platform/source_commit.h"
 #include "reference/disc_tracer.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -60,17 +60,16 @@ class FogScene {
   std::vector<float> seen(const FogRays& rays) const {
     static const techniques::TechniqueList list = techniques::read_technique_list(
         std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples/FogRays.technique.json");
-    static KeptOnDevice<std::map<bool, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& runner = (*runners)[reversed_z_];
-    if (runner == nullptr)
-      runner = std::make_unique<GraphRunner>(
-          test_device(), compile(technique_graph(list, list.find("fog-rays"), Taps::as_listed, reversed_z_)));
+    static KeptRunners runners;
+    GraphRunner& runner = runners.of("fog-rays", reversed_z_, [&] {
+      return technique_graph(list, list.find("fog-rays"), Taps::as_listed, reversed_z_);
+    });
     UniformValues values;
     values.set("_PenumbraFogRaysParameters0",
                glm::vec4(static_cast<float>(rays.samples), rays.jittered ? 1.0F : 0.0F,
                          static_cast<float>(rays.extinction), 0.0F));
-    runner->set_parameters(values);
-    const GraphResult result = runner->run(FrameOnDevice(test_device(), frame_), &camera_, kRunOnce);
+    runner.set_parameters(values);
+    const GraphResult result = runner.run(FrameOnDevice(test_device(), frame_), &camera_, kRunOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return result.visibility[0];
   }

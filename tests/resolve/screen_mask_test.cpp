@@ -5,9 +5,10 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "as_identifier.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
 #include "resolve/hand_graph.h"
+#include "resolve/kept_runners.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -52,14 +53,11 @@ class ScreenMask : public testing::TestWithParam<Case> {
 
   // The chains are kept, because their pipelines cost more than running them.
   GraphRunner& chain(const std::string& name) const {
-    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& made = (*runners)[{name, GetParam().reversed_z}];
-    if (made == nullptr) {
-      made = std::make_unique<GraphRunner>(
-          test_device(), compile(technique_graph(library_techniques(), technique(name), Taps::as_listed,
-                                                 GetParam().reversed_z)));
-    }
-    return *made;
+    static KeptRunners runners;
+    const bool reversed_z = GetParam().reversed_z;
+    return runners.of(name, reversed_z, [&] {
+      return technique_graph(library_techniques(), technique(name), Taps::as_listed, reversed_z);
+    });
   }
 
   // The library's filter alone makes one comparison per pixel of the camera's image, in its own row order.
@@ -261,9 +259,7 @@ TEST_P(ScreenMask, CostsLittle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Package, ScreenMask, testing::ValuesIn(all_cases()), [](const auto& instance) {
-  std::string name = instance.param.scene + (instance.param.reversed_z ? "_reversed" : "_conventional");
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return as_identifier(instance.param.scene + (instance.param.reversed_z ? "_reversed" : "_conventional"));
 });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "as_identifier.h"
 #include "reference/trace_visibility.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
@@ -270,9 +271,8 @@ std::vector<Case> every_choice() {
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& instance) {
-  std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return as_identifier(instance.param.technique +
+                       (instance.param.reversed_z ? "_reversed" : "_conventional"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Package, ScreenResolve, testing::ValuesIn(all_cases()), case_name);

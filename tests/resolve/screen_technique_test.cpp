@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "input/input_error.h"
+#include "as_identifier.h"
+#include "input/input_error_matcher.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
 #include "resolve/ground_at_random.h"
@@ -24,14 +25,9 @@ TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
 }
 
 TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
-  try {
-    compile_pass(shaders::PackageShader(shaders::package_shader_file()), "Resolv", {}, true);
-    FAIL() << "compiled";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("PenumbraShadows.shader"),
-                                             testing::HasSubstr("no pass 'Resolv'"),
-                                             testing::HasSubstr("did you mean 'Resolve'?")));
-  }
+  expect_input_error(
+      [&] { compile_pass(shaders::PackageShader(shaders::package_shader_file()), "Resolv", {}, true); },
+      HasSubstrs("PenumbraShadows.shader", "no pass 'Resolv'", "did you mean 'Resolve'?"));
 }
 
 // The message names the pass and the texture.
@@ -41,12 +37,7 @@ TEST(ScreenTechnique, AbsentTexturesAreThoseOfTheProgramAlone) {
   const auto refusal = [&](const std::string& name) -> std::string {
     ShadowGraph graph = hand_graph({{"Resolve"}});
     graph.graph.passes[0].absent.push_back(name);
-    try {
-      GraphRunner(test_device(), compile(graph)).run(on_device, &camera, kOnce);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return input_error_of([&] { GraphRunner(test_device(), compile(graph)).run(on_device, &camera, kOnce); });
   };
   EXPECT_THAT(refusal("_PenumbraMaskTexure"),
               testing::HasSubstr(
@@ -146,11 +137,7 @@ TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, EveryScreenTechnique, testing::ValuesIn(screen_techniques()),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& instance) { return as_identifier(instance.param); });
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "as_identifier.h"
 #include "reference/trace_visibility.h"
 #include "resolve/graph_runner.h"
 #include "resolve/test_device.h"
@@ -150,11 +151,7 @@ TEST_P(VolumesOf, BuiltInScenesAreWhatRaysSay) {
 INSTANTIATE_TEST_SUITE_P(Scenes, VolumesOf,
                          testing::Values("contact-boxes", "slabs", "street", "trees", "colonnade",
                                          "poles-and-fence"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& instance) { return as_identifier(instance.param); });
 
 TEST(ShadowVolumeTechnique, DepthOfEitherDirectionAndRowsOfEitherOrderAreTheSame) {
   const scene::Scene scene = scene::built_in("contact-boxes");

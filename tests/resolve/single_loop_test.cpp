@@ -12,10 +12,9 @@
 #include <random>
 
 #include "resolve/drawn_scenes.h"
-#include "resolve/graph_runner.h"
+#include "resolve/kept_runners.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -44,14 +43,12 @@ class SingleLoop : public testing::TestWithParam<bool> {
                          const std::map<std::string, double>& values) {
     techniques::Technique technique = library_techniques().find(name);
     for (const auto& [field, value] : values) technique.values.at(field) = {value};
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> runners;
-    std::unique_ptr<GraphRunner>& runner = (*runners)[name + (GetParam() ? "r" : "c")];
-    if (runner == nullptr)
-      runner = std::make_unique<GraphRunner>(
-          test_device(),
-          compile(technique_graph(library_techniques(), technique, Taps::as_listed, GetParam())));
-    runner->set_parameters(parameter_uniforms(library_techniques(), technique));
-    return runner->run(FrameOnDevice(test_device(), frame), kCounted);
+    static KeptRunners runners;
+    GraphRunner& runner = runners.of(name, GetParam(), [&] {
+      return technique_graph(library_techniques(), technique, Taps::as_listed, GetParam());
+    });
+    runner.set_parameters(parameter_uniforms(library_techniques(), technique));
+    return runner.run(FrameOnDevice(test_device(), frame), kCounted);
   }
 
   // The receivers are all over the tile, its borders included, at two depths, one below the other.
@@ -439,10 +436,8 @@ TEST_P(SingleLoop, ADecidedRangeIsBelievedForAWiderDisc) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothDirections, SingleLoopExits, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
-INSTANTIATE_TEST_SUITE_P(BothDirections, SingleLoop, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(BothDirections, SingleLoopExits, testing::Bool(), direction_name);
+INSTANTIATE_TEST_SUITE_P(BothDirections, SingleLoop, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

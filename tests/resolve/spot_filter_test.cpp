@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "resolve/kept_runners.h"
 #include "resolve/spot_frame.h"
 #include "resolve/spot_transcription.h"
 
@@ -220,8 +221,7 @@ TEST_P(SpotFilter, IsWhatItsDescriptionSays) {
   EXPECT_LE(difference / double(seen.size()), 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Depth, SpotFilter, testing::Bool(),
-                         [](const auto& instance) { return instance.param ? "reversed" : "conventional"; });
+INSTANTIATE_TEST_SUITE_P(Depth, SpotFilter, testing::Bool(), direction_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <set>
 
-#include "input/input_error.h"
+#include "as_identifier.h"
+#include "input/input_error_matcher.h"
 #include "scene/content_hash.h"
 #include "scene/mesh_properties.h"
 #include "scene/scene.h"
@@ -139,20 +139,12 @@ std::vector<std::string> names_with_near_shadows() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, testing::ValuesIn(names_with_near_shadows()), [](const auto& test) {
-  std::string name = test.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, testing::ValuesIn(names_with_near_shadows()),
+                         [](const auto& test) { return as_identifier(test.param); });
 
 TEST(BuiltInNames, NamesTheNearestForOneThatIsUnknown) {
-  try {
-    built_in("colonade");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("unknown scene 'colonade'"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'colonnade'"));
-  }
+  expect_input_error([&] { built_in("colonade"); },
+                     HasSubstrs("unknown scene 'colonade'", "did you mean 'colonnade'"));
 }
 
 TEST(Sunlight, MovesBackByAnAngleOfTheSky) {

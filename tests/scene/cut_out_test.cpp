@@ -1,7 +1,6 @@
 #include "scene/cut_out.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
@@ -11,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "scene/content_hash.h"
 #include "scene/cut_out_alpha.h"
 
@@ -166,14 +165,9 @@ TEST(CutOuts, WhatCannotBeReadIsRefusedWithItsName) {
   const auto problem_of = [](const std::function<void(Scene&)>& change) -> std::string {
     Scene scene = one_triangle({.pattern = AlphaPattern::leaf, .texture = 0});
     change(scene);
-    try {
-      const CutOuts cut_outs(scene);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return input_error_of([&] { const CutOuts cut_outs(scene); });
   };
-  EXPECT_EQ(problem_of([](Scene&) {}), "accepted");
+  EXPECT_EQ(problem_of([](Scene&) {}), "no error");
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs.clear(); }),
               HasSubstr("scene 'card': material 'cut out'"));
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs.pop_back(); }),

@@ -76,8 +76,8 @@ TEST(HeightImage, IsRefusedByNameAndReason) {
   refuse(png(2, 2, {1, 2, 3, 4}, PNG_FORMAT_GRAY), "eight.png", {}, HasSubstr("8 bits"));
   refuse(png(1, 4, {1, 2, 3, 4}), "thin.png", {}, HasSubstr("1 x 4 samples"));
   refuse(png(2, 2, {1, 2, 3, 4}), "told.png", ImageSize{2, 2}, HasSubstr("--raw-size"));
-  refuse(raw({1, 2, 3}), "three.raw", {}, AllOf(HasSubstr("6 bytes"), HasSubstr("--raw-size")));
-  refuse(raw({1, 2, 3, 4}), "four.raw", ImageSize{3, 2}, AllOf(HasSubstr("8 bytes"), HasSubstr("12")));
+  refuse(raw({1, 2, 3}), "three.raw", {}, HasSubstrs("6 bytes", "--raw-size"));
+  refuse(raw({1, 2, 3, 4}), "four.raw", ImageSize{3, 2}, HasSubstrs("8 bytes", "12"));
   refuse(raw({1, 2, 3, 4}), "four.raw", ImageSize{0, 0}, HasSubstr("0 x 0"));
   refuse(raw({1, 2, 3, 4}), "four.raw", ImageSize{-2, -2}, HasSubstr("-2 x -2"));
   refuse(raw({1, 2, 3, 4}), "four.raw", ImageSize{2, 8194}, HasSubstr("8193 per side"));
@@ -85,9 +85,9 @@ TEST(HeightImage, IsRefusedByNameAndReason) {
   refuse({}, "empty.png", {}, HasSubstr("cannot be read"));
   refuse(raw({1}), "one.raw", {}, HasSubstr("1 x 1"));
   refuse(png(2, 2, std::vector<std::uint16_t>(8, 65535), PNG_FORMAT_LINEAR_Y_ALPHA), "alpha.png", {},
-         AllOf(HasSubstr("2 channels"), HasSubstr("without colour and without alpha")));
+         HasSubstrs("2 channels", "without colour and without alpha"));
   refuse(png(2, 2, std::vector<std::uint16_t>(12, 300), PNG_FORMAT_LINEAR_RGB), "colour.png", {},
-         AllOf(HasSubstr("3 channels"), HasSubstr("without colour and without alpha")));
+         HasSubstrs("3 channels", "without colour and without alpha"));
 }
 
 TEST(HeightImage, ADamagedPngIsNotTakenForAnotherFormat) {
@@ -102,18 +102,17 @@ TEST(HeightImage, ADamagedPngIsNotTakenForAnotherFormat) {
   constexpr std::size_t end = 12;  // IEND, which is empty
   for (std::size_t length = size_and_depth; length < whole.size() - end; ++length)
     refuse(std::span(whole).first(length),
-           AllOf(HasSubstr("the file is damaged or incomplete"), HasSubstr("export it again")));
+           HasSubstrs("the file is damaged or incomplete", "export it again"));
   std::vector<std::byte> damaged = whole;
   const std::string_view name = "IDAT";
   const auto data = std::search(damaged.begin(), damaged.end(), name.begin(), name.end(),
                                 [](std::byte byte, char letter) { return byte == std::byte(letter); });
   ASSERT_NE(data, damaged.end());
   *(data + 4) = std::byte{0xff};  // the header of the compressed samples
-  refuse(damaged, AllOf(HasSubstr("the file is damaged or incomplete"), HasSubstr("export it again")));
+  refuse(damaged, HasSubstrs("the file is damaged or incomplete", "export it again"));
   for (std::size_t length = 0; length < size_and_depth; ++length)
-    refuse(std::span(whole).first(length),
-           AllOf(HasSubstr("damaged, incomplete or of another format"), HasSubstr(".r16")));
-  refuse(raw({1, 2, 3, 4}), AllOf(HasSubstr("damaged, incomplete or of another format"), HasSubstr(".r16")));
+    refuse(std::span(whole).first(length), HasSubstrs("damaged, incomplete or of another format", ".r16"));
+  refuse(raw({1, 2, 3, 4}), HasSubstrs("damaged, incomplete or of another format", ".r16"));
 }
 
 TEST(HeightImage, AnAnswerOfAnotherProcessIsBelievedOnlyWhereItIsWhole) {

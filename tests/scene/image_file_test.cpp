@@ -11,7 +11,6 @@
 namespace penumbra::scene {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -52,10 +51,9 @@ TEST(ImageFile, WhatIsNoPictureIsNamed) {
       [] {
         decode_image(bytes_of({'h', 'e', 'l', 'l', 'o'}), "noise.png");
       },
-      AllOf(HasSubstr("noise.png"), HasSubstr("PNG, JPEG, TGA and BMP")));
+      HasSubstrs("noise.png", "PNG, JPEG, TGA and BMP"));
   expect_input_error([] { decode_image({}, "empty.png"); }, HasSubstr("empty.png"));
-  expect_input_error([] { read_image("absent.png"); },
-                     AllOf(HasSubstr("absent.png"), HasSubstr("cannot be opened")));
+  expect_input_error([] { read_image("absent.png"); }, HasSubstrs("absent.png", "cannot be opened"));
   expect_input_error([] { read_image(std::filesystem::temp_directory_path()); },
                      HasSubstr("cannot be opened"));
 }

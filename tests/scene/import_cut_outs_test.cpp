@@ -1,14 +1,13 @@
 // Tests which parts of a model's surfaces are open, as its file says it.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
+#include "has_substrs.h"
 #include "scene/cut_out.h"
 #include "scene/textured_model.h"
 
 namespace penumbra::scene {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -109,7 +108,7 @@ TEST_F(ImportCutOuts, WithoutItsTextureASurfaceIsSolidAndSaysSo) {
     EXPECT_EQ(cut_out_of(scene), std::nullopt);
     EXPECT_THAT(
         scene.notes,
-        ElementsAre(AllOf(HasSubstr("model.gltf: "), HasSubstr("leaf.tga"), HasSubstr(reason)),
+        ElementsAre(HasSubstrs("model.gltf: ", "leaf.tga", reason),
                     HasSubstr("material 'painted': without the texture that cuts it out it is solid")));
   };
   expect_solid("no such file");

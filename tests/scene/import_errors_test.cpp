@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sys/stat.h>
 
+#include "has_substrs.h"
 #include "scene/import_fixture.h"
 
 namespace penumbra::scene {
@@ -15,11 +15,10 @@ using testing::StartsWith;
 const std::vector<float> kTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 TEST_F(ImportTest, RefusesWhatIsNotAReadableFile) {
-  EXPECT_THAT(refusal(folder_ / "missing.obj"), AllOf(HasSubstr("missing.obj"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal(folder_ / "missing.obj"), HasSubstrs("missing.obj", "no such file"));
   EXPECT_THAT(refusal(folder_), HasSubstr("is a folder"));
   EXPECT_THAT(refusal(write("empty.glb", "")), HasSubstr("is empty"));
-  EXPECT_THAT(refusal(write("model.txt", "v 0 0 0")),
-              AllOf(HasSubstr("not a model format"), HasSubstr(".gltf")));
+  EXPECT_THAT(refusal(write("model.txt", "v 0 0 0")), HasSubstrs("not a model format", ".gltf"));
   EXPECT_THAT(refusal(write("model", "v 0 0 0")), HasSubstr("not a model format"));
 }
 
@@ -159,7 +158,7 @@ TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
   };
   for (const char* uri : {"../secret.bin", "link.bin"})
     EXPECT_THAT(refusal(with_buffer(uri)),
-                AllOf(HasSubstr("model.gltf: names the file '"), HasSubstr("outside the model's folder")))
+                HasSubstrs("model.gltf: names the file '", "outside the model's folder"))
         << uri;
   // The importer library looks beneath the model's folder, unless that is the working directory.
   EXPECT_THAT(refusal(with_buffer(bytes.string())), HasSubstr("secret.bin"));
@@ -180,15 +179,14 @@ TEST_F(ImportTest, NamesFilesThatAreMissing) {
   std::string text = gltf(kTriangle);
   const std::size_t begin = text.find("data:"), end = text.find('"', begin);
   text.replace(begin, end - begin, "absent.bin");
-  EXPECT_THAT(
-      refusal(write("model.gltf", text)),
-      AllOf(HasSubstr("names the file 'absent.bin', which is not there"), HasSubstr("beside the model")));
+  EXPECT_THAT(refusal(write("model.gltf", text)),
+              HasSubstrs("names the file 'absent.bin', which is not there", "beside the model"));
 }
 
 TEST_F(ImportTest, RefusesAModelThatIsAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
   EXPECT_THAT(refusal(folder_ / "pipe.obj"),
-              AllOf(HasSubstr("pipe.obj: is a device or a pipe"), HasSubstr("write its content to a file")));
+              HasSubstrs("pipe.obj: is a device or a pipe", "write its content to a file"));
 }
 
 // The buffer would be read until somebody writes into it.
@@ -207,8 +205,7 @@ TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
             "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 2 0\n0 0 "
             "3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  EXPECT_THAT(refusal(file, {.triangle_limit = 3}),
-              AllOf(HasSubstr("has 4 triangles"), HasSubstr("limit is 3")));
+  EXPECT_THAT(refusal(file, {.triangle_limit = 3}), HasSubstrs("has 4 triangles", "limit is 3"));
   EXPECT_EQ(import(file, {.ground = false, .triangle_limit = 4}).mesh.triangle_count(), 4U);
 }
 
@@ -219,7 +216,7 @@ TEST_F(ImportTest, RefusesSizesThatCannotBeMetres) {
                     testing::Not(HasSubstr("height in metres"))));
   EXPECT_THAT(refusal(file, {.metres_per_unit = 1e5}), HasSubstr("300000 m across"));
   EXPECT_THAT(refusal(file, {.height_metres = 1e5}),
-              AllOf(HasSubstr("150000 m across"), HasSubstr("give another height in metres")));
+              HasSubstrs("150000 m across", "give another height in metres"));
   const auto flat = write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
   EXPECT_THAT(refusal(flat, {.height_metres = 2.0}), HasSubstr("has no height"));
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "as_identifier.h"
 #include "scene/content_hash.h"
 #include "scene/mesh_properties.h"
 #include "scene/scene.h"
@@ -70,11 +71,8 @@ TEST_P(Landscape, LooksFromAboveTheGroundUnderASunOfItsElevation) {
   EXPECT_GT(scene.camera.far_plane, scene.seen_distance_metres);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Landscape, testing::ValuesIn(landscape_scene_names()), [](const auto& test) {
-  std::string name = test.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, Landscape, testing::ValuesIn(landscape_scene_names()),
+                         [](const auto& test) { return as_identifier(test.param); });
 
 }  // namespace
 }  // namespace penumbra::scene

@@ -1,9 +1,10 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <set>
 #include <tuple>
 
+#include "as_identifier.h"
+#include "has_substrs.h"
 #include "scene/content_hash.h"
 #include "scene/import_fixture.h"
 #include "scene/mesh_properties.h"
@@ -11,7 +12,6 @@
 namespace penumbra::scene {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 class PackageModels : public testing::TestWithParam<PackageModel> {};
@@ -24,12 +24,8 @@ TEST_P(PackageModels, IsAsTallAsItSaysAndStandsOnTheGround) {
   for (const glm::vec3& normal : scene.mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0, 1e-5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models()), [](const auto& test) {
-  std::string name = test.param.name;
-  std::replace(name.begin(), name.end(), '/', '_');
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models()),
+                         [](const auto& test) { return as_identifier(test.param.name); });
 
 TEST(HorseModel, RearsInsteadOfLyingOnItsSide) {
   const Scene scene = package_model("glmark2/horse", {.ground = false});
@@ -72,7 +68,7 @@ TEST_F(ImportTest, MissingPackageIsTheEnvironmentsFaultAndNamesThePackage) {
     package_model("glmark2/horse", {}, folder_);
     FAIL();
   } catch (const EnvironmentError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("horse.3ds"), HasSubstr("apt-get install glmark2-data")));
+    EXPECT_THAT(error.what(), HasSubstrs("horse.3ds", "apt-get install glmark2-data"));
   }
 }
 
@@ -86,16 +82,11 @@ TEST_F(ImportTest, LoadTakesBuiltInNamesPackageNamesAndFiles) {
 
 TEST_F(ImportTest, LoadNamesTheNearestOfWhatItDoesNotKnow) {
   const auto refusal_of = [](std::string_view name) -> std::string {
-    try {
-      load(name);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { load(name); });
   };
   EXPECT_THAT(refusal_of("tress"), HasSubstr("did you mean 'trees'"));
   EXPECT_THAT(refusal_of("package:glmark2/hors"), HasSubstr("did you mean 'glmark2/horse'"));
-  EXPECT_THAT(refusal_of("no/such.glb"), AllOf(HasSubstr("no/such.glb"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal_of("no/such.glb"), HasSubstrs("no/such.glb", "no such file"));
   EXPECT_THAT(refusal_of(""), HasSubstr("known are: contact-boxes"));
 }
 

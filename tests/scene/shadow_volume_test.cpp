@@ -3,7 +3,6 @@
 #include "scene/shadow_volume.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
@@ -16,7 +15,7 @@
 #include <set>
 #include <sstream>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "input/json_lines.h"
 #include "scene/mesh_properties.h"
 
@@ -364,12 +363,7 @@ TEST(ShadowVolume, OfTheGoldenFileAreTheSame) {
 }
 
 std::string refused(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { work(); });
 }
 
 TEST(ShadowVolume, RefusesWhatHasNone) {

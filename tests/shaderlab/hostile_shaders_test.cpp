@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "processor_time.h"
 #include "sanitized.h"
@@ -64,75 +63,6 @@ void expect_sound(const std::string& text) {
       }
   for (const Kernel& kernel : compute_kernels(text, "a.compute").kernels)
     EXPECT_FALSE(kernel.function.text.empty());
-}
-
-// Flips bytes, cuts blocks out, doubles them, and puts words of ShaderLab where none belong.
-class Mutator {
- public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::string mutant(std::string text) {
-    for (std::size_t i = 1 + below(4); i > 0; --i) mutate(text);
-    return text;
-  }
-
- private:
-  std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
-
-  void mutate(std::string& text) {
-    static const std::vector<std::string> words{"{",
-                                                "}",
-                                                "\"",
-                                                "[",
-                                                "]",
-                                                "(",
-                                                "/*",
-                                                "*/",
-                                                "//",
-                                                "\r",
-                                                "\\",
-                                                "#",
-                                                "\n",
-                                                "HLSLPROGRAM",
-                                                "ENDHLSL",
-                                                "CGINCLUDE",
-                                                "Pass",
-                                                "Category {",
-                                                "UsePass \"Samples/Lit/FORWARD\"",
-                                                "\xFF",
-                                                "=",
-                                                "-"};
-    const std::size_t at = below(text.size() + 1);
-    const std::size_t length = std::min(below(80), text.size() - at);
-    switch (below(5)) {
-      case 0:
-        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
-        break;
-      case 1:
-        text.erase(at, length);
-        break;
-      case 2:
-        text.insert(at, text.substr(below(text.size() + 1), length));
-        break;
-      case 3:
-        text.insert(at, words[below(words.size())]);
-        break;
-      default:
-        text.resize(at);
-    }
-  }
-
-  std::mt19937 random_;
-};
-
-TEST(HostileShaders, MutantsOfTheSamplesAreReadSoundly) {
-  Mutator mutator(20240607);
-  const std::vector<std::string> samples = all_samples();
-  for (std::size_t i = 0; i < 2000 / sanitizer_reduction && !HasFailure(); ++i) {
-    const std::string mutant = mutator.mutant(samples[i % samples.size()]);
-    expect_sound(mutant);
-    if (HasFailure()) ADD_FAILURE() << "mutant " << i << ":\n" << mutant;
-  }
 }
 
 TEST(HostileShaders, EveryPrefixOfASampleIsReadSoundly) {

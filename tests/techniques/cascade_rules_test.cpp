@@ -3,14 +3,13 @@
 #include "techniques/cascade_rules.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "input/json_lines.h"
 #include "shaders/compile.h"
 #include "techniques/parameter_packing.h"
@@ -86,12 +85,8 @@ TEST(CascadeRules, AFilterOfRawDepthsInFarCascadesAloneIsRefused) {
                    [](const Selection& selection) { return selection.keyword == "_PENUMBRA_TENT_7X7"; });
   CascadeRule rule{1, pcss.name, *pcss.graph.filter(), pcss.values, {}};
   technique_of(list, tent->technique).cascades = {rule};
-  try {
-    emit_keywords_hlsl(list);
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("'Tent7x7' reads raw depths in far cascades alone"));
-  }
+  expect_input_error([&] { emit_keywords_hlsl(list); },
+                     HasSubstr("'Tent7x7' reads raw depths in far cascades alone"));
 }
 
 TEST(CascadeRules, WithThemTheIncludeFileCompiles) {

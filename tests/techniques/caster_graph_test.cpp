@@ -1,9 +1,8 @@
 // Tests what a pass that draws the casters may be: its targets, its depth and when it runs, each mistake with
 // its own message at its own place.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "shaders/shader_files.h"
 #include "techniques/graph_emit.h"
 #include "techniques/pass_graph.h"
@@ -13,7 +12,6 @@
 namespace penumbra::techniques {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -75,12 +73,7 @@ class CasterGraph : public testing::Test {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
-    try {
-      (void)list(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { (void)list(text); });
   }
 
   shaders::ShaderFiles files_;
@@ -100,23 +93,21 @@ TEST_F(CasterGraph, WaitsForTheDepthThatItReads) {
 
 TEST_F(CasterGraph, IsWrittenAsJsonAndAsRows) {
   const TechniqueList layers = list(kLayers);
-  EXPECT_THAT(techniques_json(layers),
-              AllOf(HasSubstr("\"kind\":\"casters\""), HasSubstr("\"depth\":\"behind\"")));
+  EXPECT_THAT(techniques_json(layers), HasSubstrs("\"kind\":\"casters\"", "\"depth\":\"behind\""));
   EXPECT_THAT(graph_rows(layers),
-              AllOf(HasSubstr("pass\tCasters\tCascade\tL.shader\tNearest\ndepth\tnearest\n"),
-                    HasSubstr("depth\tbehind\n"), HasSubstr("\ttestsShadowMap\n"),
-                    HasSubstr("texture\tnearest\tMap\tD32_SFloat\n")));
+              HasSubstrs("pass\tCasters\tCascade\tL.shader\tNearest\ndepth\tnearest\n", "depth\tbehind\n",
+                         "\ttestsShadowMap\n", "texture\tnearest\tMap\tD32_SFloat\n"));
 }
 
 TEST_F(CasterGraph, ADepthHasADepthFormatAndNothingElseDoes) {
   EXPECT_THAT(
       problem(kLayers, R"("writes": ["second"], "depth": "behind")", R"("writes": ["second", "behind"])"),
-      AllOf(HasSubstr("t.technique.json:11:"), HasSubstr("'Second' writes 'behind', of format depth32"),
-            HasSubstr("r32f holds depths, too")));
+      HasSubstrs("t.technique.json:11:", "'Second' writes 'behind', of format depth32",
+                 "r32f holds depths, too"));
   EXPECT_THAT(problem(kLayers, R"({"name": "behind", "extent": "map", "format": "depth32"})",
                       R"({"name": "behind", "extent": "map", "format": "r32f"})"),
-              AllOf(HasSubstr("'Second' has 'behind' as its depth, of format r32f"),
-                    HasSubstr("depth16, depth24, depth32 and depth32s8")));
+              HasSubstrs("'Second' has 'behind' as its depth, of format r32f",
+                         "depth16, depth24, depth32 and depth32s8"));
   EXPECT_THAT(problem(kLayers, R"("format": "depth32"},
     {"name": "second")",
                       R"("format": "depth32", "mips": 2},
@@ -126,20 +117,19 @@ TEST_F(CasterGraph, ADepthHasADepthFormatAndNothingElseDoes) {
 
 TEST_F(CasterGraph, ADepthIsATextureOrTheShadowMap) {
   EXPECT_THAT(problem(kLayers, R"("depth": "behind")", R"("depth": "behnd")"),
-              AllOf(HasSubstr("there is no texture 'behnd'"), HasSubstr("or test against \"shadowMap\"")));
+              HasSubstrs("there is no texture 'behnd'", "or test against \"shadowMap\""));
   EXPECT_THAT(problem(kLayers, R"("depth": "behind")", R"("depth": "nearest")"),
               HasSubstr("'Second' reads 'nearest', which it draws into"));
   EXPECT_THAT(problem(kLayers, R"("name": "behind")", R"("name": "shadowMap")"),
               HasSubstr("texture 'shadowMap': the shadow map itself has that name"));
-  EXPECT_THAT(
-      problem(kLayers, R"({"name": "colour", "extent": "map")",
-              R"({"name": "colour", "extent": "map", "divisor": 2)"),
-      AllOf(HasSubstr("'Colour' tests against the shadow map, whose texels are not those of 'colour'"),
-            HasSubstr("the extent \"map\"")));
+  EXPECT_THAT(problem(kLayers, R"({"name": "colour", "extent": "map")",
+                      R"({"name": "colour", "extent": "map", "divisor": 2)"),
+              HasSubstrs("'Colour' tests against the shadow map, whose texels are not those of 'colour'",
+                         "the extent \"map\""));
   EXPECT_THAT(problem(kLayers, R"("depth": "nearest")", R"("depth": "shadowMap")"),
               HasSubstr("'Nearest' tests against the shadow map, and writes nothing"));
   EXPECT_THAT(problem(kLayers, R"(, "depth": "nearest")", ""),
-              AllOf(HasSubstr("'Nearest' writes nothing"), HasSubstr("\"writes\", \"depth\" or both")));
+              HasSubstrs("'Nearest' writes nothing", "\"writes\", \"depth\" or both"));
   EXPECT_THAT(problem(kLayers, R"({"name": "behind", "extent": "map")",
                       R"({"name": "behind", "extent": "map", "divisor": 2)"),
               HasSubstr("'Second' draws into 'second' and depth 'behind', which differ in size or samples"));
@@ -147,12 +137,12 @@ TEST_F(CasterGraph, ADepthIsATextureOrTheShadowMap) {
 
 TEST_F(CasterGraph, TheLightSeesThemOfEachCascadeAndTheCameraEveryFrame) {
   EXPECT_THAT(problem(kLayers, R"("runs": "cascade", "depth": "nearest")", R"("depth": "nearest")"),
-              AllOf(HasSubstr("'Nearest' draws casters into 'nearest', which each cascade has a part of"),
-                    HasSubstr("add \"runs\": \"cascade\"")));
+              HasSubstrs("'Nearest' draws casters into 'nearest', which each cascade has a part of",
+                         "add \"runs\": \"cascade\""));
   EXPECT_THAT(problem(kLayers, R"({"name": "nearest", "extent": "map")",
                       R"({"name": "nearest", "extent": "fixed", "size": [64, 64, 1])"),
-              AllOf(HasSubstr("'Nearest' draws casters into 'nearest', which has a size of its own"),
-                    HasSubstr("extents map and tile")));
+              HasSubstrs("'Nearest' draws casters into 'nearest', which has a size of its own",
+                         "extents map and tile"));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "runs": "bake")"),
               HasSubstr("'Seen' draws what the camera sees, which changes every frame"));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "runs": "cascade")"),
@@ -175,7 +165,7 @@ TEST_F(CasterGraph, DrawsOpaqueCastersOrBlendedOnes) {
   EXPECT_EQ(rows.find("blended"), rows.rfind("blended"));
   EXPECT_THAT(techniques_json(layers), HasSubstr("\"casters\":\"blended\""));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "casters": "blend")"),
-              AllOf(HasSubstr("unknown kind of casters 'blend'"), HasSubstr("did you mean 'blended'?")));
+              HasSubstrs("unknown kind of casters 'blend'", "did you mean 'blended'?"));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster", "casters": "blended")"),
               HasSubstr("unknown key"));
 }
@@ -189,22 +179,21 @@ TEST_F(CasterGraph, AStencilIsTestedAfterWhatChangesItAndThatAfterItsDepth) {
   EXPECT_EQ(graph.passes[1].casters, DrawnCasters::volumes);
   EXPECT_EQ(graph.passes[1].stencil, "depth");
   EXPECT_TRUE(graph.draws(DrawnCasters::volumes) && graph.draws_casters() && graph.needs_camera());
-  EXPECT_THAT(techniques_json(volumes),
-              AllOf(HasSubstr("\"casters\":\"volumes\""), HasSubstr("\"stencil\":\"depth\"")));
+  EXPECT_THAT(techniques_json(volumes), HasSubstrs("\"casters\":\"volumes\"", "\"stencil\":\"depth\""));
   EXPECT_EQ(graph_rows(volumes), "") << "the feature draws no such passes";
 }
 
 TEST_F(CasterGraph, AStencilHasAFormatASizeAndADepth) {
   EXPECT_THAT(problem(kVolumes, "depth32s8", "depth32"),
-              AllOf(HasSubstr("as its stencil, of format depth32"), HasSubstr("give it depth32s8")));
+              HasSubstrs("as its stencil, of format depth32", "give it depth32s8"));
   EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})", R"("shader": "L.shader"})"),
-              AllOf(HasSubstr("'Count' writes nothing")));
+              HasSubstr("'Count' writes nothing"));
   EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})",
                       R"("shader": "L.shader", "depth": "depth"})"),
-              AllOf(HasSubstr("'Count' draws shadow volumes without a stencil to count in")));
+              HasSubstr("'Count' draws shadow volumes without a stencil to count in"));
   EXPECT_THAT(problem(kVolumes, R"("shader": "L.shader", "stencil": "depth"})",
                       R"("shader": "L.shader", "depth": "depth", "stencil": "depth"})"),
-              AllOf(HasSubstr("'Count' has a depth and a stencil"), HasSubstr("leave out \"depth\"")));
+              HasSubstrs("'Count' has a depth and a stencil", "leave out \"depth\""));
   EXPECT_THAT(problem(kVolumes, R"("stencil": "depth"})", R"("stencil": "dpth"})"),
               HasSubstr("there is no texture 'dpth'"));
   EXPECT_THAT(problem(kVolumes, R"("depth": "depth"})", R"("stencil": "depth"})"),
@@ -226,7 +215,7 @@ TEST_F(CasterGraph, HasNoKeysOfOtherPasses) {
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster")"),
               HasSubstr("unknown key 'depth'"));
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "castors")"),
-              AllOf(HasSubstr("unknown kind of pass 'castors'"), HasSubstr("did you mean 'casters'?")));
+              HasSubstrs("unknown kind of pass 'castors'", "did you mean 'casters'?"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Manifests become comments, names and texts of C# and HLSL: no text of one can end the line that it is
 // written into.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "input/text_line.h"
 #include "shaders/shader_files.h"
 #include "techniques/csharp_literal.h"
@@ -81,12 +80,7 @@ std::vector<std::string> with(const std::string& character, const Json& manifest
 }
 
 std::string problem_of(const fs::path& manifest) {
-  try {
-    (void)read_technique_list(manifest);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return input_error_of([&] { (void)read_technique_list(manifest); });
 }
 
 class EmittedLines : public testing::Test {
@@ -102,7 +96,7 @@ class EmittedLines : public testing::Test {
 
 TEST_F(EmittedLines, NoTextAndNoKeyOfAManifestLeavesItsLine) {
   const Json manifest = Json::parse(file_text(added_ / "Means.technique.json"));
-  ASSERT_EQ(problem_of(files_.path("Means.technique.json")), "none");
+  ASSERT_EQ(problem_of(files_.path("Means.technique.json")), "no error");
   const auto expect_refused = [&](const std::string& text) {
     const fs::path file = files_.write("Changed.technique.json", text);
     ASSERT_THAT(problem_of(file),

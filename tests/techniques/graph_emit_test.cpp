@@ -2,11 +2,10 @@
 #include "techniques/graph_emit.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "shaders/shader_files.h"
 
 namespace penumbra::techniques {
@@ -34,12 +33,7 @@ class GraphEmitTest : public testing::Test {
   }
 
   std::string problem(const std::string& graphs) const {
-    try {
-      (void)emitted(graphs);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return input_error_of([&] { (void)emitted(graphs); });
   }
 
   shaders::ShaderFiles files_;
@@ -61,14 +55,9 @@ TEST_F(GraphEmitTest, GraphsOfOneNameAreRefused) {
     files_.write("ShaderLibrary/" + name + ".technique.json",
                  "{\"graphs\": [" + graph("first") + R"(], "techniques": [{"name": ")" + name +
                      R"(", "title": "T", "family": "t", "source": "s", "graph": "first"}]})");
-  try {
-    (void)graph_rows(read_technique_list(files_.path("")));
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                AllOf(HasSubstr("b.technique.json:1:"), HasSubstr("'first' is the name of another"),
-                      HasSubstr("a.technique.json:1:")));
-  }
+  expect_input_error(
+      [&] { (void)graph_rows(read_technique_list(files_.path(""))); },
+      HasSubstrs("b.technique.json:1:", "'first' is the name of another", "a.technique.json:1:"));
 }
 
 TEST_F(GraphEmitTest, AHistoryNamesWhatItIsOf) {

@@ -2,11 +2,10 @@
 #include "techniques/single_file.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <set>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "platform/data_directory.h"
 #include "shaders/shader_files.h"
 #include "techniques/technique_call.h"
@@ -98,7 +97,7 @@ TEST(SingleFile, HasTheLicencesOfWhatIsInIt) {
   EXPECT_THAT(text_of("godot-pcss-8"),
               AllOf(HasSubstr("Godot Engine contributors"), Not(HasSubstr("Apache"))));
   EXPECT_THAT(text_of("filament-pcss-16-16"),
-              AllOf(HasSubstr("The Android Open Source Project"), HasSubstr("END OF TERMS AND CONDITIONS")));
+              HasSubstrs("The Android Open Source Project", "END OF TERMS AND CONDITIONS"));
 }
 
 // The harness that measures a copy includes files of the library, too.
@@ -121,12 +120,7 @@ class OwnSingleFile : public testing::Test {
   }
 
   std::string refusal(const std::string& hlsl) const {
-    try {
-      (void)text(hlsl);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return input_error_of([&] { (void)text(hlsl); });
   }
 
   shaders::ShaderFiles files_;
@@ -158,9 +152,9 @@ TEST_F(OwnSingleFile, IncludesOfOtherPackagesStay) {
 TEST_F(OwnSingleFile, WhatCannotBePastedIsRefusedAtItsLine) {
   files_.write("A.hlsl", "float a;\n");
   EXPECT_THAT(refusal("\n#if defined(X)\n#include \"A.hlsl\"\n#endif\n"),
-              AllOf(HasSubstr("Own.hlsl:3: "), HasSubstr("in a condition")));
+              HasSubstrs("Own.hlsl:3: ", "in a condition"));
   EXPECT_THAT(refusal("#include \"None.hlsl\"\n"), HasSubstr("Own.hlsl:1: "));
-  EXPECT_THAT(refusal("#include NAME\n"), AllOf(HasSubstr("Own.hlsl:1: "), HasSubstr("of a macro")));
+  EXPECT_THAT(refusal("#include NAME\n"), HasSubstrs("Own.hlsl:1: ", "of a macro"));
   const TechniqueList list = read_own_techniques();
   EXPECT_THROW((void)single_file(list, list.find("cell-pcss"), "1.2.3"), InputError);
 }

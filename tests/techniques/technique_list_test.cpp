@@ -1,11 +1,10 @@
 #include "techniques/technique_list.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <map>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "processor_time.h"
 #include "sanitized.h"
 #include "shaders/shader_files.h"
@@ -52,12 +51,7 @@ class TechniqueListTest : public testing::Test {
     return text.replace(at, from.size(), to);
   }
   std::string refusal_of(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { read(text); });
   }
   std::string problem(const std::string& from, const std::string& to) const {
     return refusal_of(with(from, to));
@@ -106,7 +100,7 @@ TEST_F(TechniqueListTest, ATechniqueSaysWhichLightsItIsFor) {
   EXPECT_TRUE(both.is_for(LightKind::directional));
   EXPECT_FALSE(read(good).techniques[0].is_for(LightKind::spot));
   EXPECT_THAT(problem(R"("values")", R"("lights": ["spots"], "values")"),
-              AllOf(HasSubstr("unknown kind of light 'spots'"), HasSubstr("did you mean 'spot'?")));
+              HasSubstrs("unknown kind of light 'spots'", "did you mean 'spot'?"));
   EXPECT_THAT(problem(R"("values")", R"("lights": [], "values")"), HasSubstr("'lights' is empty"));
   EXPECT_THAT(
       problem(R"("values")", R"("lights": ["spot"], "cascades": [{"from": 1, "values": {"taps": 1}}],
@@ -201,17 +195,15 @@ TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
 
 TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndARemedy) {
   EXPECT_THAT(problem("\"family\"", "\"famly\""),
-              AllOf(HasSubstr("box.technique.json:8:"), HasSubstr("unknown key 'famly'"),
-                    HasSubstr("did you mean 'family'?")));
+              HasSubstrs("box.technique.json:8:", "unknown key 'famly'", "did you mean 'family'?"));
   EXPECT_THAT(problem(R"("family": "box", )", ""),
-              AllOf(HasSubstr("box.technique.json:8:"), HasSubstr("'family' is missing"),
-                    HasSubstr("give it here or in \"defaults\"")));
+              HasSubstrs("box.technique.json:8:", "'family' is missing", "give it here or in \"defaults\""));
   EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
-              AllOf(HasSubstr("box.technique.json:13:35: "), HasSubstr("unknown key 'targets_absnt'"),
-                    HasSubstr("did you mean 'targets_absent'?")));
-  EXPECT_THAT(problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
-              AllOf(HasSubstr("box.technique.json:10:"), HasSubstr("unknown struct 'BoxParameter'"),
-                    HasSubstr("did you mean 'BoxParameters'?")));
+              HasSubstrs("box.technique.json:13:35: ", "unknown key 'targets_absnt'",
+                         "did you mean 'targets_absent'?"));
+  EXPECT_THAT(
+      problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
+      HasSubstrs("box.technique.json:10:", "unknown struct 'BoxParameter'", "did you mean 'BoxParameters'?"));
   EXPECT_THAT(problem("\"taps\": 3", "\"tap\": 3"), HasSubstr("no value for 'taps' of 'box-3'"));
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 3, \"radius\": 1"), HasSubstr("unknown key 'radius'"));
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
@@ -221,8 +213,8 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndARemedy) {
   EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
-  EXPECT_THAT(problem("Box.hlsl", "/etc/passwd"), AllOf(HasSubstr("'/etc/passwd' lies outside of"),
-                                                        HasSubstr("keep a technique's files in the folder")));
+  EXPECT_THAT(problem("Box.hlsl", "/etc/passwd"),
+              HasSubstrs("'/etc/passwd' lies outside of", "keep a technique's files in the folder"));
   EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""),
               HasSubstr("'pointSamplr' is no argument of a filter"));
   EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));
@@ -250,7 +242,7 @@ TEST_F(TechniqueListTest, WhatIsEmittedIsPlainText) {
   EXPECT_THAT(problem("\"filter\"", "\"graph\": \"g\", \"filter\""),
               HasSubstr("has both a graph and a filter"));
   EXPECT_THAT(refusal_of(R"({"techniques": [{"name": "a", "title": "A", "family": "f", "source": "s"}]})"),
-              AllOf(HasSubstr("box.technique.json:1:"), HasSubstr("'a' has neither a filter nor a graph")));
+              HasSubstrs("box.technique.json:1:", "'a' has neither a filter nor a graph"));
 }
 
 TEST_F(TechniqueListTest, AManifestIsNamedFromItsOwnFolder) {
@@ -267,7 +259,7 @@ TEST_F(TechniqueListTest, NamesMayNotRepeat) {
   const std::size_t end = text.find("  ]\n}", start);
   const std::string technique = text.substr(start, end - start);
   EXPECT_THAT(refusal_of(text.insert(end, "," + technique)),
-              AllOf(HasSubstr("two techniques 'box-3'"), HasSubstr("the other one is at ")));
+              HasSubstrs("two techniques 'box-3'", "the other one is at "));
 }
 
 // The text of a manifest of so many techniques, after one that has a graph of some passes.
@@ -294,9 +286,8 @@ TEST_F(TechniqueListTest, ManyTechniquesAreReadInSecondsAndVeryManyAreRefused) {
     const TechniqueList list = read(techniques_of_one_graph(3000 / sanitizer_reduction));
     EXPECT_EQ(list.techniques.size(), 3000U / sanitizer_reduction);
     EXPECT_EQ(list.techniques.back().graph.passes.size(), 9U);
-    EXPECT_THAT(
-        refusal_of(techniques_of_one_graph(100'000)),
-        AllOf(HasSubstr("box.technique.json:"), HasSubstr("there are 100000 techniques, and at most 4096")));
+    EXPECT_THAT(refusal_of(techniques_of_one_graph(100'000)),
+                HasSubstrs("box.technique.json:", "there are 100000 techniques, and at most 4096"));
   });
   EXPECT_LT(seconds, 5.0) << "what grows with the square takes minutes";
   EXPECT_THAT(refusal_of(techniques_of_one_graph(4000)),
@@ -310,7 +301,7 @@ TEST_F(TechniqueListTest, EveryListOfAManifestIsLimited) {
     return text;
   };
   const auto refuse = [&](const std::string& from, const std::string& to, const std::string& says) {
-    EXPECT_THAT(problem(from, to), AllOf(HasSubstr("box.technique.json:"), HasSubstr(says)));
+    EXPECT_THAT(problem(from, to), HasSubstrs("box.technique.json:", says));
   };
   refuse(R"(["_WIDE"])", "[" + repeated(65, R"("_A")") + "]", "there are 65 keywords");
   refuse(R"([[], ["UNITY_REVERSED_Z"]])", "[" + repeated(65, "[]") + "]", "there are 65 sets of keywords");
@@ -371,12 +362,7 @@ class AdditionTest : public TechniqueListTest {
     return read_technique_list(files_.write("package/tests/Study.technique.json", text));
   }
   std::string refusal_of_addition(const std::string& text) const {
-    try {
-      added(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { added(text); });
   }
   static std::string like_box(const std::string& more) {
     return R"({"order": 3, "library": "..", "techniques": [{"name": "a", "title": "A", "like": "box")" +
@@ -436,38 +422,31 @@ TEST_F(AdditionTest, WrongOnesAreNamedWithTheirPlaceAndARemedy) {
   const std::string place = "Study.technique.json:2:";
   EXPECT_EQ(refusal_of_addition(with_library("\"..\"")), "no error");
   for (const char* outside : {"\"../..\"", "\"/etc\"", "\"/\""})
-    EXPECT_THAT(
-        refusal_of_addition(with_library(outside)),
-        AllOf(HasSubstr(place), HasSubstr("lies outside of '"), HasSubstr("name a package in the folder")));
+    EXPECT_THAT(refusal_of_addition(with_library(outside)),
+                HasSubstrs(place, "lies outside of '", "name a package in the folder"));
   for (const char* missing : {"\".\"", "\"../Shaders\"", "\"../gone\"", "\"Study.technique.json\""})
     EXPECT_THAT(refusal_of_addition(with_library(missing)),
-                AllOf(HasSubstr(place), HasSubstr("there is no package in '"),
-                      HasSubstr("name the folder that holds a package.json")));
+                HasSubstrs(place, "there is no package in '", "name the folder that holds a package.json"));
   EXPECT_THAT(refusal_of_addition(with_library("\"\"")), HasSubstr("'library' is empty"));
   EXPECT_THAT(refusal_of_addition(with_library("1")), HasSubstr(place));
   EXPECT_THAT(refusal_of_addition(with_library("\"..\\u000a\"")), HasSubstr("'library' is one line"));
   EXPECT_THAT(refusal_of_addition(like_box(R"(, "after": "box")")), HasSubstr("leave out one of the two"));
   EXPECT_THAT(
       refusal_of_addition(R"({"library": "..", "techniques": [{"name": "a", "title": "A", "like": "bix"}]})"),
-      AllOf(HasSubstr("unknown technique 'bix'"), HasSubstr("did you mean 'box'?")));
+      HasSubstrs("unknown technique 'bix'", "did you mean 'box'?"));
   EXPECT_THAT(refusal_of_addition(
                   R"({"library": "..", "techniques": [{"name": "box", "title": "A", "like": "box"}]})"),
-              AllOf(HasSubstr("two techniques 'box'"), HasSubstr("the other one is at ")));
+              HasSubstrs("two techniques 'box'", "the other one is at "));
   EXPECT_THAT(refusal_of_addition(R"({"library": "..", "graphs": [{"name": "blur"}]})"),
-              AllOf(HasSubstr("two graphs 'blur'"), HasSubstr("choose another name")));
+              HasSubstrs("two graphs 'blur'", "choose another name"));
 }
 
 TEST_F(AdditionTest, APackageIsNotItsOwnLibrary) {
   const std::filesystem::path own = files_.write("package/Shaders/Own.technique.json", like_box(""));
   for (const std::filesystem::path& given : {own, files_.path("package/tests/Study.technique.json")}) {
     files_.write("package/tests/Study.technique.json", like_box(""));
-    try {
-      read_technique_list(given);
-      ADD_FAILURE() << given;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), AllOf(HasSubstr("Own.technique.json:1:"), HasSubstr("has no library itself"),
-                                      HasSubstr("know each other")));
-    }
+    expect_input_error([&] { read_technique_list(given); },
+                       HasSubstrs("Own.technique.json:1:", "has no library itself", "know each other"));
   }
 }
 
@@ -531,12 +510,7 @@ TEST_F(TechniqueListTest, EmptyListsAndOtherJsonAreRefused) {
 
 TEST_F(TechniqueListTest, UnknownTechniqueNamesTheNearest) {
   const TechniqueList list = read(good);
-  try {
-    (void)list.find("bax-3");
-    FAIL() << "found";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("did you mean 'box-3'?"));
-  }
+  expect_input_error([&] { (void)list.find("bax-3"); }, HasSubstr("did you mean 'box-3'?"));
 }
 
 TEST_F(TechniqueListTest, CallPassesArgumentsThenReceiverTileAndParameters) {
@@ -605,21 +579,20 @@ TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {
   const std::string line = "box.technique.json:13:";
   for (const char* from : {"0", "4", "-1"})
     EXPECT_THAT(problem_of("[{\"from\": " + std::string(from) + ", \"values\": {\"taps\": 5}}]"),
-                AllOf(HasSubstr(line), HasSubstr("'from' must be a whole number from 1 to 3, not ")));
+                HasSubstrs(line, "'from' must be a whole number from 1 to 3, not "));
   EXPECT_THAT(problem_of(R"([{"from": 2, "technique": "plain"}, {"from": 2, "technique": "plain"}])"),
-              AllOf(HasSubstr(line), HasSubstr("rules come in rising order")));
-  EXPECT_THAT(problem_of(R"([{"from": 1}])"), AllOf(HasSubstr(line), HasSubstr("the rule changes nothing")));
+              HasSubstrs(line, "rules come in rising order"));
+  EXPECT_THAT(problem_of(R"([{"from": 1}])"), HasSubstrs(line, "the rule changes nothing"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plane"}])"),
-              AllOf(HasSubstr(line), HasSubstr("unknown technique 'plane'"), HasSubstr("'plain'")));
+              HasSubstrs(line, "unknown technique 'plane'", "'plain'"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "mixed"}])"), HasSubstr("unknown technique 'mixed'"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "wide"}])"),
-              AllOf(HasSubstr(line), HasSubstr("'wide' is compiled with other keywords than 'mixed'")));
+              HasSubstrs(line, "'wide' is compiled with other keywords than 'mixed'"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 10}}])"),
-              AllOf(HasSubstr(line), HasSubstr("'taps' is a whole number from 1 to 9, not 10")));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"tops": 1}}])"),
-              AllOf(HasSubstr(line), HasSubstr("tops")));
+              HasSubstrs(line, "'taps' is a whole number from 1 to 9, not 10"));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"tops": 1}}])"), HasSubstrs(line, "tops"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plain", "values": {"taps": 1}}])"),
-              AllOf(HasSubstr(line), HasSubstr("taps")));
+              HasSubstrs(line, "taps"));
   EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 5}, "filter": "x"}])"), HasSubstr("filter"));
 }
 

@@ -1,12 +1,11 @@
 #include "techniques/technique_values.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 
 namespace penumbra::techniques {
 namespace {
@@ -44,12 +43,7 @@ TechniqueList made_up() {
 
 std::string problem(const std::string& technique, const std::string& parameter, double value) {
   const TechniqueList list = made_up();
-  try {
-    with_value(list, list.find(technique), parameter, value);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { with_value(list, list.find(technique), parameter, value); });
 }
 
 TEST(TechniqueValues, OneValueIsReplacedAndNoOther) {
@@ -63,20 +57,18 @@ TEST(TechniqueValues, OneValueIsReplacedAndNoOther) {
 }
 
 TEST(TechniqueValues, AnUnknownParameterNamesTheNearestAndAll) {
-  EXPECT_THAT(problem("soft", "blockerSample", 4.0),
-              AllOf(HasSubstr("technique 'soft' has no parameter 'blockerSample'"),
-                    HasSubstr("did you mean 'blockerSamples'?"),
-                    HasSubstr("its parameters are: reach, blockerSamples, clump, stretch")));
+  EXPECT_THAT(
+      problem("soft", "blockerSample", 4.0),
+      HasSubstrs("technique 'soft' has no parameter 'blockerSample'", "did you mean 'blockerSamples'?",
+                 "its parameters are: reach, blockerSamples, clump, stretch"));
   EXPECT_THAT(problem("soft", "x", 4.0), AllOf(HasSubstr("reach"), Not(HasSubstr("did you mean"))));
-  EXPECT_THAT(problem("bare", "blockerSamples", 4.0),
-              AllOf(HasSubstr("technique 'bare'"), HasSubstr("it has no parameters")));
+  EXPECT_THAT(problem("bare", "blockerSamples", 4.0), HasSubstrs("technique 'bare'", "it has no parameters"));
 }
 
 TEST(TechniqueValues, ValuesOutOfRangeNameIt) {
   for (const double value : {0.0, 65.0, -1.0, 1.5}) {
     EXPECT_THAT(problem("soft", "blockerSamples", value),
-                AllOf(HasSubstr("technique 'soft'"),
-                      HasSubstr("'blockerSamples' is a whole number from 1 to 64, not ")));
+                HasSubstrs("technique 'soft'", "'blockerSamples' is a whole number from 1 to 64, not "));
   }
   EXPECT_EQ(problem("soft", "blockerSamples", 1.0), "no error");
   EXPECT_EQ(problem("soft", "blockerSamples", 64.0), "no error");

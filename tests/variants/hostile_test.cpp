@@ -1,8 +1,5 @@
 // Sends texts that want to crash, hang or multiply: an answer comes, and soon.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <random>
 
 #include "input/input_error.h"
 #include "processor_time.h"
@@ -15,53 +12,6 @@ namespace penumbra::variants {
 namespace {
 
 using hlsl::Stage;
-
-const std::string healthy =
-    "#ifndef GUARD\n#define GUARD\n#pragma vertex V\n#pragma fragment F /* stages */\n#pragma target 4.5 K\n"
-    "#pragma multi_compile _ A B \\\n  C\n#pragma shader_feature_local_fragment _D\n#pragma "
-    "multi_compile_fwdbase\n"
-    "#pragma dynamic_branch E\n#if defined(GUARD) && (UNITY_VERSION >= 202230 || !X)\n"
-    "#include_with_pragmas \"other.hlsl\"\n#elif X\n#pragma skip_variants A\n#else\n#endif\n"
-    "#pragma require integers : A\n#pragma instancing_options procedural:P\n#pragma "
-    "multi_compile_instancing\n"
-    "#pragma kernel K X=1\nfloat4 F() : SV_Target { return 0; } // end\n#endif\n";
-
-class Mutation {
- public:
-  explicit Mutation(unsigned seed) : random_(seed) {}
-
-  std::string of(std::string text) {
-    for (int i = 1 + below(6); i > 0 && !text.empty(); --i) {
-      const std::size_t at = position(text);
-      const std::size_t length = 1 + position(text) / 4;
-      const std::string piece = text.substr(at, length);
-      switch (below(5)) {
-        case 0:
-          text[at] = static_cast<char>(below(256));
-          break;
-        case 1:
-          text.erase(at, length);
-          break;
-        case 2:
-          text.insert(position(text), piece);
-          break;
-        case 3:
-          text.insert(at, 1, "#\\\"/*(\n\r \0"[below(10)]);
-          break;
-        default:
-          text.resize(at);
-      }
-    }
-    return text;
-  }
-
- private:
-  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(random_); }
-  std::size_t position(const std::string& text) {
-    return static_cast<std::size_t>(below(std::max(1, static_cast<int>(text.size()))));
-  }
-  std::mt19937 random_;
-};
 
 // Asks everything of a program: its counts, its first and its last variant.
 void use(const Pragmas& pragmas) {
@@ -77,20 +27,6 @@ void use(const Pragmas& pragmas) {
     }
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("65536"), std::string::npos) << error.what();
-  }
-}
-
-TEST(Hostile, MutatedProgramsGiveAnAnswer) {
-  for (unsigned seed = 0; seed < 10000 / sanitizer_reduction; ++seed) {
-    Mutation mutation(seed);
-    const std::string other = mutation.of(healthy);
-    const Pragmas pragmas = pragmas_of(mutation.of(healthy), {{"other.hlsl", other}});
-    for (const hlsl::Diagnostic& diagnostic : pragmas.diagnostics) {
-      EXPECT_FALSE(diagnostic.message.empty());
-      EXPECT_GE(diagnostic.line, 1);
-      EXPECT_GE(diagnostic.column, 1);
-    }
-    use(pragmas);
   }
 }
 

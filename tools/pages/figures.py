@@ -33,6 +33,28 @@ def read_json(path):
     return json.loads(path.read_text())
 
 
+def holds_objects(value):
+    """Whether a list of objects is somewhere in it."""
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return (isinstance(value, list) and any(isinstance(each, dict) for each in value)) or any(map(holds_objects, inner))
+
+
+def json_text(value, indent=""):
+    """JSON with each object on a line of its own; one that holds lists of objects has a line for each of its keys."""
+    if not holds_objects(value):
+        return json.dumps(value)
+    deeper = indent + "  "
+    keyed = isinstance(value, dict)
+    lines = [f"{json.dumps(key)}: {json_text(each, deeper)}" for key, each in value.items()] if keyed else [
+        json_text(each, deeper) for each in value]
+    opened, closed = "{}" if keyed else "[]"
+    return opened + ",".join(f"\n{deeper}{line}" for line in lines) + f"\n{indent}{closed}"
+
+
+def write_json(path, value):
+    path.write_text(json_text(value) + "\n")
+
+
 def figure(value, digits, scale=1.0):
     return "-" if value is None else f"{scale * value:.{digits}f}"
 

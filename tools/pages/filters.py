@@ -1,10 +1,9 @@
 """The table of 16-bit arithmetic in Documentation~/filters.md."""
-import json
 import math
 import re
 from pathlib import Path
 
-from figures import DOCUMENTATION, ROOT, read_json
+from figures import DOCUMENTATION, ROOT, read_json, write_json
 from markdown import Problem, table
 
 HALF = ROOT / "tests" / "ShaderLibrary" / "half_precision.json"
@@ -45,7 +44,7 @@ def half_precision(results):
 
 def take_half(file):
     """FILE is the output of penumbra_ShaderLibrary_tests."""
-    HALF.write_text(json.dumps(figures_of_half(Path(file).read_text()), indent=2) + "\n")
+    write_json(HALF, figures_of_half(Path(file).read_text()))
 
 
 TAKES = {"half": take_half}

@@ -4,11 +4,9 @@ import math
 import subprocess
 from pathlib import Path
 
-from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, distinct, figure, groups,
-                     interval_of,
+from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, distinct, figure, groups, interval_of,
                      light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes,
-                     techniques_by_light,
-                     with_interval)
+                     techniques_by_light, with_interval, write_json)
 from markdown import Problem, table
 
 PAGE = DOCUMENTATION / "presets.md"
@@ -147,7 +145,7 @@ def take_receivers(urp):
                               for key in ("shader", "pass", "stages")}  # without this machine's folders
                              for program in json.loads(run.stdout)["programs"]]
     version = read_json(Path(urp) / URP / "package.json")["version"]
-    RECEIVERS.write_text(json.dumps({"urp": version, "condition": CONDITION, "projects": projects}, indent=1) + "\n")
+    write_json(RECEIVERS, {"urp": version, "condition": CONDITION, "projects": projects})
 
 
 def player_programs(counts):

@@ -1,9 +1,8 @@
 """Tables of docs/validating.md: the corpus of published shaders, speed, random programs."""
-import json
 import re
 from pathlib import Path
 
-from figures import DOCS, ROOT, read_json
+from figures import DOCS, ROOT, read_json, write_json
 from markdown import Problem, table
 
 PAGE = DOCS / "validating.md"
@@ -168,12 +167,12 @@ def random_programs(results):
 
 def take_speed(file):
     """FILE is what penumbra_validation_benchmark has written with --benchmark_out=FILE."""
-    SPEED.write_text(json.dumps(figures_of_speed(read_json(Path(file))), indent=2) + "\n")
+    write_json(SPEED, figures_of_speed(read_json(Path(file))))
 
 
 def take_programs(file):
     """FILE is the output of penumbra_programs_tests."""
-    PROGRAMS.write_text(json.dumps(figures_of_programs(Path(file).read_text()), indent=2) + "\n")
+    write_json(PROGRAMS, figures_of_programs(Path(file).read_text()))
 
 
 TAKES = {"speed": take_speed, "programs": take_programs}
