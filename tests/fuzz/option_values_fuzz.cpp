@@ -1,14 +1,14 @@
 // Reads values of options, versions, patterns and names.
 #include "cli/option_text.h"
 #include "project/editor_includes.h"
-#include "project/editor_version.h"
 #include "project/include_search.h"
 #include "project/package_version.h"
-#include "project/path_pattern.h"
+#include "project/shader_files.h"
+#include "project/unity_project.h"
 
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "variants/keyword_expression.h"
+#include "variants/narrowing.h"
 
 namespace penumbra::fuzz {
 

@@ -12,7 +12,7 @@
 #include "fuzz/targets.h"
 #include "hlsl/source_text.h"
 #include "preparation/bare_source.h"
-#include "preparation/macro_own_names.h"
+#include "preparation/macro_arguments.h"
 #include "preparation/source_directives.h"
 #include "preprocessing/preprocessor.h"
 

@@ -2,7 +2,7 @@
 // is.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "project/package_versions.h"
+#include "project/package_version.h"
 #include "project/unity_project.h"
 
 namespace penumbra::fuzz {

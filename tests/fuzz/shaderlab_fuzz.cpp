@@ -5,7 +5,6 @@
 #include "shaderlab/compute.h"
 #include "shaderlab/parse.h"
 #include "shaderlab/programs.h"
-#include "shaderlab/use_pass.h"
 #include "variants/pragmas.h"
 
 namespace penumbra::fuzz {
@@ -31,13 +30,6 @@ void read_programs(const shaderlab::Shader& shader) {
     shaderlab::effective_tag(program, "LightMode");
     variants::read_pragmas({program.file, program.text, {}, {}});
   }
-  for (const shaderlab::SubShader& sub_shader : shader.sub_shaders)
-    for (const shaderlab::Pass& pass : sub_shader.passes)
-      if (pass.kind == shaderlab::Pass::Kind::use_pass) {
-        const shaderlab::FoundPass found = shaderlab::resolve_use_pass(shader, pass, {&shader});
-        require((found.pass == nullptr) == found.diagnostic.has_value(),
-                "a pass is found, or a message says why not");
-      }
 }
 
 }  // namespace

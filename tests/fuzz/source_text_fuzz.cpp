@@ -4,7 +4,6 @@
 #include "fuzz/targets.h"
 #include "hlsl/source_text.h"
 #include "preparation/bare_source.h"
-#include "preparation/include_guard.h"
 #include "preparation/macro_arguments.h"
 #include "preparation/source_directives.h"
 

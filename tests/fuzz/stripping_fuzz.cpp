@@ -1,7 +1,7 @@
 // Reads stripping files, and the pipeline's assets that Unity writes as text.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "variants/stripping.h"
+#include "variants/narrowing.h"
 #include "variants/urp_settings.h"
 
 namespace penumbra::fuzz {

@@ -1,7 +1,7 @@
 // Reads the list of techniques.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "techniques/graph_emit.h"
+#include "techniques/feature_tables.h"
 #include "techniques/parameter_emit.h"
 #include "techniques/technique_list.h"
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "fxc/at_hand.h"
-#include "fxc/profile.h"
+#include "fxc/fxc.h"
 #include "input/input_error.h"
 #include "platform/worker_pool.h"
 

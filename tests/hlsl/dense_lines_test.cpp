@@ -1,4 +1,4 @@
-#include "hlsl/dense_lines.h"
+#include "hlsl/expanded_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,12 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "preparation/after_pass.h"
-#include "preparation/array_casts.h"
-#include "preparation/matrix_operators.h"
-#include "preparation/missing_returns.h"
-#include "preparation/static_initialisers.h"
-#include "preparation/struct_casts.h"
-#include "preparation/swizzle_arguments.h"
+#include "preparation/passes.h"
 
 namespace penumbra::preparation {
 namespace {

@@ -1,14 +1,8 @@
 // Tests the rewriting of expressions: what is put where, and what is left alone.
 #include <gmock/gmock.h>
 
-#include "preparation/constructor_statements.h"
 #include "preparation/declarators.h"
-#include "preparation/flat_initialisers.h"
-#include "preparation/intrinsic_calls.h"
-#include "preparation/matrix_swizzles.h"
-#include "preparation/namespace_structs.h"
-#include "preparation/partial_texel_writes.h"
-#include "preparation/uniform_writes.h"
+#include "preparation/passes.h"
 
 namespace penumbra::preparation {
 namespace {

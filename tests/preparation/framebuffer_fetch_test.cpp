@@ -1,6 +1,6 @@
 // Tests reads of the pixel that is about to be written: what stands there instead, and what Vulkan, Metal and
 // the others make of it.
-#include "preparation/framebuffer_fetch.h"
+#include "preparation/passes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

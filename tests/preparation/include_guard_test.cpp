@@ -1,4 +1,4 @@
-#include "preparation/include_guard.h"
+#include "preparation/bare_source.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,6 @@
 
 #include <random>
 
-#include "preparation/macro_own_names.h"
 #include "preparation/macro_text.h"
 #include "shaders/compile.h"
 

@@ -1,5 +1,5 @@
 // Overloads that differ in precision alone become one function, and nothing else changes.
-#include "preparation/precision_overloads.h"
+#include "preparation/passes.h"
 
 #include <gmock/gmock.h>
 

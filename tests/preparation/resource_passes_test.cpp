@@ -4,18 +4,9 @@
 #include <algorithm>
 #include <random>
 
-#include "preparation/buffer_aliases.h"
-#include "preparation/cbuffer_resources.h"
 #include "preparation/dx9_functions.h"
-#include "preparation/dx9_samplers.h"
-#include "preparation/matrix_casts.h"
-#include "preparation/member_calls.h"
+#include "preparation/passes.h"
 #include "preparation/prepare.h"
-#include "preparation/register_annotations.h"
-#include "preparation/resource_arrays.h"
-#include "preparation/texture_reads.h"
-#include "preparation/uniform_structs.h"
-#include "preparation/zeroed_resource_structs.h"
 #include "processor_time.h"
 #include "shaders/compile.h"
 

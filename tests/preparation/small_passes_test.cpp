@@ -2,12 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "preparation/after_pass.h"
-#include "preparation/interface_types.h"
-#include "preparation/missing_returns.h"
-#include "preparation/precision_matrices.h"
+#include "preparation/passes.h"
 #include "preparation/prepare.h"
-#include "preparation/stray_semicolons.h"
-#include "preparation/texture_precision.h"
 #include "shaders/compile.h"
 
 namespace penumbra::preparation {

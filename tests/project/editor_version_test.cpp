@@ -1,5 +1,5 @@
 // Compares ProjectVersion.txt's version with the number that Unity gives to shaders.
-#include "project/editor_version.h"
+#include "project/unity_project.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Packages that do not fit each other are said before a compiler trips over them.
-#include "project/package_versions.h"
+#include "project/package_version.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Tests patterns over paths, one meaning at a time, and against a plain recursive reading of the same rules.
-#include "project/path_pattern.h"
+#include "project/shader_files.h"
 
 #include <gtest/gtest.h>
 

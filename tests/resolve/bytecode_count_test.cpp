@@ -10,7 +10,6 @@
 #include "resolve/texel_counter.h"
 #include "shaders/bytecode_module.h"
 #include "shaders/counted_module.h"
-#include "shaders/translation_steps.h"
 
 namespace penumbra::resolve {
 namespace {

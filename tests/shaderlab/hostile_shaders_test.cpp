@@ -10,7 +10,6 @@
 #include "shaderlab/program_lines.h"
 #include "shaderlab/programs.h"
 #include "shaderlab/sample_shaders.h"
-#include "shaderlab/use_pass.h"
 
 namespace penumbra::shaderlab {
 namespace {
@@ -55,12 +54,6 @@ void expect_sound(const std::string& text) {
     expect_places_of_the_file(program, parsed.shader.text);
     EXPECT_NE(program.sub_shader, nullptr);
   }
-  for (const SubShader& sub_shader : parsed.shader.sub_shaders)
-    for (const Pass& pass : sub_shader.passes)
-      if (pass.kind == Pass::Kind::use_pass) {
-        const FoundPass found = resolve_use_pass(parsed.shader, pass, {&parsed.shader});
-        EXPECT_NE(found.pass == nullptr, !found.diagnostic.has_value());
-      }
   for (const Kernel& kernel : compute_kernels(text, "a.compute").kernels)
     EXPECT_FALSE(kernel.function.text.empty());
 }

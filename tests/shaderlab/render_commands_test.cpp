@@ -1,5 +1,5 @@
 // Tests which render state holds for a pass: its own, its SubShader's, its Categories'.
-#include "shaderlab/render_commands.h"
+#include "shaderlab/programs.h"
 
 #include <gmock/gmock.h>
 

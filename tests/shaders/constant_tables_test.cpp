@@ -1,6 +1,6 @@
 // Tables become initialisers only where the variable never holds anything else; all other code stays word for
 // word.
-#include "shaders/constant_tables.h"
+#include "shaders/spirv_module.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Whole numbers that reach a fragment shader are flat wherever they stand, and nothing else becomes so.
-#include "shaders/flat_inputs.h"
+#include "shaders/module_corrections.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A module that reads a texture without saying which one is refused, though SPIRV-Tools finds it valid.
-#include "shaders/lost_resources.h"
+#include "shaders/module_problems.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

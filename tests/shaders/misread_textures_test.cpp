@@ -1,6 +1,6 @@
 // The search for textures that are read as another kind ends, whatever the words;
 // refused/misread_textures.hlsl and taken/textures.hlsl show what it finds.
-#include "shaders/misread_textures.h"
+#include "shaders/module_problems.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // ESSL whose copies of another precision are out of scope is found, and one without them is emitted instead.
-#include "shaders/precision_copies.h"
+#include "shaders/target_corrections.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

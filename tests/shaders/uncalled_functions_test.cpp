@@ -1,5 +1,5 @@
 // Functions without a caller go with what is said of them; all else stays word for word.
-#include "shaders/uncalled_functions.h"
+#include "shaders/spirv_module.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "resolve/test_device.h"
 #include "study/colour_map.h"
 #include "study/study.h"
-#include "techniques/technique_values.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::study {
 namespace {

@@ -1,6 +1,6 @@
 // Tests rules for far cascades where a shader keyword selects the filter: the emitted HLSL and C#, and what
 // both are told.
-#include "techniques/cascade_rules.h"
+#include "techniques/technique_call.h"
 
 #include <gmock/gmock.h>
 
@@ -12,8 +12,8 @@
 #include "input/input_error_matcher.h"
 #include "input/json_lines.h"
 #include "shaders/compile.h"
+#include "techniques/feature_tables.h"
 #include "techniques/parameter_packing.h"
-#include "techniques/selection_emit.h"
 #include "techniques/selection_hlsl.h"
 
 namespace penumbra::techniques {

@@ -4,9 +4,9 @@
 
 #include "input/input_error_matcher.h"
 #include "shaders/shader_files.h"
-#include "techniques/graph_emit.h"
+#include "techniques/feature_tables.h"
+#include "techniques/golden_json.h"
 #include "techniques/pass_graph.h"
-#include "techniques/technique_json.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::techniques {

@@ -11,9 +11,8 @@
 #include "input/input_error_matcher.h"
 #include "input/text_line.h"
 #include "shaders/shader_files.h"
-#include "techniques/csharp_literal.h"
+#include "techniques/emitted_text.h"
 #include "techniques/manifest_reader.h"
-#include "techniques/table_row.h"
 
 namespace penumbra::techniques {
 namespace {

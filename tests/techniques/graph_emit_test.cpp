@@ -1,5 +1,5 @@
 // Tests graphs as rows of the table that the renderer feature reads.
-#include "techniques/graph_emit.h"
+#include "techniques/feature_tables.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "techniques/preset_programs.h"
+#include "techniques/generated_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "techniques/preset_emit.h"
+#include "techniques/settings_emit.h"
 
 namespace penumbra::techniques {
 namespace {

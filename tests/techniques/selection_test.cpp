@@ -6,10 +6,9 @@
 
 #include "input/input_error_matcher.h"
 #include "shaders/shader_files.h"
-#include "techniques/option_emit.h"
-#include "techniques/preset_emit.h"
-#include "techniques/selection_emit.h"
+#include "techniques/feature_tables.h"
 #include "techniques/selection_hlsl.h"
+#include "techniques/settings_emit.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::techniques {

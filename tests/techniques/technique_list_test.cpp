@@ -8,10 +8,9 @@
 #include "processor_time.h"
 #include "sanitized.h"
 #include "shaders/shader_files.h"
-#include "techniques/look_emit.h"
-#include "techniques/preset_emit.h"
+#include "techniques/golden_json.h"
+#include "techniques/settings_emit.h"
 #include "techniques/technique_call.h"
-#include "techniques/technique_json.h"
 
 namespace penumbra::techniques {
 namespace {

@@ -1,4 +1,4 @@
-#include "techniques/technique_values.h"
+#include "techniques/technique_list.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "variants/keyword_expression.h"
+#include "variants/narrowing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@
 #include "platform/data_directory.h"
 #include "platform/terminal.h"
 #include "project/shader_files.h"
-#include "shaders/compiler_version.h"
+#include "shaders/compile.h"
 
 namespace penumbra::cli {
 

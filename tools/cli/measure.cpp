@@ -38,7 +38,7 @@
 #include "study/result_block.h"
 #include "study/study.h"
 #include "study/summary.h"
-#include "techniques/preset_emit.h"
+#include "techniques/settings_emit.h"
 
 namespace penumbra::cli {
 namespace {

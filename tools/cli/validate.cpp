@@ -16,7 +16,7 @@
 #include "input/visible_text.h"
 #include "lint/rule.h"
 #include "platform/data_directory.h"
-#include "project/package_versions.h"
+#include "project/package_version.h"
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
@@ -28,7 +28,6 @@
 #include "validation/validate_techniques.h"
 #include "validation/variant_counts.h"
 #include "validation/variant_name.h"
-#include "variants/keyword_expression.h"
 #include "variants/narrowing.h"
 
 namespace penumbra::cli {

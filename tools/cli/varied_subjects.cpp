@@ -11,7 +11,7 @@
 #include "platform/data_directory.h"
 #include "study/picture_sheet.h"
 #include "study/summary.h"
-#include "techniques/technique_values.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::cli {
 namespace {

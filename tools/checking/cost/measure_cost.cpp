@@ -12,7 +12,7 @@
 #include "input/input_error.h"
 #include "platform/interrupt.h"
 #include "platform/thread_group.h"
-#include "shaders/compiler_version.h"
+#include "shaders/compile.h"
 #include "validation/shader_sources.h"
 #include "validation/source_variants.h"
 #include "validation/spirv_target.h"

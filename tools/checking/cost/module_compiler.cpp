@@ -9,7 +9,6 @@
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
 #include "shaders/compile_message.h"
-#include "shaders/compiler_failure.h"
 #include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
 

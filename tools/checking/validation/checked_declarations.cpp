@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "hlsl/dense_lines.h"
+#include "hlsl/expanded_text.h"
 #include "hlsl/tokens.h"
 #include "platform/content_hash.h"
 

@@ -14,7 +14,7 @@
 #include "platform/cache_store.h"
 #include "platform/interrupt.h"
 #include "platform/terminal.h"
-#include "shaders/compiler_failure.h"
+#include "shaders/compile_message.h"
 #include "validation/answer_unit.h"
 #include "validation/kept_answers.h"
 #include "validation/reproduction.h"

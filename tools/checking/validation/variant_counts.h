@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "validation/shader_sources.h"
-#include "variants/clause.h"
+#include "variants/keyword_set.h"
 #include "variants/plan.h"
 
 namespace penumbra::validation {

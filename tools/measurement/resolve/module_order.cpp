@@ -11,15 +11,10 @@
 #include "resolve/frame_on_device.h"
 #include "shaders/bytecode_module.h"
 #include "shaders/compile_message.h"
-#include "shaders/compiler_failure.h"
 #include "shaders/counted_module.h"
-#include "shaders/discards.h"
-#include "shaders/function_results.h"
+#include "shaders/module_uses.h"
 #include "shaders/pipeline_interface.h"
-#include "shaders/sampler_uses.h"
 #include "shaders/spirv_module.h"
-#include "shaders/texture_kinds.h"
-#include "shaders/translation_steps.h"
 
 namespace penumbra::resolve {
 

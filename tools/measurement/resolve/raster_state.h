@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/raster_pass.h"
-#include "shaderlab/render_commands.h"
+#include "shaderlab/programs.h"
 
 namespace penumbra::resolve {
 

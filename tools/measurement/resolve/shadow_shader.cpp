@@ -14,7 +14,6 @@
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
 #include "project/include_bounds.h"
-#include "techniques/cascade_rules.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/technique_call.h"
 

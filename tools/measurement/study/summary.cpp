@@ -8,7 +8,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "techniques/preset_emit.h"
+#include "techniques/settings_emit.h"
 
 namespace penumbra::study {
 namespace {

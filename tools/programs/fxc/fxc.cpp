@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "input/input_error.h"
 #include "platform/cache_store.h"
@@ -150,6 +147,24 @@ Search search() {
   return {installation, {}};
 }
 
+const char* prefix_of(hlsl::Stage stage) {
+  switch (stage) {
+    case hlsl::Stage::vertex:
+      return "vs_";
+    case hlsl::Stage::hull:
+      return "hs_";
+    case hlsl::Stage::domain:
+      return "ds_";
+    case hlsl::Stage::geometry:
+      return "gs_";
+    case hlsl::Stage::fragment:
+      return "ps_";
+    case hlsl::Stage::compute:
+      break;
+  }
+  return "cs_";
+}
+
 }  // namespace
 
 void choose_fxc(const std::string& location) {
@@ -176,6 +191,12 @@ const Installation& require_fxc() {
 
 std::string name_of(const Installation& installation) {
   return installation.version.empty() ? "FXC" : "FXC " + installation.version;
+}
+
+std::string profile_for(hlsl::Stage stage, int shader_target) {
+  const bool model_5 = stage == hlsl::Stage::compute || stage == hlsl::Stage::hull ||
+                       stage == hlsl::Stage::domain || shader_target >= 45;
+  return std::string(prefix_of(stage)) + (model_5 ? "5_0" : "4_0");
 }
 
 }  // namespace penumbra::fxc

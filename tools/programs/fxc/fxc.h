@@ -3,8 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
+
+#include "hlsl/stage.h"
 
 namespace penumbra::fxc {
 
@@ -42,5 +43,12 @@ const Installation& require_fxc();
 
 // Returns "FXC 10.0.26100.4946", for reports.
 std::string name_of(const Installation& installation);
+
+// The profile that Unity gives FXC.
+//
+// Returns "ps_4_0" and similar. Compute and tessellation are shader model 5.0, and so are all stages of a
+// program with `#pragma target 4.5` or more; others are 4.0. shader_target is ten times the target, and 0 if
+// none was given. Source: Unity Manual, "Targeting shader models and GPU features".
+std::string profile_for(hlsl::Stage stage, int shader_target);
 
 }  // namespace penumbra::fxc

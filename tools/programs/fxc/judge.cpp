@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "input/input_error.h"
 #include "platform/confined_child.h"

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "fxc/fxc.h"
 #include "platform/worker_pool.h"
@@ -16,7 +15,7 @@ namespace penumbra::fxc {
 struct Program {
   std::string text;  // without includes and macros; #line directives and #pragmas may remain
   std::string entry;
-  std::string profile;  // fxc/profile.h
+  std::string profile;  // profile_for()
   bool optimise = true;
 };
 

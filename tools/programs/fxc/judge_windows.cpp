@@ -1,8 +1,6 @@
 // The library is called in this process on Windows, because there are no confined workers.
 #include <d3dcompiler.h>
 
-#include <utility>
-
 #include "fxc/judge.h"
 #include "fxc/worker/unity_types.h"
 #include "input/input_error.h"

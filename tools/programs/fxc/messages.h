@@ -1,9 +1,6 @@
 // FXC's messages, at their places in the files from which its text was expanded.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "gpu/bindings_state.h"
+#include "gpu/pass_state.h"
 
 namespace penumbra::gpu {
 namespace {

@@ -4,12 +4,7 @@
 // resources are kept alive, and can be replaced between runs without rebuilding anything.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <span>
 #include <string>
-#include <type_traits>
 
 #include "gpu/resources.h"
 

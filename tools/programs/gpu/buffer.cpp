@@ -8,11 +8,10 @@ namespace penumbra::gpu {
 Buffer::Buffer(const Device& device, std::size_t bytes) : state_(std::make_shared<BufferState>()) {
   if (bytes == 0) throw std::invalid_argument("a buffer of 0 bytes");
   state_->device = device.state();
-  if (bytes > state_->device->limits.maxStorageBufferRange) {
+  if (bytes > state_->device->limits.maxStorageBufferRange)
     throw EnvironmentError(device.info().name + ": a buffer of " + std::to_string(bytes) +
                            " bytes is too large; the most is " +
                            std::to_string(state_->device->limits.maxStorageBufferRange));
-  }
   guarded(*state_->device, "make a buffer", [this, bytes] {
     state_->allocation = state_->device->make_buffer(
         bytes,
@@ -44,10 +43,9 @@ void Buffer::upload_bytes(std::span<const std::byte> bytes) {
 }
 
 void Buffer::download_bytes(std::span<std::byte> bytes) const {
-  if (bytes.size() != size_bytes()) {
+  if (bytes.size() != size_bytes())
     throw std::invalid_argument("a buffer of " + std::to_string(size_bytes()) +
                                 " bytes is not a whole number of the elements asked for");
-  }
   DeviceState& device = *state_->device;
   guarded(device, "download a buffer", [&] {
     const Allocation& staging = device.staging_of(bytes.size());

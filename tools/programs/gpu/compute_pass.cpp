@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "gpu/compute_state.h"
+#include "gpu/pass_state.h"
 #include "gpu/sequence.h"
 
 namespace penumbra::gpu {

@@ -7,9 +7,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "gpu/bindings.h"

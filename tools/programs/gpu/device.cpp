@@ -113,9 +113,8 @@ Device::Device(const DeviceOptions& options) : state_(std::make_shared<DeviceSta
   MessageLog* log = options.validation ? state_->log.get() : nullptr;
   Candidate chosen = starting_vulkan([this, log, &options] {
     state_->instance = make_instance(state_->context, log);
-    if (log != nullptr) {
+    if (log != nullptr)
       state_->messenger = vk::raii::DebugUtilsMessengerEXT(state_->instance, messenger_of(*log));
-    }
     return choose(candidates_of(state_->instance), options.name);
   });
   state_->physical = std::move(chosen.physical);

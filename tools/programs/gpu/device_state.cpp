@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 
 namespace penumbra::gpu {
 namespace {
@@ -37,9 +36,8 @@ void DeviceState::make_timestamps(std::uint32_t steps) {
 
 std::vector<double> DeviceState::submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
                                         const std::shared_ptr<void>& used, std::uint32_t marked) {
-  if (stuck) {
+  if (stuck)
     throw EnvironmentError(info.name + ": an earlier submission ran out of time; open the device again");
-  }
   using Clock = std::chrono::steady_clock;
   const vk::PipelineStageFlags everything =
       vk::PipelineStageFlagBits::eAllCommands | vk::PipelineStageFlagBits::eHost;
@@ -121,9 +119,8 @@ Allocation DeviceState::make_buffer(std::size_t bytes, vk::BufferUsageFlags usag
   made.buffer = vk::raii::Buffer(device, vk::BufferCreateInfo({}, bytes, usage));
   made.memory = allocate(made.buffer.getMemoryRequirements(), wanted);
   made.buffer.bindMemory(*made.memory, 0);
-  if (wanted & vk::MemoryPropertyFlagBits::eHostVisible) {
+  if (wanted & vk::MemoryPropertyFlagBits::eHostVisible)
     made.mapped = static_cast<std::byte*>(made.memory.mapMemory(0, VK_WHOLE_SIZE));
-  }
   return made;
 }
 

@@ -6,9 +6,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <mutex>
-#include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
 #include "gpu/device.h"

@@ -134,11 +134,10 @@ std::vector<Candidate> candidates_of(const vk::raii::Instance& instance) {
     DeviceInfo info = describe(physical, static_cast<int>(candidates.size()), *family);
     candidates.push_back({std::move(physical), *family, std::move(info)});
   }
-  if (candidates.empty()) {
+  if (candidates.empty())
     throw EnvironmentError(
         "Vulkan has no device with graphics and compute\n  scripts/setup installs the software device "
         "(Debian: mesa-vulkan-drivers)");
-  }
   return candidates;
 }
 
@@ -150,9 +149,8 @@ Candidate choose(std::vector<Candidate> candidates, const std::string& wanted) {
   if (chosen != candidates.end()) return std::move(*chosen);
   if (wanted.empty()) return std::move(candidates.front());
   std::string known;
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : candidates)
     known += "\n  " + std::to_string(candidate.info.index) + ": " + candidate.info.name;
-  }
   throw EnvironmentError("no Vulkan device '" + wanted + "'; there are" + known);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "shaders/constant_tables.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::gpu {

@@ -2,9 +2,6 @@
 // Internal to this folder.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gpu/device_state.h"
 #include "shaders/reflect.h"
 

@@ -32,10 +32,9 @@ constexpr const char* statistics_extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTI
 vk::raii::Device open_device(const Candidate& candidate) {
   const vk::raii::PhysicalDevice& physical = candidate.physical;
   const std::vector<vk::ExtensionProperties> offered = physical.enumerateDeviceExtensionProperties();
-  if (!offers(offered, statistics_extension)) {
+  if (!offers(offered, statistics_extension))
     throw EnvironmentError(candidate.info.name + " (" + candidate.info.driver + "): no " +
                            statistics_extension + " here");
-  }
   std::vector<const char*> extensions{statistics_extension};
   auto features =
       physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDevice16BitStorageFeatures,
@@ -146,9 +145,8 @@ vk::raii::RenderPass make_render_pass(const vk::raii::Device& device,
   };
   for (const StageLocation& output : outputs) {
     if (output.location >= 8) throw std::invalid_argument("a fragment shader writes more than 8 colours");
-    if (colours.size() <= output.location) {
+    if (colours.size() <= output.location)
       colours.resize(output.location + 1, {VK_ATTACHMENT_UNUSED, vk::ImageLayout::eUndefined});
-    }
     colours[output.location] = attach(colour_format(output), vk::ImageLayout::eColorAttachmentOptimal);
   }
   const vk::AttachmentReference depth =

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gpu/raster_state.h"
+#include "gpu/pass_state.h"
 
 namespace penumbra::gpu {
 namespace {
@@ -229,9 +229,8 @@ void check(const RasterTile& tile, const vk::Extent2D& extent) {
   const bool inside = tile.x >= 0 && tile.y >= 0 && tile.width > 0 && tile.height > 0 &&
                       tile.x + tile.width <= int(extent.width) && tile.y + tile.height <= int(extent.height);
   if (!inside) throw std::invalid_argument("a tile outside its targets");
-  if (tile.push_constants.size() > push_constant_bytes || tile.push_constants.size() % 4 != 0) {
+  if (tile.push_constants.size() > push_constant_bytes || tile.push_constants.size() % 4 != 0)
     throw std::invalid_argument("push constants are whole words, at most 128 bytes");
-  }
 }
 
 // No vertex is read beyond its buffer; the caller is responsible for the values of indices.

@@ -3,7 +3,6 @@
 
 #include <compare>
 #include <map>
-#include <vector>
 
 #include "gpu/device_state.h"
 #include "gpu/resources.h"

@@ -2,9 +2,7 @@
 // Internal to this folder.
 #pragma once
 
-#include <map>
 #include <tuple>
-#include <vector>
 
 #include "gpu/resource_state.h"
 

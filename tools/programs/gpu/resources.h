@@ -4,11 +4,7 @@
 // and the float formats.
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <span>
 #include <type_traits>
-#include <vector>
 
 #include "gpu/device.h"
 #include "gpu/format.h"

@@ -2,9 +2,7 @@
 
 #include <stdexcept>
 
-#include "gpu/compute_state.h"
-#include "gpu/raster_state.h"
-#include "gpu/sequence_state.h"
+#include "gpu/pass_state.h"
 
 namespace penumbra::gpu {
 namespace {
@@ -38,10 +36,9 @@ void Sequence::dispatch(const ComputePass& pass, const Bindings& bindings,
                         std::array<std::uint32_t, 3> groups) {
   const std::shared_ptr<ComputeState> compute = pass.state();
   for (std::size_t axis = 0; axis < groups.size(); ++axis) {
-    if (groups[axis] == 0 || groups[axis] > state_->device->limits.maxComputeWorkGroupCount[axis]) {
+    if (groups[axis] == 0 || groups[axis] > state_->device->limits.maxComputeWorkGroupCount[axis])
       throw std::invalid_argument("a dispatch of " + std::to_string(groups[axis]) + " groups along axis " +
                                   std::to_string(axis));
-    }
   }
   SequenceStep step = step_with(bindings, *compute->interface, vk::PipelineBindPoint::eCompute);
   step.used = compute;

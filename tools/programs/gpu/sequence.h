@@ -8,11 +8,6 @@
 //   std::vector<double> ns = frame.run();
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 #include "gpu/compute_pass.h"
 #include "gpu/raster_pass.h"
 

@@ -1,7 +1,6 @@
 #include "gpu/texel_format.h"
 
 #include <array>
-#include <string>
 
 namespace penumbra::gpu {
 namespace {

@@ -1,8 +1,6 @@
 // The formats of this folder as Vulkan's, as far as a device has them. Internal to this folder.
 #pragma once
 
-#include <optional>
-
 #include "gpu/device_state.h"
 #include "gpu/format.h"
 

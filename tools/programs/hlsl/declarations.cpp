@@ -1,8 +1,6 @@
 #include "hlsl/declarations.h"
 
-#include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "hlsl/name_set.h"
 
@@ -65,9 +63,8 @@ std::string parameter_type(Tokens tokens) {
     if (!is_modifier(tokens[i])) type += std::string(tokens[i].spelling) + " ";
   }
   if (i < tokens.size()) type += tokens[i++].spelling;
-  for (; i + 1 < tokens.size() && is(tokens[i], ":") && is(tokens[i + 1], ":"); i += 3) {
+  for (; i + 1 < tokens.size() && is(tokens[i], ":") && is(tokens[i + 1], ":"); i += 3)
     type += "::" + std::string(i + 2 < tokens.size() ? tokens[i + 2].spelling : "");
-  }
   for (int depth = 0; i < tokens.size() && (depth > 0 || is(tokens[i], "<")); ++i) {
     depth += is(tokens[i], "<") ? 1 : is(tokens[i], ">") ? -1 : 0;
     type += tokens[i].spelling;

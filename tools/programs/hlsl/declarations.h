@@ -6,10 +6,6 @@
 // structs and functions.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "hlsl/tokens.h"
 
 namespace penumbra::hlsl {

@@ -1,7 +1,6 @@
 #include "hlsl/diagnostic.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "input/visible_text.h"

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "hlsl/source_text.h"
 
@@ -34,5 +32,10 @@ std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, 
 
 // Finds an #if without #endif, or the other way round, within one file.
 std::optional<OpenPlace> open_condition(const SourceFiles& sources);
+
+// Returns preprocessed text without its empty lines, with a #line directive only where one is needed: the
+// same code at the same locations gives the same text, whatever was removed between. Each token keeps its
+// file, line and column.
+std::string dense_lines(std::string_view preprocessed);
 
 }  // namespace penumbra::hlsl

@@ -4,10 +4,16 @@
 // letter show that without a comparison.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace penumbra::hlsl {
 
@@ -41,5 +47,17 @@ class NameSet {
 
 template <typename... Words>
 NameSet(Words...) -> NameSet<sizeof...(Words)>;
+
+// Returns the names of a text with spaces between them.
+inline std::vector<std::string> names_in(const char* spaced) {
+  std::istringstream words(spaced);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+// Returns whether a value is one of a few.
+template <typename Value>
+constexpr bool is_one_of(Value value, std::initializer_list<Value> few) {
+  return std::find(few.begin(), few.end(), value) != few.end();
+}
 
 }  // namespace penumbra::hlsl

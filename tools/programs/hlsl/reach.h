@@ -10,11 +10,6 @@
 // it gives the same diagnostics in both.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "hlsl/tokens.h"
 

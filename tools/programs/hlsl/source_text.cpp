@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <system_error>
 #include <utility>
 
+#include "hlsl/identifier.h"
 #include "input/text_file.h"
 
 namespace penumbra::hlsl {
@@ -37,15 +36,11 @@ bool has_printable_name(const std::filesystem::path& file) {
                       [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
 }
 
-bool is_space_or_tab(char c) {
-  return c == ' ' || c == '\t';
-}
-
 // Returns whether `at` is after a '#' that begins its line.
 bool follows_hash(const std::string& text, std::size_t at) {
-  while (at > 0 && is_space_or_tab(text[at - 1])) --at;
+  while (at > 0 && is_blank(text[at - 1])) --at;
   if (at == 0 || text[--at] != '#') return false;
-  while (at > 0 && is_space_or_tab(text[at - 1])) --at;
+  while (at > 0 && is_blank(text[at - 1])) --at;
   return at == 0 || text[at - 1] == '\n';
 }
 
@@ -54,7 +49,7 @@ void blank_line_directives(std::string& text) {
   constexpr std::string_view word = "line";
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
     const char after = at + word.size() < text.size() ? text[at + word.size()] : '\n';
-    if ((!is_space_or_tab(after) && after != '\n') || !follows_hash(text, at)) continue;
+    if ((!is_blank(after) && after != '\n') || !follows_hash(text, at)) continue;
     for (std::size_t i = text.rfind('#', at); i < text.size(); ++i) {
       if (text[i] == '\n' && text[i - 1] != '\\') break;
       if (text[i] != '\n' && text[i] != '\\') text[i] = ' ';

@@ -6,11 +6,6 @@
 // of the macro call.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hlsl/source_text.h"
 #include "hlsl/tokens.h"
 

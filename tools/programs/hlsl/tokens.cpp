@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "hlsl/line_directive.h"
-
 namespace penumbra::hlsl {
 
 namespace {
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_blank(char c) {
+bool is_white_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
@@ -46,7 +41,7 @@ class Lexer {
       ++at_;
       ++line_;
       line_is_empty_ = true;
-    } else if (is_blank(c)) {
+    } else if (is_white_space(c)) {
       ++at_;
     } else if (c == '#' && line_is_empty_) {
       directive();

@@ -1,11 +1,17 @@
-#include "preparation/base_members.h"
+// Struct inheritance, `struct B : A { ... };`. glslang parses the base and ignores it: a member of A is an
+// unknown variable in B. The members and functions of A are copied to the beginning of B, where HLSL also
+// places them, and the base is removed. A function declared in B hides A's function of that name.
+//
+// Where an A is expected, a B is converted by a call of a function that copies the members of A: in a cast,
+// `(A)b`, in a function's argument, and in an initialiser or an assignment, `A a = b;`. The type of the
+// converted expression must be known (value_types.h).
+
+#include "preparation/passes.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "preparation/postfix_expression.h"
 #include "preparation/value_types.h"
@@ -34,18 +40,13 @@ class BaseMembers {
   }
 
  private:
-  const StructType* find(std::string_view type) const {
-    const auto known = types_.structs().find(type);
-    return known == types_.structs().end() ? nullptr : &known->second;
-  }
-
   const hlsl::Declaration& declaration(const StructType& type) const {
     return types_.declarations()[type.declaration];
   }
 
   // The base is a struct that is declared earlier, as the language requires, which rules out cycles.
   const StructType* base_of(const StructType& type) const {
-    const StructType* base = find(type.base);
+    const StructType* base = types_.find_struct(type.base);
     const bool before = base != nullptr && declaration(*base).last < declaration(type).first;
     return before ? base : nullptr;
   }
@@ -53,16 +54,14 @@ class BaseMembers {
   void write_out(const StructType& type) {
     const hlsl::Declaration& own = declaration(type);
     if (base_of(type) == nullptr)
-      return text_.note(own.name + 2, hlsl::Severity::error,
-                        "'" + std::string(type.base) + "' is not a struct declared before '" +
-                            std::string(text_[own.name].spelling) + "', which derives from it");
+      return text_.error(own.name + 2, "'" + std::string(type.base) + "' is not a struct declared before '" +
+                                           text_.name(own.name) + "', which derives from it");
     std::vector<const StructType*> line{&type};  // the derived struct, its base, the base's base
     std::string inherited;
     while (const StructType* base = base_of(*line.back())) {
       if (line.size() > most_bases)
-        return text_.note(own.name, hlsl::Severity::error,
-                          "'" + std::string(text_[own.name].spelling) + "' has more than " +
-                              std::to_string(most_bases) + " levels of base structs");
+        return text_.error(own.name, "'" + text_.name(own.name) + "' has more than " +
+                                         std::to_string(most_bases) + " levels of base structs");
       inherited.insert(0, members(*base, line));
       line.push_back(base);
     }
@@ -77,7 +76,7 @@ class BaseMembers {
     std::size_t at = from.open + 1;
     for (const hlsl::Declaration& function : base.functions) {
       const bool hidden = std::any_of(derived.begin(), derived.end(), [&](const StructType* derived_type) {
-        return has_function(*derived_type, text_[function.name].spelling);
+        return has_function(*derived_type, text_.word(function.name));
       });
       if (!hidden) continue;
       copied += text_.spelled(at, function.first - at) + " ";
@@ -87,20 +86,20 @@ class BaseMembers {
   }
 
   bool has_function(const StructType& type, std::string_view name) const {
-    return std::any_of(type.functions.begin(), type.functions.end(), [&](const hlsl::Declaration& function) {
-      return text_[function.name].spelling == name;
-    });
+    return std::any_of(type.functions.begin(), type.functions.end(),
+                       [&](const hlsl::Declaration& function) { return text_.word(function.name) == name; });
   }
 
   bool inherits(std::string_view derived_type, std::string_view base) const {
-    for (const StructType* type = find(derived_type); type != nullptr; type = base_of(*type))
+    for (const StructType* type = types_.find_struct(derived_type); type != nullptr; type = base_of(*type))
       if (type->base == base) return base_of(*type) != nullptr;
     return false;
   }
 
   // Converts (A)b, A a = b, a = b and f(b), found at the '(', the '=' or the name.
   void convert(std::size_t at) {
-    const bool cast = text_.is(at, "(") && text_.is(at + 2, ")") && find(text_[at + 1].spelling) != nullptr;
+    const bool cast =
+        text_.is(at, "(") && text_.is(at + 2, ")") && types_.find_struct(text_.word(at + 1)) != nullptr;
     if (cast && !text_.is_identifier(at - 1)) return convert_cast(at);
     if (text_.is(at, "=") && assignment_length(text_, at) == 1)
       return convert_value(assigned(at - 1), at + 1);
@@ -119,16 +118,17 @@ class BaseMembers {
     const std::size_t end = postfix_end(text_, at + 3);
     const ValueType& from = types_.at(end - 1);
     if (!text_.is_identifier(at + 3) || types_.begin(end - 1) != at + 3 || from.dimensions > 0) return;
-    if (!inherits(from.name, text_[at + 1].spelling)) return;
-    text_.replace(at, 3, function_name(text_[at + 1].spelling, from.name) + "(");
+    if (!inherits(from.name, text_.word(at + 1))) return;
+    text_.replace(at, 3, function_name(text_.word(at + 1), from.name) + "(");
     text_.insert(end, ")");
   }
 
   void convert_value(const ValueType& wanted, std::size_t first) {
-    if (!text_.is_identifier(first) || find(wanted.name) == nullptr || wanted.dimensions > 0) return;
+    if (!text_.is_identifier(first) || types_.find_struct(wanted.name) == nullptr || wanted.dimensions > 0)
+      return;
     const std::size_t end = postfix_end(text_, first);
     const ValueType& from = types_.at(end - 1);
-    const bool whole = text_.is(end, ";") || text_.is(end, ",") || text_.is(end, ")");
+    const bool whole = text_.is_any(end, ";", ",", ")");
     if (!whole || types_.begin(end - 1) != first || from.dimensions > 0) return;
     if (!inherits(from.name, wanted.name)) return;
     text_.insert(first, function_name(wanted.name, from.name) + "(");
@@ -148,8 +148,7 @@ class BaseMembers {
     std::size_t first = name + 2;
     for (const std::size_t parameter : called->parameters) {
       convert_value(types_.declared()[parameter].type, first);
-      while (first < text_.matching_bracket(name + 1) && !text_.is(first, ","))
-        first = after_brackets(text_, first);
+      while (first < text_.matching_bracket(name + 1) && !text_.is(first, ",")) first = text_.after(first);
       ++first;
     }
   }
@@ -162,13 +161,14 @@ class BaseMembers {
 
   void define(std::string_view to, std::string_view from, const std::string& name) {
     std::string copies;
-    for (const StructType* type = find(to); type != nullptr; type = base_of(*type))
+    for (const StructType* type = types_.find_struct(to); type != nullptr; type = base_of(*type))
       for (const std::size_t member : type->members) {
-        const std::string own(text_[types_.declared()[member].name].spelling);
+        const std::string own = text_.name(types_.declared()[member].name);
         copies.append("to.").append(own).append(" = from.").append(own).append("; ");
       }
     const std::string type(to);
-    const std::size_t behind = std::max(declaration(*find(to)).last, declaration(*find(from)).last);
+    const std::size_t behind =
+        std::max(declaration(*types_.find_struct(to)).last, declaration(*types_.find_struct(from)).last);
     text_.insert(behind + 1, type + " " + name + "(" + std::string(from) + " from) { " + type + " to; " +
                                  copies + "return to; } ");
   }

@@ -1,6 +1,11 @@
-#include "preparation/bool_signs.h"
+// Unary minus of a bool, `-(a > b)` and `-flag`, which is 0 or -1, because the bool is promoted to int
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-operators, unary operators); glslang
+// reports "Expected expression". It becomes `(-1 * (a > b))`.
+//
+// An operand is recognised as a bool by a comparison, && or || within its parentheses, by a !, and by the
+// type of a variable, member or function (value_types.h).
 
-#include <string_view>
+#include "preparation/passes.h"
 
 #include "hlsl/name_set.h"
 #include "preparation/postfix_expression.h"
@@ -29,9 +34,9 @@ class BoolSigns {
   // Returns whether it is a '-' with no operand before it, and no part of --, -= or ->.
   bool is_sign(std::size_t at) const {
     if (!text_.is(at, "-") || text_.is(at + 1, "-") || text_.is(at - 1, "-")) return false;
-    if (text_.is(at - 1, ")") || text_.is(at - 1, "]")) return false;
-    if (text_[at - 1].kind == hlsl::Token::Kind::number) return false;
-    return !text_.is_identifier(at - 1) || text_.is(at - 1, "return") || text_.is(at - 1, "case");
+    if (text_.is_any(at - 1, ")", "]")) return false;
+    if (text_.is_number(at - 1)) return false;
+    return !text_.is_identifier(at - 1) || text_.is_any(at - 1, "return", "case");
   }
 
   std::size_t operand_end(std::size_t first) const {
@@ -46,10 +51,10 @@ class BoolSigns {
 
   bool is_bool(std::size_t first, std::size_t end) const {
     if (text_.is(first, "!")) return true;
-    if (end == first + 1 && (text_.is(first, "true") || text_.is(first, "false"))) return true;
+    if (end == first + 1 && text_.is_any(first, "true", "false")) return true;
     if (text_.is(first, "(") && text_.matching_bracket(first) == end - 1)
       return holds_bool(first + 1, end - 1);
-    if (is_bool_type(text_[first].spelling)) return true;  // bool2(a, b).y
+    if (is_bool_type(text_.word(first))) return true;  // bool2(a, b).y
     const ValueType& type = types_.at(end - 1);
     return types_.begin(end - 1) == first && type.dimensions == 0 && is_bool_type(type.name);
   }
@@ -67,7 +72,7 @@ class BoolSigns {
         at = text_.matching_bracket(at);
         continue;
       }
-      const bool twice = text_.is(at + 1, text_[at].spelling);
+      const bool twice = text_.is(at + 1, text_.word(at));
       const char mark = text_.lead(at);
       if (mark == '?' || mark == ',') return false;
       if (mark == '^' || ((mark == '&' || mark == '|') && !twice)) return false;

@@ -1,13 +1,22 @@
-#include "preparation/buffer_aliases.h"
+// Structured and byte address buffers in a local variable or a member of a struct. In HLSL these are aliases
+// of a buffer that must be known at compile time; glslang cannot assign buffers at all ("could not create
+// assignment", "buffer aliasing not yet supported"), but passes them to functions correctly.
+//
+// Everything that is assigned to such a variable or member is traced, through parameters and other such
+// variables, to the global buffers it comes from. If there is only one, its name replaces every use of the
+// variable or member, and declarations and assignments are removed. If a member is read before the buffer's
+// declaration, the declaration moves before the function that reads it.
+//
+// Limits: in the whole text, a member is an alias of one buffer; if two structs of a type contain different
+// buffers, an error names them and suggests passing the buffer as an argument. Array elements, initialiser
+// lists and buffers that a function returns are not traced.
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
+#include "preparation/passes.h"
 #include "preparation/resource_types.h"
 #include "preparation/value_types.h"
 
@@ -58,7 +67,6 @@ class Aliases {
  private:
   static constexpr std::size_t several = npos - 1;
 
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
   const DeclaredValue& declared(std::size_t index) const { return types_.declared()[index]; }
 
   static bool is_alias(const DeclaredValue& value) {
@@ -82,7 +90,7 @@ class Aliases {
     const std::size_t to = text_.is_identifier(at) ? types_.named(at) : npos;
     if (to == npos || !is_alias(declared(to))) return;
     std::size_t end = at + 2;
-    while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ",")) ++end;
+    while (end < text_.size() && !text_.is_any(end, ";", ",")) ++end;
     const std::size_t from = buffer_at(end - 1);
     if (from == npos || types_.begin(end - 1) != at + 2) return;
     assignments_.push_back({to, from});
@@ -92,7 +100,7 @@ class Aliases {
 
   void find_functions() {
     for (const FunctionType& function : types_.functions())
-      functions_[word(function.name)].push_back(&function);
+      functions_[text_.word(function.name)].push_back(&function);
   }
 
   // A parameter becomes an alias of its argument.
@@ -111,8 +119,8 @@ class Aliases {
       const std::size_t from = buffer_at(at);
       const std::size_t bracket = open.back().bracket;
       if (from == npos || !text_.is(bracket, "(") || bracket == 0) continue;
-      if (!text_.is(at + 1, ",") && !text_.is(at + 1, ")")) continue;
-      const auto callees = functions_.find(word(bracket - 1));
+      if (!text_.is_any(at + 1, ",", ")")) continue;
+      const auto callees = functions_.find(text_.word(bracket - 1));
       if (callees == functions_.end()) continue;
       for (const FunctionType* callee : callees->second) give(*callee, open.back().argument, from);
     }
@@ -163,25 +171,26 @@ class Aliases {
         const std::string which = two == others_.end() ? "several buffers"
                                                        : "'" + name_of(two->second.first) + "' and of '" +
                                                              name_of(two->second.second) + "'";
-        text_.note(value.name, hlsl::Severity::error,
-                   "'" + name_of(index) + "' is an alias of " + which +
-                       " in different places; pass the buffer as a separate argument instead");
+        text_.error(value.name, "'" + name_of(index) + "' is an alias of " + which +
+                                    " in different places; pass the buffer as a separate argument instead");
       } else if (is_resolved(index) && is_hidden(stands_for_[index])) {
-        text_.note(value.name, hlsl::Severity::error,
-                   "'" + name_of(index) + "' is an alias of '" + name_of(stands_for_[index]) +
-                       "', which is also the name of a parameter or local variable; rename that one");
+        text_.error(value.name,
+                    "'" + name_of(index) + "' is an alias of '" + name_of(stands_for_[index]) +
+                        "', which is also the name of a parameter or local variable; rename that one");
       }
     }
   }
 
-  std::string name_of(std::size_t index) const { return std::string(word(declared(index).name)); }
+  std::string name_of(std::size_t index) const { return text_.name(declared(index).name); }
 
-  bool is_hidden(std::size_t buffer) const { return inner_names_.count(word(declared(buffer).name)) != 0; }
+  bool is_hidden(std::size_t buffer) const {
+    return inner_names_.count(text_.word(declared(buffer).name)) != 0;
+  }
 
   void find_inner_names() {
     for (const DeclaredValue& value : types_.declared()) {
       const bool inner = value.place == Place::local || value.place == Place::parameter;
-      if (inner && value.name != npos) inner_names_.insert(word(value.name));
+      if (inner && value.name != npos) inner_names_.insert(text_.word(value.name));
     }
   }
 
@@ -240,10 +249,67 @@ class Aliases {
   std::set<std::size_t> moved_;  // first tokens of statements that were moved before their use
 };
 
+bool is_handle(const ValueType& type) {
+  return is_texture(type.name) || is_sampler(type.name);
+}
+
+void assign_elements(TokenText& text, const DeclaredValue& value) {
+  const std::size_t open = value.end + 1;
+  const std::size_t close = text.matching_bracket(open);
+  const bool alone = value.first != npos && close != npos && text.is(close + 1, ";");
+  if (!text.is(value.end, "=") || !text.is(open, "{") || !alone || value.type.dimensions > 1) return;
+  const std::string name = text.name(value.name);
+  std::string assignments;
+  int index = 0;
+  for (std::size_t first = open + 1; first < close; ++index) {
+    std::size_t end = first;
+    while (end < close && !text.is(end, ",")) {
+      const std::size_t match = text.matching_bracket(end);
+      end = match == npos || match < end ? end + 1 : match + 1;
+    }
+    assignments.append(" ").append(name);
+    if (value.type.dimensions > 0) assignments.append("[").append(std::to_string(index)).append("]");
+    assignments.append(" = ").append(text.spelled(first, end - first)).append(";");
+    first = end + 1;
+  }
+  const bool sized = value.type.dimensions == 0 || !text.is(value.end - 2, "[");
+  text.erase(value.end, close + 1 - value.end);
+  if (!sized) text.insert(value.end - 1, std::to_string(index));
+  text.insert(close + 2, assignments);
+}
+
+// Returns whether `c ? a : b).Load(` stands at the end of b.
+bool reads_a_choice(const TokenText& text, const ValueTypes& types, std::size_t at) {
+  if (!text.is(at + 1, ")") || !text.is(at + 2, ".")) return false;
+  const std::size_t first = types.begin(at);
+  return is_texture(types.at(at).name) && first != npos && first > 0 && text.is(first - 1, ":");
+}
+
 }  // namespace
 
 void resolve_buffer_aliases(TokenText& text) {
   Aliases(text).run();
+}
+
+// Local arrays of textures and samplers with an initialiser list, and single ones with a list: glslang has no
+// constructor for them ("Missing functionality: unknown glslang aggregate", and the elements are never set).
+// The declaration loses its initialiser and is followed by one assignment per element, which is equivalent.
+//
+// glslang 12 crashes on a texture that is selected by ?: and read in the same expression, which no HLSL
+// compiler accepts: that is an error here.
+//
+// Limits: one-dimensional arrays. Static arrays keep their initialiser, which the SPIR-V back end reports.
+void assign_resource_arrays(TokenText& text) {
+  const ValueTypes& types = text.types();
+  for (const DeclaredValue& value : types.declared())
+    if (value.place == DeclaredValue::Place::local && !value.is_static && is_handle(value.type))
+      assign_elements(text, value);
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (reads_a_choice(text, types, at))
+      text.error(at,
+                 "a texture is selected at run time, which HLSL does not allow; read both and select between "
+                 "the results");
+  text.apply();
 }
 
 }  // namespace penumbra::preparation

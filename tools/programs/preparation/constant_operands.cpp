@@ -1,8 +1,14 @@
-#include "preparation/constant_operands.h"
+// Constant operands, for which glslang's constant folding is wrong:
+//
+// - fmod() and % of floats: fmod(-7, 2) is 1 and -7.5 % 2 is -7.5, where HLSL has -1 and -1.5;
+// - < > <= >= of vectors: only the first components are compared;
+// - any(), all() and dot() of numbers other than bools and floats;
+// - comparisons and functions of matrices: out-of-bounds memory is read.
+//
+// One operand is passed through a function that returns it, which prevents folding in glslang; SPIRV-Tools
+// folds the operation later, correctly. Linear time.
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include "preparation/passes.h"
 
 #include "hlsl/declarations.h"
 #include "hlsl/name_set.h"
@@ -50,16 +56,13 @@ class ConstantOperands {
   }
 
  private:
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
   bool adjacent(std::size_t left) const {
-    return left + 1 < text_.size() && word(left).data() + 1 == word(left + 1).data();
+    return left + 1 < text_.size() && text_.word(left).data() + 1 == text_.word(left + 1).data();
   }
 
   bool is_shift(std::size_t at) const {
     const auto twice = [&](std::size_t first) {
-      return (text_.is(first, "<") || text_.is(first, ">")) && text_.lead(first) == text_.lead(first + 1) &&
-             adjacent(first);
+      return text_.is_any(first, "<", ">") && text_.lead(first) == text_.lead(first + 1) && adjacent(first);
     };
     return twice(at) || (at > 0 && twice(at - 1));
   }
@@ -77,8 +80,7 @@ class ConstantOperands {
     if (std::string_view("([{,;?:&|^=").find(mark) != std::string_view::npos) return true;
     if (mark == '<' || mark == '>') return factors || !is_shift(at);
     const bool binary =
-        at > 0 && (text_.is_identifier(at - 1) || text_[at - 1].kind == hlsl::Token::Kind::number ||
-                   text_.is(at - 1, ")") || text_.is(at - 1, "]"));
+        at > 0 && (text_.is_identifier(at - 1) || text_.is_number(at - 1) || text_.is_any(at - 1, ")", "]"));
     return (factors && binary && (mark == '+' || mark == '-')) || is_keyword(at);
   }
 
@@ -92,14 +94,14 @@ class ConstantOperands {
 
   bool is_keyword(std::size_t at) const {
     static constexpr hlsl::NameSet keywords("return", "case", "else", "do");
-    return text_.is_identifier(at) && keywords.contains(word(at));
+    return text_.is_identifier(at) && keywords.contains(text_.word(at));
   }
 
   Operand left_of(std::size_t at, bool factors) const {
     std::size_t first = at;
     while (first > 0 && !ends_leftwards(first - 1, factors)) {
       --first;
-      if (text_.is(first, ")") || text_.is(first, "]")) {
+      if (text_.is_any(first, ")", "]")) {
         if (text_.matching_bracket(first) == npos) return {};
         first = text_.matching_bracket(first);
       } else if (!may_be_constant(first)) {
@@ -113,7 +115,7 @@ class ConstantOperands {
     std::size_t end = at;
     while (end < text_.size() && (end == at || !ends_rightwards(end, factors))) {
       if (!may_be_constant(end)) return {};
-      const bool opens = text_.is(end, "(") || text_.is(end, "[");
+      const bool opens = text_.is_any(end, "(", "[");
       if (opens && text_.matching_bracket(end) == npos) return {};
       end = opens ? text_.matching_bracket(end) + 1 : end + 1;
     }
@@ -133,20 +135,22 @@ class ConstantOperands {
   // not the text's, and what follows a '.'.
   bool may_be_constant(std::size_t at) const {
     if (!text_.is_identifier(at)) return !text_.is(at, "{");
-    if (text_.is(at - 1, ".") || is_number_type(word(at)) || word(at) == "true" || word(at) == "false")
+    if (text_.is(at - 1, ".") || is_number_type(text_.word(at)) || text_.word(at) == "true" ||
+        text_.word(at) == "false")
       return true;
     if (text_.is(at + 1, "(")) return !functions_[text_.identifier_number(at)];
     return types_.named(at) != npos && types_.declared()[types_.named(at)].type.constant;
   }
 
   void describe(std::size_t at, Operand& operand) const {
-    if (text_[at].kind == hlsl::Token::Kind::number)
-      operand.fractional = operand.fractional || shape_of_number(word(at)).base == NumberShape::Base::real;
+    if (text_.is_number(at))
+      operand.fractional =
+          operand.fractional || shape_of_number(text_.word(at)).base == NumberShape::Base::real;
     if (!text_.is_identifier(at)) return;
     const std::size_t named = types_.named(at);
-    const std::string_view type = is_number_type(word(at)) ? word(at)
-                                  : named != npos          ? types_.declared()[named].type.name
-                                                           : std::string_view{};
+    const std::string_view type = is_number_type(text_.word(at)) ? text_.word(at)
+                                  : named != npos                ? types_.declared()[named].type.name
+                                                                 : std::string_view{};
     const NumberShape shape = shape_of_type(type);
     operand.fractional = operand.fractional || shape.base == NumberShape::Base::real;
     operand.matrix = operand.matrix || shape.is_matrix();
@@ -162,7 +166,7 @@ class ConstantOperands {
 
   void comparison(std::size_t at) {
     const std::size_t marks = text_.is(at + 1, "=") && adjacent(at) ? 2 : 1;
-    const bool equality = text_.is(at, "=") || text_.is(at, "!");
+    const bool equality = text_.is_any(at, "=", "!");
     const Operand left = left_of(at, false);
     if (!left.constant) return;
     const Operand right = right_of(at + marks, false);
@@ -172,11 +176,12 @@ class ConstantOperands {
 
   void call(std::size_t name) {
     static constexpr hlsl::NameSet always("fmod", "dot", "any", "all");
-    if (is_number_type(word(name)) || is_keyword(name) || functions_[text_.identifier_number(name)]) return;
+    if (is_number_type(text_.word(name)) || is_keyword(name) || functions_[text_.identifier_number(name)])
+      return;
     const std::size_t close = text_.matching_bracket(name + 1);
     if (close == npos || close == name + 2) return;
     const Operand all = described(name + 2, close);
-    if (!all.constant || !(all.matrix || always.contains(word(name)))) return;
+    if (!all.constant || !(all.matrix || always.contains(text_.word(name)))) return;
     std::size_t end = name + 2;
     while (end < close && !text_.is(end, ","))
       end = text_.matching_bracket(end) != npos && text_.matching_bracket(end) > end

@@ -1,8 +1,5 @@
 #include "preparation/declarators.h"
 
-#include <algorithm>
-#include <array>
-
 #include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
@@ -29,9 +26,7 @@ std::size_t skip_angles(const TokenText& text, std::size_t at, std::size_t last)
 
 // Skips to the ',' or ';' that ends a declarator.
 std::size_t skip_to_end(const TokenText& text, std::size_t at, std::size_t last) {
-  while (at < last && !text.is(at, ","))
-    at = text.matching_bracket(at) != npos && text.matching_bracket(at) > at ? text.matching_bracket(at) + 1
-                                                                             : at + 1;
+  while (at < last && !text.is(at, ",")) at = text.after(at);
   return std::min(at, last);
 }
 
@@ -41,8 +36,8 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
   std::vector<Declarator> found;
   Declarator common;
   std::size_t at = first;
-  while (text.is(at, "[") && text.matching_bracket(at) != npos) at = text.matching_bracket(at) + 1;
-  for (; at < last && text.is_identifier(at) && is_storage_modifier(text[at].spelling); ++at) {
+  at = text.after_subscripts(at);
+  for (; at < last && text.is_identifier(at) && is_storage_modifier(text.word(at)); ++at) {
     common.is_static = common.is_static || text.is(at, "static");
     common.is_const = common.is_const || text.is(at, "const");
     common.is_groupshared = common.is_groupshared || text.is(at, "groupshared");
@@ -60,8 +55,8 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
     while (at < last && text.is(at, "[") && text.matching_bracket(at) != npos)
       at = text.matching_bracket(at) + 1;
     declarator.dimension_count = at - declarator.dimensions;
-    if (text.is(at, "(")) return {};                                   // a function
-    while (at < last && !text.is(at, ",") && !text.is(at, "=")) ++at;  // : register(c1)
+    if (text.is(at, "(")) return {};                       // a function
+    while (at < last && !text.is_any(at, ",", "=")) ++at;  // : register(c1)
     if (text.is(at, "=")) declarator.initialiser = at + 1;
     at = skip_to_end(text, at, last);
     declarator.end = at++;

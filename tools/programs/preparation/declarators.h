@@ -2,11 +2,6 @@
 // folder.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {

@@ -1,7 +1,5 @@
 #include "preparation/declared_values.h"
 
-#include <algorithm>
-
 #include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
@@ -15,9 +13,9 @@ std::size_t read_declarator(const TokenText& text, std::size_t at, std::size_t e
                             std::vector<DeclaredValue>& to) {
   const bool named = at < end && text.is_identifier(at);
   if (named) value.name = at++;
-  for (; at < end && text.is(at, "["); at = after_brackets(text, at)) ++value.type.dimensions;
+  for (; at < end && text.is(at, "["); at = text.after(at)) ++value.type.dimensions;
   value.end = at;
-  while (at < end && !text.is(at, ";") && !text.is(at, ",")) at = after_brackets(text, at);
+  while (at < end && !text.is_any(at, ";", ",")) at = text.after(at);
   value.last = at;
   const bool unnamed_parameter = value.place == DeclaredValue::Place::parameter && value.type_at != npos;
   if (named || unnamed_parameter) to.push_back(value);
@@ -27,8 +25,8 @@ std::size_t read_declarator(const TokenText& text, std::size_t at, std::size_t e
 // Skips modifiers and type; returns where the first name should be.
 std::size_t read_type(const TokenText& text, const DeclarationRange& range, DeclaredValue& value) {
   std::size_t at = range.first;
-  while (at < range.end && text.is(at, "[")) at = after_brackets(text, at);
-  for (; at < range.end && is_modifier(text[at].spelling); ++at) {
+  while (at < range.end && text.is(at, "[")) at = text.after(at);
+  for (; at < range.end && is_modifier(text.word(at)); ++at) {
     value.type.constant = value.type.constant || text.is(at, "const");
     value.is_static = value.is_static || text.is(at, "static");
     value.is_groupshared = value.is_groupshared || text.is(at, "groupshared");
@@ -38,9 +36,9 @@ std::size_t read_type(const TokenText& text, const DeclarationRange& range, Decl
   if (at < range.end && text.is(at, "struct")) ++at;
   if (at >= range.end || !text.is_identifier(at)) return at;
   value.type_at = at;
-  value.type.name = text[at].spelling;
+  value.type.name = text.word(at);
   value.type_end = after_template(text, at + 1, range.end);
-  if (value.type_end > at + 1 && text.is_identifier(at + 2)) value.type.element = text[at + 2].spelling;
+  if (value.type_end > at + 1 && text.is_identifier(at + 2)) value.type.element = text.word(at + 2);
   return value.type_end;
 }
 
@@ -56,9 +54,7 @@ bool is_modifier(std::string_view word) {
 
 bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier) {
   if (value.first == npos || value.type_at == npos) return false;
-  for (std::size_t at = value.first; at < value.type_at; ++at)
-    if (text.is(at, modifier)) return true;
-  return false;
+  return text.has(value.first, value.type_at, modifier);
 }
 
 bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter) {
@@ -69,18 +65,12 @@ std::size_t after_template(const TokenText& text, std::size_t at, std::size_t en
   if (!text.is(at, "<")) return at;
   int depth = 0;
   for (std::size_t i = at; i < std::min(end, at + longest_template); ++i) {
-    const bool argument =
-        text.is_identifier(i) || text.is(i, ",") || text[i].kind == hlsl::Token::Kind::number;
-    if (!argument && !text.is(i, "<") && !text.is(i, ">")) return at;  // a comparison
+    const bool argument = text.is_identifier(i) || text.is(i, ",") || text.is_number(i);
+    if (!argument && !text.is_any(i, "<", ">")) return at;  // a comparison
     depth += text.is(i, "<") ? 1 : text.is(i, ">") ? -1 : 0;
     if (depth == 0) return i + 1;
   }
   return at;
-}
-
-std::size_t after_brackets(const TokenText& text, std::size_t at) {
-  const std::size_t match = text.matching_bracket(at);
-  return match == npos || match < at ? at + 1 : match + 1;
 }
 
 std::size_t read_declaration(const TokenText& text, const DeclarationRange& range,

@@ -2,10 +2,6 @@
 // folder.
 #pragma once
 
-#include <cstddef>
-#include <string_view>
-#include <vector>
-
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
@@ -55,8 +51,5 @@ bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter)
 
 // Returns one past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
-
-// Returns one past the bracket that matches the one at this token, or past this token.
-std::size_t after_brackets(const TokenText& text, std::size_t at);
 
 }  // namespace penumbra::preparation

@@ -1,13 +1,25 @@
-#include "preparation/dx9_samplers.h"
+// Direct3D 9 samplers, which combine a texture and a sampler: sampler1D, sampler2D, sampler3D, samplerCUBE,
+// `sampler` where tex2D or a similar function reads it, and these functions
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-tex2d and the pages beside it). For some
+// of them glslang produces a module that no Vulkan driver accepts; others it rejects.
+//
+// `sampler2D _MainTex;` becomes `Texture2D _MainTex; SamplerState sampler_MainTex;`, the names that Unity's
+// own macros use. Wherever the sampler was a whole argument of tex2D, of a function or of a prototype, a
+// member, or an array element, the pair replaces it; `a = b` becomes both assignments. The functions are
+// defined once at the beginning of the text under their names, as documented: tex2Dlod(s, c) is
+// t.SampleLevel(s, c.xy, c.w), tex2Dbias the same with SampleBias, tex2Dproj divides by c.w, tex2Dgrad and
+// tex2D with four arguments are SampleGrad. As functions, they convert arguments as the built-in ones do, and
+// evaluate them once. register(s1) becomes register(t1) for the texture and stays for the sampler; sampler
+// states in the shader have no effect in Unity and are removed.
+//
+// Limits: the kind of a `sampler` follows from the functions that read it; a sampler read as two kinds is an
+// error. A sampler that is returned or selected by ?: is an error. An index is evaluated twice.
+
+#include "preparation/passes.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <string>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "preparation/dx9_functions.h"
 #include "preparation/value_types.h"
@@ -42,7 +54,7 @@ class Separation {
   void run() {
     for (const DeclaredValue& value : declared()) dimensions_.push_back(dx9_dimension(value.type.name));
     for (const FunctionType& function : types_.functions())
-      functions_[word(function.name)].push_back(&function);
+      functions_[text_.word(function.name)].push_back(&function);
     find_uses();
     infer_dimensions();
     find_statements();
@@ -58,7 +70,6 @@ class Separation {
 
  private:
   const std::vector<DeclaredValue>& declared() const { return types_.declared(); }
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
   bool is_dx9(std::size_t index) const { return !dimensions_[index].empty(); }
   bool is_any_sampler(std::size_t index) const {
     return is_dx9(index) || declared()[index].type.name == "sampler";
@@ -72,9 +83,9 @@ class Separation {
     std::vector<Open> open;
     count_arguments();
     for (std::size_t at = 0; at < text_.size(); ++at) {
-      if (text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) open.push_back({at, 0});
+      if (text_.is_any(at, "(", "[", "{")) open.push_back({at, 0});
       if (text_.is(at, ",") && !open.empty()) ++open.back().argument;
-      const bool closes = text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}");
+      const bool closes = text_.is_any(at, ")", "]", "}");
       if (closes && !open.empty()) open.pop_back();
       Use use = use_that_ends(at);
       if (use.declared == npos) continue;
@@ -97,7 +108,7 @@ class Separation {
   }
 
   Use use_that_ends(std::size_t at) const {
-    if (types_.begin(at) == npos || text_.is(at + 1, ".") || text_.is(at + 1, "(")) return {};
+    if (types_.begin(at) == npos || text_.is_any(at + 1, ".", "(")) return {};
     std::size_t name = at;
     while (text_.is(name, "]") && text_.matching_bracket(name) != npos && text_.matching_bracket(name) > 0)
       name = text_.matching_bracket(name) - 1;
@@ -113,8 +124,7 @@ class Separation {
   }
 
   void as_argument(Use& use, std::size_t bracket, int argument) const {
-    const bool whole = (text_.is(use.first - 1, "(") || text_.is(use.first - 1, ",")) &&
-                       (text_.is(use.last + 1, ",") || text_.is(use.last + 1, ")"));
+    const bool whole = (text_.is_any(use.first - 1, "(", ",")) && (text_.is_any(use.last + 1, ",", ")"));
     if (!whole || bracket == 0 || !text_.is_identifier(bracket - 1)) return;
     use.callee = bracket - 1;
     use.argument = argument;
@@ -136,9 +146,9 @@ class Separation {
   }
 
   std::string_view dimension_by(const Use& use) const {
-    const std::optional<Dx9Function> function = dx9_function(word(use.callee));
+    const std::optional<Dx9Function> function = dx9_function(text_.word(use.callee));
     if (function) return use.argument == 0 ? function->dimension : std::string_view{};
-    const auto named = functions_.find(word(use.callee));
+    const auto named = functions_.find(text_.word(use.callee));
     if (named == functions_.end()) return {};
     for (const FunctionType* callee : named->second) {
       if (callee->parameters.size() != static_cast<std::size_t>(use.arguments)) continue;
@@ -157,11 +167,10 @@ class Separation {
       return true;
     }
     if (contradicted_.insert(use.declared).second)
-      text_.note(use.name, hlsl::Severity::error,
-                 "'" + std::string(word(use.name)) + "' is a sampler of " + texture_type(known) +
-                     " elsewhere and of " + texture_type(dimension) +
-                     " here; declare one for each, as sampler" + std::string(known) + " and sampler" +
-                     std::string(dimension));
+      text_.error(use.name, "'" + text_.name(use.name) + "' is a sampler of " + texture_type(known) +
+                                " elsewhere and of " + texture_type(dimension) +
+                                " here; declare one for each, as sampler" + std::string(known) +
+                                " and sampler" + std::string(dimension));
     return false;
   }
 
@@ -179,14 +188,14 @@ class Separation {
     const std::string type = text_.spelled(first, value.type_at - first) + " SamplerState";
     const std::string name = value.name == npos
                                  ? std::string{}
-                                 : " " + sampler_name(word(value.name)) +
+                                 : " " + sampler_name(text_.word(value.name)) +
                                        text_.spelled(value.name + 1, value.end - value.name - 1);
     if (value.place == Place::parameter) {
       text_.replace(value.end, value.last - value.end, ", " + type + name);
       return;
     }
     const std::string rest = after_name(value);
-    if (!text_.is(value.last, ";") && !text_.is(value.last, ",")) return;
+    if (!text_.is_any(value.last, ";", ",")) return;
     text_.insert(statement.last + 1, type + name + rest + ";");
   }
 
@@ -232,22 +241,22 @@ class Separation {
 
   // Returns the same chain, with the sampler's name.
   std::string sampler_of(const Use& use) const {
-    return text_.spelled(use.first, use.name - use.first) + sampler_name(word(use.name)) +
+    return text_.spelled(use.first, use.name - use.first) + sampler_name(text_.word(use.name)) +
            text_.spelled(use.name + 1, use.last - use.name);
   }
 
   void separate(const Use& use) {
     if (use.callee != npos) {
       text_.insert(use.last + 1, ", " + sampler_of(use));
-      if (use.argument == 0 && !is_defined(use)) needed_.emplace(word(use.callee), use.arguments);
+      if (use.argument == 0 && !is_defined(use)) needed_.emplace(text_.word(use.callee), use.arguments);
       return;
     }
     if (text_.is(use.first - 1, "=") && text_.is(use.last + 1, ";")) return;  // reported at the assignment
     if (text_.is(use.last + 1, "=") && assign(use)) return;
-    text_.note(use.name, hlsl::Severity::error,
-               "'" + std::string(word(use.name)) +
-                   "' is a Direct3D 9 sampler, which here can be sampled, assigned "
-                   "or passed to a function and nothing else; declare a texture and a SamplerState instead");
+    text_.error(use.name,
+                "'" + text_.name(use.name) +
+                    "' is a Direct3D 9 sampler, which here can be sampled, assigned "
+                    "or passed to a function and nothing else; declare a texture and a SamplerState instead");
   }
 
   bool assign(const Use& to) {
@@ -261,7 +270,7 @@ class Separation {
 
   // Returns whether the text itself defines a function of that name for such a sampler.
   bool is_defined(const Use& use) const {
-    const auto named = functions_.find(word(use.callee));
+    const auto named = functions_.find(text_.word(use.callee));
     if (named == functions_.end()) return false;
     return std::any_of(named->second.begin(), named->second.end(), [&](const FunctionType* function) {
       return function->parameters.size() == static_cast<std::size_t>(use.arguments) &&

@@ -5,8 +5,7 @@ namespace penumbra::preparation {
 std::vector<const hlsl::Declaration*> entry_functions(const TokenText& text, const EntryPoint& entry) {
   std::vector<const hlsl::Declaration*> found;
   for (const hlsl::Declaration& declaration : text.declarations())
-    if (declaration.kind == hlsl::Declaration::Kind::function &&
-        text[declaration.name].spelling == entry.name)
+    if (declaration.kind == hlsl::Declaration::Kind::function && text.word(declaration.name) == entry.name)
       found.push_back(&declaration);
   return found;
 }

@@ -1,8 +1,6 @@
 // The functions with the entry point's name. Internal to this folder.
 #pragma once
 
-#include <vector>
-
 #include "hlsl/declarations.h"
 #include "preparation/source_checks.h"
 #include "preparation/token_text.h"

@@ -1,20 +1,82 @@
-#include <algorithm>
-#include <optional>
+#include <charconv>
+#include <map>
 #include <set>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "hlsl/name_set.h"
 #include "input/nearest_name.h"
 #include "preparation/entry_functions.h"
-#include "preparation/repeated_semantics.h"
+#include "preparation/number_shape.h"
 #include "preparation/semantic_names.h"
 #include "preparation/source_checks.h"
+#include "preparation/token_text.h"
 
 namespace penumbra::preparation {
 
 namespace {
+
+// Semantics that two inputs or two outputs of a program share.
+//
+// FXC rejects shared outputs and system values (X4504, X4574) and inputs of different types (X3536); for
+// other inputs it warns (X4711). DXC rejects all.
+
+// A use of a semantic: `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
+struct SemanticUse {
+  std::size_t type = npos;  // the tokens of its type, its name and its semantic
+  std::size_t name = npos;
+  std::size_t semantic = npos;
+  bool output = false;
+};
+
+class RepeatedSemantics {
+ public:
+  RepeatedSemantics(TokenText& text, bool dxc) : text_(text), dxc_(dxc) {}
+
+  // Reports an error or a warning if an earlier one has the semantic.
+  void add(const SemanticUse& use);
+
+ private:
+  std::size_t elements(const SemanticUse& use) const;
+
+  TokenText& text_;
+  const bool dxc_;
+  std::map<std::string, SemanticUse> uses_;  // by direction, name in capitals and index
+};
+
+// A matrix takes one per column, an array one per element; with an unknown size, only the first is checked.
+std::size_t RepeatedSemantics::elements(const SemanticUse& use) const {
+  const NumberShape shape = shape_of_type(text_.word(use.type));
+  std::size_t count = shape.is_matrix() ? static_cast<std::size_t>(shape.columns) : 1;
+  for (std::size_t at = use.name + 1; text_.is(at, "[") && text_.is(at + 2, "]"); at += 3) {
+    const std::string_view number = text_.word(at + 1);
+    std::size_t size = 0;
+    if (std::from_chars(number.data(), number.data() + number.size(), size).ec != std::errc()) return 1;
+    count = std::min<std::size_t>(count * std::max<std::size_t>(size, 1), 64);
+  }
+  return count;
+}
+
+void RepeatedSemantics::add(const SemanticUse& use) {
+  const std::string_view word = text_.word(use.semantic);
+  if (!shape_of_type(text_.word(use.type)).known()) return;
+  const std::size_t digits = word.find_last_not_of("0123456789") + 1;
+  std::size_t index = 0;
+  std::from_chars(word.data() + digits, word.data() + word.size(), index);
+  const std::string name = semantic_key(word);
+  for (std::size_t i = 0; i < elements(use); ++i) {
+    const auto [known, is_new] =
+        uses_.emplace((use.output ? "o" : "i") + name + " " + std::to_string(index + i), use);
+    if (is_new) continue;
+    const SemanticUse& other = known->second;
+    const bool may_share =
+        !use.output && !dxc_ && !name.starts_with("SV_") && text_.word(other.type) == text_.word(use.type);
+    text_.note(use.semantic, may_share ? hlsl::Severity::warning : hlsl::Severity::error,
+               "'" + text_.name(other.name) + "' at " + text_.file_of(other.name) + ":" +
+                   std::to_string(text_[other.name].line) + " has the semantic '" + std::string(word) +
+                   "', too: give each " + (use.output ? "output" : "input") + " its own");
+    return;
+  }
+}
 
 constexpr int deepest_struct = 16;  // nesting of structs
 
@@ -94,12 +156,10 @@ class EntrySemantics {
   }
 
  private:
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
   const hlsl::Declaration* structure(std::string_view name) const {
     for (const hlsl::Declaration& declaration : text_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::structure && declaration.name != npos &&
-          declaration.open != npos && declaration.scope.empty() && word(declaration.name) == name)
+          declaration.open != npos && declaration.scope.empty() && text_.word(declaration.name) == name)
         return &declaration;
     return nullptr;
   }
@@ -107,8 +167,7 @@ class EntrySemantics {
   // Returns the next of these characters outside of brackets and angle brackets; `end` without one.
   std::size_t element_end(std::size_t at, std::size_t end, std::string_view mark) const {
     for (int angles = 0; at < end; ++at) {
-      if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) &&
-          text_.matching_bracket(at) != npos) {
+      if ((text_.is_any(at, "(", "[", "{")) && text_.matching_bracket(at) != npos) {
         at = text_.matching_bracket(at);
         continue;
       }
@@ -148,13 +207,13 @@ class EntrySemantics {
     for (; at < end; ++at) {
       if (text_.is(at, "[") && text_.matching_bracket(at) != npos) {  // an attribute
         at = text_.matching_bracket(at);
-      } else if (text_.is(at, "uniform") || text_.is(at, "static")) {
+      } else if (text_.is_any(at, "uniform", "static")) {
         value.exempt = true;
       } else if (text_.is(at, "out")) {
         value.direction = {false, true};
       } else if (text_.is(at, "inout")) {
         value.direction = {true, true};
-      } else if (!text_.is(at, "in") && !is_type_modifier(word(at))) {
+      } else if (!text_.is(at, "in") && !is_type_modifier(text_.word(at))) {
         break;
       }
     }
@@ -170,7 +229,7 @@ class EntrySemantics {
     Value value;
     value.direction.out = true;
     value.type = function.type;
-    while (value.type < function.name && (is_type_modifier(word(value.type)) ||
+    while (value.type < function.name && (is_type_modifier(text_.word(value.type)) ||
                                           text_.is(value.type, "static") || !text_.is_identifier(value.type)))
       ++value.type;
     if (value.type >= function.name) return std::nullopt;
@@ -182,12 +241,12 @@ class EntrySemantics {
   void check(const std::optional<Value>& value, int depth) {
     if (!value || value->exempt || depth > deepest_struct || text_.is(value->type, "void")) return;
     if (value->semantic != npos) return judge(*value);
-    std::string_view type = word(value->type);
+    std::string_view type = text_.word(value->type);
     Direction direction = value->direction;
     if (holds_elements(type)) {
       if (!text_.is(value->type + 1, "<")) return;
       direction = type.ends_with("Stream") ? Direction{false, true} : Direction{true, false};
-      type = word(value->type + 2);
+      type = text_.word(value->type + 2);
     }
     if (const hlsl::Declaration* members = structure(type)) {
       check_members(*members, direction, depth + 1);
@@ -197,9 +256,9 @@ class EntrySemantics {
   }
 
   std::string missing(const Value& value) const {
-    const bool result = word(value.name) == entry_.name;
+    const bool result = text_.word(value.name) == entry_.name;
     const std::string what =
-        result ? "what '" + entry_.name + "' returns" : "'" + std::string(word(value.name)) + "'";
+        result ? "what '" + entry_.name + "' returns" : "'" + text_.name(value.name) + "'";
     return what + " has no semantic, and is an " + (value.direction.in ? "input" : "output") + " of the " +
            hlsl::stage_name(entry_.stage) + " program";
   }
@@ -208,7 +267,7 @@ class EntrySemantics {
     if (depth > deepest_struct || !checked_.insert({&of, direction.out}).second) return;
     for (std::size_t at = of.name + 1; at < of.open; ++at)  // its bases
       if (text_.is_identifier(at))
-        if (const hlsl::Declaration* base = structure(word(at)))
+        if (const hlsl::Declaration* base = structure(text_.word(at)))
           if (base != &of) check_members(*base, direction, depth + 1);
     for (std::size_t at = of.open + 1; at < of.close;) {
       const std::size_t semicolon = element_end(at, of.close, ";");
@@ -224,7 +283,7 @@ class EntrySemantics {
   // Returns one past a member function that begins here; npos for other members.
   std::size_t behind_function(std::size_t first, std::size_t end) const {
     for (std::size_t at = first; at < end; ++at) {
-      if (text_.is(at, ":") || text_.is(at, "=")) return npos;
+      if (text_.is_any(at, ":", "=")) return npos;
       if (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
       if (!text_.is(at, "(") || text_.matching_bracket(at) == npos) continue;
       for (std::size_t body = text_.matching_bracket(at) + 1; body < end; ++body)
@@ -253,14 +312,15 @@ class EntrySemantics {
   }
 
   void add_place(std::size_t at, bool output) {
-    places_.push_back({std::string(word(at)), output, text_.file_of(at), text_[at].line});
+    places_.push_back({text_.name(at), output, text_.file_of(at), text_[at].line});
     tokens_.push_back(at);
   }
 
   // Returns the value if it is a vector or scalar; nullptr for the semantics of other values.
   const Value* inout_with(std::size_t semantic) const {
     const auto found = std::find_if(inouts_.begin(), inouts_.end(), [&](const Value& value) {
-      return value.semantic == semantic && text_.is(value.name + 1, ":") && is_numeric(word(value.type));
+      return value.semantic == semantic && text_.is(value.name + 1, ":") &&
+             is_numeric(text_.word(value.type));
     });
     return found == inouts_.end() ? nullptr : &*found;
   }
@@ -269,11 +329,11 @@ class EntrySemantics {
   void take_apart(const Value& parameter, const std::string& output, std::size_t body) {
     std::size_t direction = parameter.type;
     while (!text_.is(direction, "inout")) --direction;
-    const std::string name(word(parameter.name));
+    const std::string name = text_.name(parameter.name);
     const std::string input = text_.free_name(name + "_in");
     text_.replace(direction, 1,
                   "in " + text_.spelled(parameter.type, parameter.name - parameter.type) + " " + input +
-                      " : " + std::string(word(parameter.semantic)) + ", out");
+                      " : " + text_.name(parameter.semantic) + ", out");
     text_.replace(parameter.semantic, 1, output);
     text_.insert(body + 1, name + " = " + input + ";");
   }
@@ -305,18 +365,17 @@ class EntrySemantics {
   }
 
   void judge(const Value& value) {
-    const std::string semantic(word(value.semantic));
-    if (value.before != npos && is_system(semantic) && is_system(word(value.before)))
-      report(value.semantic, "'" + std::string(word(value.name)) + "' has two semantics, '" +
-                                 std::string(word(value.before)) + "' and '" + semantic +
-                                 "': write one of them");
+    const std::string semantic = text_.name(value.semantic);
+    if (value.before != npos && is_system(semantic) && is_system(text_.word(value.before)))
+      report(value.semantic, "'" + text_.name(value.name) + "' has two semantics, '" +
+                                 text_.name(value.before) + "' and '" + semantic + "': write one of them");
     // A parameter `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     for (const bool output : {false, true})
       if (output ? value.direction.out : value.direction.in) add_place(value.semantic, output);
     if (value.direction.in && !fetches) judge(value.semantic, semantic, true);
     if (value.direction.out) judge(value.semantic, semantic, false);
-    judge(value.semantic, semantic, type_problem(semantic, shape_of_type(word(value.type))));
+    judge(value.semantic, semantic, type_problem(semantic, shape_of_type(text_.word(value.type))));
     if (entry_.stage != hlsl::Stage::vertex && entry_.stage != hlsl::Stage::fragment) return;
     if (value.direction.in && !fetches) repeated_.add({value.type, value.name, value.semantic, false});
     if (value.direction.out) repeated_.add({value.type, value.name, value.semantic, true});

@@ -1,7 +1,5 @@
 #include "preparation/expression_reader.h"
 
-#include <string_view>
-
 #include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/postfix_expression.h"
@@ -12,7 +10,7 @@ namespace {
 
 using Base = NumberShape::Base;
 
-bool is_statement_word(std::string_view word) {
+bool begins_no_operand(std::string_view word) {
   static constexpr hlsl::NameSet words(
       "return", "if", "else", "for", "while", "do", "switch", "case", "default", "struct", "class", "cbuffer",
       "tbuffer", "namespace", "typedef", "const", "static", "in", "out", "inout", "uniform", "precise",
@@ -77,7 +75,7 @@ void ExpressionReader::read_all() {
 }
 
 bool ExpressionReader::adjacent(std::size_t left) const {
-  return left + 1 < text_.size() && text_[left].spelling.data() + 1 == text_[left + 1].spelling.data();
+  return left + 1 < text_.size() && text_.word(left).data() + 1 == text_.word(left + 1).data();
 }
 
 ExpressionReader::Operator ExpressionReader::operator_at(std::size_t at) const {
@@ -90,10 +88,10 @@ ExpressionReader::Operator ExpressionReader::operator_at(std::size_t at) const {
       return {1, 10};
     case '+':
     case '-':
-      return pair(text_[at].spelling) ? Operator{} : Operator{1, 9};
+      return pair(text_.word(at)) ? Operator{} : Operator{1, 9};
     case '<':
     case '>':
-      if (pair(text_[at].spelling)) return {2, 8};
+      if (pair(text_.word(at))) return {2, 8};
       return {pair("=") ? 2U : 1U, 7};
     case '=':
     case '!':
@@ -111,9 +109,8 @@ ExpressionReader::Operator ExpressionReader::operator_at(std::size_t at) const {
 
 bool ExpressionReader::begins_operand(std::size_t at) const {
   if (at >= text_.size()) return false;
-  if (text_.is_identifier(at)) return !is_statement_word(text_[at].spelling);
-  return text_[at].kind == hlsl::Token::Kind::number ||
-         std::string_view("(+-!~").find(text_.lead(at)) != std::string_view::npos;
+  if (text_.is_identifier(at)) return !begins_no_operand(text_.word(at));
+  return text_.is_number(at) || std::string_view("(+-!~").find(text_.lead(at)) != std::string_view::npos;
 }
 
 ReadOperand ExpressionReader::assignment() {
@@ -184,21 +181,17 @@ ReadOperand ExpressionReader::term() {
   }
   ++depth_;
   ReadOperand result;
-  const bool sign = text_.is(at_, "+") || text_.is(at_, "-") || text_.is(at_, "!") || text_.is(at_, "~");
-  const bool cast =
-      text_.is(at_, "(") && text_.is_identifier(at_ + 1) && text_.is(at_ + 2, ")") &&
-      (is_number_type(text_[at_ + 1].spelling) || types_.structs().contains(text_[at_ + 1].spelling));
+  const bool sign = text_.is_any(at_, "+", "-", "!", "~");
+  const bool cast = text_.is(at_, "(") && text_.is_identifier(at_ + 1) && text_.is(at_ + 2, ")") &&
+                    (is_number_type(text_.word(at_ + 1)) || types_.structs().contains(text_.word(at_ + 1)));
   if (sign) {
     const bool logical = text_.is(at_, "!");
-    at_ +=
-        (text_.is(at_, "+") || text_.is(at_, "-")) && text_.is(at_ + 1, text_[at_].spelling) && adjacent(at_)
-            ? 2
-            : 1;
+    at_ += text_.is_any(at_, "+", "-") && text_.is(at_ + 1, text_.word(at_)) && adjacent(at_) ? 2 : 1;
     result = term();
     if (!failed_) read_sign(first, result);
     if (logical) result.shape = result.shape.of_base(Base::boolean);
   } else if (cast) {
-    const NumberShape shape = shape_of_type(text_[at_ + 1].spelling);
+    const NumberShape shape = shape_of_type(text_.word(at_ + 1));
     at_ += 3;
     result = term();
     result.shape = shape;
@@ -228,8 +221,7 @@ ReadOperand ExpressionReader::postfix() {
       } else {
         shape = shape.is_matrix() ? NumberShape{shape.base, 0, shape.columns} : NumberShape{shape.base};
       }
-    } else if ((text_.is(at_, "+") || text_.is(at_, "-")) && text_.is(at_ + 1, text_[at_].spelling) &&
-               adjacent(at_)) {
+    } else if (text_.is_any(at_, "+", "-") && text_.is(at_ + 1, text_.word(at_)) && adjacent(at_)) {
       at_ += 2;
     } else {
       break;
@@ -245,7 +237,7 @@ NumberShape ExpressionReader::known_shape(std::size_t last) const {
 }
 
 NumberShape ExpressionReader::after_dot(std::size_t member, const NumberShape& of) const {
-  const std::string_view word = text_[member].spelling;
+  const std::string_view word = text_.word(member);
   if (!of.known()) return {};
   if (!of.is_matrix()) return is_swizzle(word) ? vector_of(of.base, word.size()) : NumberShape{};
   if (word.size() < 3 || word[0] != '_') return {};
@@ -253,7 +245,7 @@ NumberShape ExpressionReader::after_dot(std::size_t member, const NumberShape& o
 }
 
 NumberShape ExpressionReader::primary() {
-  if (text_[at_].kind == hlsl::Token::Kind::number) return shape_of_number(text_[at_++].spelling);
+  if (text_.is_number(at_)) return shape_of_number(text_.word(at_++));
   if (!text_.is(at_, "(")) return name_or_call();
   const std::size_t open = at_;
   const std::vector<NumberShape> inside = list(at_);
@@ -264,7 +256,7 @@ NumberShape ExpressionReader::primary() {
 
 NumberShape ExpressionReader::name_or_call() {
   const std::size_t name = at_++;
-  if (text_.is(name, "true") || text_.is(name, "false")) return {Base::boolean};
+  if (text_.is_any(name, "true", "false")) return {Base::boolean};
   if (text_.is(at_, ":") && text_.is(at_ + 1, ":")) {
     at_ += 2;
     return {};
@@ -294,7 +286,7 @@ std::vector<NumberShape> ExpressionReader::list(std::size_t open) {
 
 NumberShape ExpressionReader::function_shape(std::size_t name,
                                              const std::vector<NumberShape>& arguments) const {
-  const std::string_view word = text_[name].spelling;
+  const std::string_view word = text_.word(name);
   if (is_number_type(word)) return shape_of_type(word);
   if (functions_[text_.identifier_number(name)] || arguments.empty()) return {};
   const NumberShape& first = arguments[0];

@@ -3,9 +3,6 @@
 // functions. An uncertain shape is unknown instead of guessed. Internal to this folder.
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "preparation/number_shape.h"
 #include "preparation/value_types.h"
 

@@ -1,11 +1,22 @@
-#include "preparation/framebuffer_fetch.h"
+// Framebuffer fetch: shaders that read the pixel they are about to write.
+//
+// Unity has two notations, and on Vulkan both mean an input attachment of the subpass:
+// - `cbuffer hlslcc_SubpassInput_f_2 { float4 name; }`, which its compiler recognises by name: f, h, i and u
+//   are float4, half4, int4 and uint4, capital letters the same with multisampling, `name[8]`; the number is
+//   that of the attachment. Shader libraries write it with FRAMEBUFFER_INPUT_FLOAT(2) and similar macros.
+// - a fragment function's `inout half4 color : SV_Target1` (Unity manual, SL-PlatformDifferences, "Using
+//   shader framebuffer fetch"). glslang treats it as an input from the vertex stage and a separate output.
+//
+// The first becomes a SubpassInput with that number, and its uses become `.SubpassLoad()`. The second becomes
+// an `out` parameter that is loaded at the beginning of the function; only in functions that the text does
+// not call.
+
+#include "preparation/passes.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
-#include <string_view>
 
 #include "hlsl/declarations.h"
 #include "preparation/declarators.h"
@@ -80,7 +91,7 @@ class FramebufferFetch {
  private:
   void block(const hlsl::Declaration& buffer) {
     if (buffer.name == hlsl::Declaration::none) return;
-    const std::string_view name = text_[buffer.name].spelling;
+    const std::string_view name = text_.word(buffer.name);
     if (!name.starts_with(block_prefix) || name.size() < block_prefix.size() + 3) return;
     const std::optional<InputKind> kind = input_kind(name[block_prefix.size()]);
     const std::optional<std::size_t> number = target_number(name.substr(block_prefix.size() + 2));
@@ -91,7 +102,7 @@ class FramebufferFetch {
     if (members.size() != 1 || end + 1 != buffer.close) return;
     const std::string type = std::string(kind->multisampled ? "SubpassInputMS<" : "SubpassInput<") +
                              std::string(kind->element) + ">";
-    const std::string_view member = text_[members[0].name].spelling;
+    const std::string_view member = text_.word(members[0].name);
     inputs_.emplace(member, *kind);
     blocks_.emplace(buffer.open, buffer.close);
     text_.replace(buffer.first, buffer.last - buffer.first + 1, attachment(*number, type, member));
@@ -101,7 +112,7 @@ class FramebufferFetch {
     if (inputs_.empty()) return;
     for (std::size_t at = 0; at < text_.size(); ++at) {
       if (const auto block = blocks_.find(at); block != blocks_.end()) at = block->second;
-      const auto input = text_.is_identifier(at) ? inputs_.find(text_[at].spelling) : inputs_.end();
+      const auto input = text_.is_identifier(at) ? inputs_.find(text_.word(at)) : inputs_.end();
       if (input == inputs_.end() || (at > 0 && text_.is(at - 1, "."))) continue;
       if (!input->second.multisampled) {
         text_.insert(at + 1, ".SubpassLoad()");
@@ -118,8 +129,8 @@ class FramebufferFetch {
     called_.insert({});  // found
     for (std::size_t at = 0; at + 1 < text_.size(); ++at) {
       if (!text_.is_identifier(at) || !text_.is(at + 1, "(")) continue;
-      const bool statement = at > 0 && (text_.is(at - 1, "return") || text_.is(at - 1, "else"));
-      if (statement || at == 0 || !text_.is_identifier(at - 1)) called_.insert(text_[at].spelling);
+      const bool statement = at > 0 && text_.is_any(at - 1, "return", "else");
+      if (statement || at == 0 || !text_.is_identifier(at - 1)) called_.insert(text_.word(at));
     }
     return called_;
   }
@@ -134,13 +145,13 @@ class FramebufferFetch {
   bool parameter(const hlsl::Declaration& function, std::size_t first) {
     const bool is_fetch = text_.is_identifier(first + 1) && text_.is_identifier(first + 2) &&
                           text_.is(first + 3, ":") && text_.is_identifier(first + 4) &&
-                          is_number_type(text_[first + 1].spelling);
+                          is_number_type(text_.word(first + 1));
     const std::optional<std::size_t> number =
-        is_fetch ? target_of_semantic(text_[first + 4].spelling) : std::nullopt;
+        is_fetch ? target_of_semantic(text_.word(first + 4)) : std::nullopt;
     if (!number) return false;
-    if (called().count(text_[function.name].spelling) != 0) return true;
-    const std::string type(text_[first + 1].spelling);
-    const std::string name(text_[first + 2].spelling);
+    if (called().count(text_.word(function.name)) != 0) return true;
+    const std::string type = text_.name(first + 1);
+    const std::string name = text_.name(first + 2);
     const std::string element = type.substr(0, type.find_last_not_of("1234") + 1) + "4";
     const std::string input = text_.free_name("penumbra_target" + std::to_string(*number) + "_" + element);
     if (declared_.insert(input).second)

@@ -1,9 +1,7 @@
 #include "preparation/macro_arguments.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "preparation/macro_text.h"
 
@@ -44,6 +42,14 @@ std::vector<Call> read_calls(const std::vector<MacroToken>& tokens) {
     }
   }
   return calls;
+}
+
+constexpr std::string_view mark = "penumbra_own_";
+
+bool beside_paste(const std::vector<MacroToken>& tokens, std::size_t at, const MacroDefinition& of) {
+  const bool before = at > of.body_begin && tokens[at - 1].spelling == "#";
+  const bool after = at + 1 < of.body_end && tokens[at + 1].spelling == "#";
+  return before || after;
 }
 
 }  // namespace
@@ -117,6 +123,34 @@ std::string MacroArguments::rewritten(const std::string& text) const {
   for (const auto& [offset, inserted] : inserts) {
     out.append(text, from, offset - from).append(inserted);
     from = offset;
+  }
+  return out.append(text, from, std::string::npos);
+}
+
+std::string with_own_names_marked(std::string text) {
+  const MacroText read = read_macro_text(text);
+  std::string out;
+  std::size_t from = 0;
+  for (const MacroDefinition& definition : read.definitions) {
+    for (std::size_t at = definition.body_begin; at < definition.body_end; ++at) {
+      const MacroToken& token = read.tokens[at];
+      if (token.spelling != definition.name || beside_paste(read.tokens, at, definition)) continue;
+      out.append(text, from, token.offset - from).append(mark);
+      from = token.offset;
+    }
+  }
+  if (from == 0) return text;
+  return out.append(text, from, std::string::npos);
+}
+
+std::string without_marks(std::string text) {
+  std::size_t at = text.find(mark);
+  if (at == std::string::npos) return text;
+  std::string out;
+  std::size_t from = 0;
+  for (; at != std::string::npos; at = text.find(mark, from)) {
+    out.append(text, from, at - from);
+    from = at + mark.size();
   }
   return out.append(text, from, std::string::npos);
 }

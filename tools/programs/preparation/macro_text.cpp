@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "preparation/characters.h"
+#include "hlsl/identifier.h"
 
 namespace penumbra::preparation {
 
@@ -72,13 +72,13 @@ class MacroScan {
 
   std::string_view word() {
     const std::size_t begin = at_;
-    while (is_identifier_character(peek())) ++at_;
+    while (hlsl::continues_identifier(peek())) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
 
   void token() {
     const std::size_t begin = at_;
-    if (is_identifier_character(peek())) {
+    if (hlsl::continues_identifier(peek())) {
       word();
     } else {
       ++at_;
@@ -133,7 +133,7 @@ class MacroScan {
     std::size_t count = 0;
     for (++at_; in_line() && peek() != ')';) {
       if (gap()) continue;
-      if (is_identifier_character(peek())) {
+      if (hlsl::continues_identifier(peek())) {
         word();
         ++count;
       } else {

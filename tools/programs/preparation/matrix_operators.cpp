@@ -1,13 +1,26 @@
-#include "preparation/matrix_operators.h"
+// Operators between matrices, which HLSL applies element by element
+// (docs.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-per-component-math).
+//
+// `m * n` and `m *= n`: glslang silently multiplies the matrices as mul() does. The operator is replaced by a
+// function that multiplies row by row; if the type of one operand is unknown, overload resolution selects the
+// matrix or the scalar version.
+//
+// `(float3x3)m + n` with n a float4x4: HLSL drops the rows and columns that the smaller matrix does not have
+// (warning X3206), glslang reports an error. The larger one is cast to the type of the smaller.
+//
+// At least one operand must be a name, member, element or call whose type is known (value_types.h), a cast or
+// constructor of a matrix, or composed of these by parentheses, operators, mul() and transpose(). Linear
+// time.
 
 #include <algorithm>
 #include <map>
 #include <string>
-#include <string_view>
-#include <vector>
+#include <utility>
 
 #include "preparation/expression_reader.h"
+#include "preparation/passes.h"
 #include "preparation/postfix_expression.h"
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 
@@ -63,8 +76,7 @@ class MatrixOperators final : public ExpressionReader {
   }
 
   void refuse(std::size_t op) {
-    text_.note(op, hlsl::Severity::error,
-               "'*' does not combine a vector with a matrix; mul() is the product of linear algebra");
+    text_.error(op, "'*' does not combine a vector with a matrix; mul() is the product of linear algebra");
   }
 
   void cast_the_larger(const ReadOperand& left, const ReadOperand& right) {
@@ -121,10 +133,147 @@ class MatrixOperators final : public ExpressionReader {
   std::map<std::string, NumberShape> shapes_;  // shapes of the multiplied matrices, by their types
 };
 
+// Returns "float" for float4x4; empty for other identifiers and for integer matrices.
+std::string_view scalar_of_matrix(std::string_view word) {
+  if (word.size() < 7 || word[word.size() - 2] != 'x') return {};  // nearly all identifiers
+  for (const std::string_view scalar :
+       {std::string_view("float"), std::string_view("half"), std::string_view("double"),
+        std::string_view("min16float"), std::string_view("min10float")}) {
+    if (word.substr(0, scalar.size()) != scalar || word.size() != scalar.size() + 3) continue;
+    const std::string_view shape = word.substr(scalar.size());
+    const auto size = [](char c) { return c >= '1' && c <= '4'; };
+    if (size(shape[0]) && shape[1] == 'x' && size(shape[2])) return scalar;
+  }
+  return {};
+}
+
+bool is_whole_number(std::string_view number) {
+  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+  return hexadecimal || number.find_first_not_of("0123456789uUlL") == std::string_view::npos;
+}
+
+bool is_whole_scalar(std::string_view type) {
+  return type == "int" || type == "uint" || type == "bool" || type == "dword";
+}
+
+// Returns the token after the integer literal with its sign, or the name of an integer, that begins here;
+// npos for anything else.
+std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
+  while (text.is_any(at, "-", "+")) ++at;
+  if (at >= text.size()) return npos;
+  const hlsl::Token& token = text[at];
+  if (token.kind == hlsl::Token::Kind::number) return is_whole_number(token.spelling) ? at + 1 : npos;
+  if (token.spelling == "true" || token.spelling == "false") return at + 1;
+  if (token.kind != hlsl::Token::Kind::identifier || text.is_any(at + 1, "(", ".", "[")) return npos;
+  const ValueType& type = text.types().at(at);
+  return is_whole_scalar(type.name) && type.dimensions == 0 ? at + 1 : npos;
+}
+
+using Base = NumberShape::Base;
+
+constexpr std::string_view kProduct = "penumbra_product";
+
+bool is_integer_matrix(const NumberShape& shape) {
+  return shape.is_matrix() && (shape.base == Base::integer || shape.base == Base::natural);
+}
+
+std::string sum_of_products(const NumberShape& a, const NumberShape& b, int row, int column, Base base) {
+  const std::string type = type_of_shape({base});
+  const int common = std::min(a.columns, b.is_matrix() ? b.rows : b.columns);
+  std::string sum;
+  for (int i = 0; i < common; ++i) {
+    const std::string at = "[" + std::to_string(i) + "]";
+    const std::string left = a.is_matrix() ? "a[" + std::to_string(row) + "]" + at : "a" + at;
+    const std::string right = b.is_matrix() ? "b" + at + "[" + std::to_string(column) + "]" : "b" + at;
+    sum += (i == 0 ? "" : " + ") + type + "(" + left + ") * " + type + "(" + right + ")";
+  }
+  return sum;
+}
+
+std::string definition(const NumberShape& a, const NumberShape& b) {
+  const Base base = std::max(a.base, b.base);
+  const int rows = a.is_matrix() ? a.rows : 1;
+  const int columns = b.is_matrix() ? b.columns : 1;
+  const bool matrix = a.is_matrix() && b.is_matrix();
+  const std::string type =
+      type_of_shape(matrix ? NumberShape{base, rows, columns} : NumberShape{base, 0, rows * columns});
+  std::string elements;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      elements += (elements.empty() ? "" : ", ") + sum_of_products(a, b, row, column, base);
+  return type + " " + std::string(kProduct) + "(" + type_of_shape(a) + " a, " + type_of_shape(b) +
+         " b) { return " + type + "(" + elements + "); }\n";
+}
+
+class IntegerProducts final : public ExpressionReader {
+ public:
+  explicit IntegerProducts(TokenText& text) : ExpressionReader(text), text_(text) {}
+
+  void write() {
+    std::string all;
+    for (const auto& [types, text] : definitions_) all += text;
+    if (!all.empty()) text_.insert(0, all);
+    text_.apply();
+  }
+
+ private:
+  void read_binary(const ReadOperand&, std::size_t, const ReadOperand&) override {}
+  void read_intrinsic(std::size_t name, const std::vector<NumberShape>& arguments) override {
+    if (!text_.is(name, "mul") || arguments.size() != 2) return;
+    const NumberShape& a = arguments[0];
+    const NumberShape& b = arguments[1];
+    if ((!is_integer_matrix(a) && !is_integer_matrix(b)) || a.columns < 2 || b.columns < 2) return;
+    definitions_.emplace(std::pair(type_of_shape(a), type_of_shape(b)), definition(a, b));
+    text_.replace(name, 1, kProduct);
+  }
+
+  TokenText& text_;
+  std::map<std::pair<std::string, std::string>, std::string> definitions_;
+};
+
+bool has_integer_matrix(const TokenText& text) {
+  const auto& tokens = text.tokens();
+  return std::any_of(tokens.begin(), tokens.end(), [](const hlsl::Token& token) {
+    return (token.spelling.starts_with("int") || token.spelling.starts_with("uint") ||
+            token.spelling.starts_with("min1")) &&
+           is_integer_matrix(shape_of_type(token.spelling));
+  });
+}
+
 }  // namespace
 
 void write_out_matrix_operators(TokenText& text) {
   MatrixOperators(text).run();
+}
+
+// An integer or bool cast to a float matrix, `(float4x4)0` and `float3x3(1)`. glslang 12 folds the conversion
+// and silently leaves every element but the first few uninitialised: their values differ between runs. The
+// number is cast to float first, `(float4x4)(float)0`, which is folded correctly.
+//
+// Applies to literals with their sign, true and false, and names of scalars; glslang converts run-time values
+// correctly.
+void widen_matrix_casts(TokenText& text) {
+  for (std::size_t at = 1; at + 2 < text.size(); ++at) {
+    const std::string_view scalar =
+        text.is_identifier(at) ? scalar_of_matrix(text.word(at)) : std::string_view{};
+    if (scalar.empty()) continue;
+    const bool cast = text.is(at - 1, "(") && text.is(at + 1, ")");
+    const bool constructor = text.is(at + 1, "(");
+    const std::size_t end = cast || constructor ? end_of_scalar(text, at + 2) : npos;
+    if (end == npos || (constructor && !text.is(end, ")"))) continue;
+    text.insert(at + 2, "(" + std::string(scalar) + ")");
+  }
+  text.apply();
+}
+
+// The function mul() of integer matrices, which glslang does not have ("no matching overloaded function"), is
+// replaced by a function for each pair of types that a text multiplies. If one operand has one more row or
+// column than fits the other, it is truncated, as in HLSL.
+void write_out_integer_products(TokenText& text) {
+  if (!has_integer_matrix(text)) return;
+  IntegerProducts products(text);
+  products.read_all();
+  products.write();
 }
 
 }  // namespace penumbra::preparation

@@ -1,11 +1,13 @@
-#include "preparation/namespace_structs.h"
+// Variables and structs with member functions inside a namespace: glslang declares them under one name and
+// looks them up under another ("no matching overloaded function found"). If a text has one, all its
+// namespaces are replaced by prefixes: A::B::f becomes A_B_f, in its declaration, in qualified names, and in
+// unqualified uses within the namespace. Members of structs keep their names.
+
+#include "preparation/passes.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "preparation/declarators.h"
@@ -38,14 +40,12 @@ class Namespaces {
 
   bool has_functions(const hlsl::Declaration& declaration) const {
     if (declaration.kind != Kind::structure) return false;
-    for (std::size_t at = declaration.open + 1; at < declaration.close; ++at)
-      if (text_.is(at, "(")) return true;
-    return false;
+    return text_.has(declaration.open + 1, declaration.close, "(");
   }
 
   // Turns "A::B::" + name into "A_B_name".
   void declare_name(const std::string& scope, std::size_t at) {
-    const std::string name(text_[at].spelling);
+    const std::string name = text_.name(at);
     std::string written;
     for (std::size_t i = 0; i < scope.size(); ++i) {
       if (scope[i] == ':') ++i;
@@ -83,10 +83,9 @@ class Namespaces {
     std::set<std::string_view>& members = members_[structure.open];
     for (std::size_t at = structure.open + 1; at < structure.close; ++at) {
       const bool named = text_.is_identifier(at) && text_.is_identifier(at - 1) &&
-                         (text_.is(at + 1, ";") || text_.is(at + 1, "(") || text_.is(at + 1, "[") ||
-                          text_.is(at + 1, ",") || text_.is(at + 1, ":"));
-      if (named) members.insert(text_[at].spelling);
-      const bool inside_function = text_.is(at, "{") || text_.is(at, "(");
+                         (text_.is_any(at + 1, ";", "(", "[", ",", ":"));
+      if (named) members.insert(text_.word(at));
+      const bool inside_function = text_.is_any(at, "{", "(");
       if (inside_function && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
     }
   }
@@ -94,8 +93,7 @@ class Namespaces {
   void step() {
     if (text_.is(at_, "namespace") && text_.is_identifier(at_ + 1) && text_.is(at_ + 2, "{") &&
         text_.matching_bracket(at_ + 2) != npos) {
-      scopes_.push_back(
-          {scope() + std::string(text_[at_ + 1].spelling) + "::", text_.matching_bracket(at_ + 2)});
+      scopes_.push_back({scope() + text_.name(at_ + 1) + "::", text_.matching_bracket(at_ + 2)});
       text_.erase(at_, 3);
       at_ += 2;
     } else if (!scopes_.empty() && at_ == scopes_.back().close) {
@@ -116,13 +114,13 @@ class Namespaces {
   void name() {
     if (text_.is(at_ - 1, ".") && at_ > 0) return;
     std::size_t end = at_ + 1;
-    std::string asked(text_[at_].spelling);
+    std::string asked = text_.name(at_);
     while (text_.is(end, ":") && text_.is(end + 1, ":") && text_.is_identifier(end + 2)) {
-      asked += "::" + std::string(text_[end + 2].spelling);
+      asked += "::" + text_.name(end + 2);
       end += 3;
     }
     const bool member = end == at_ + 1 && std::any_of(structs_.begin(), structs_.end(), [&](const Struct& s) {
-                          return s.members->count(text_[at_].spelling) != 0;
+                          return s.members->count(text_.word(at_)) != 0;
                         });
     if (!member) write(asked, end);
     at_ = end - 1;

@@ -2,8 +2,10 @@
 // operators. Internal to this folder.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <string_view>
+
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 
@@ -30,5 +32,19 @@ std::string type_of_shape(const NumberShape& shape);   // for a known shape; hal
 // scalar is extended to any shape. It is unknown if one is unknown, and for a vector with a matrix, which
 // HLSL does not combine.
 NumberShape combined_shape(const NumberShape& a, const NumberShape& b);
+
+// The composition of a type: the number of its scalars and their grouping.
+struct ValueShape {
+  std::string_view type;          // its name; empty for an array
+  std::size_t numbers = 0;        // scalars, of all parts together
+  std::vector<ValueShape> parts;  // members or elements; empty for numbers, vectors and matrices
+};
+
+// Returns 3 for float3, 16 for float4x4, 1 for float.
+std::size_t components(std::string_view number_type);
+
+// Returns nothing for resources, for array sizes that are not literals, and for types of more than 4096
+// scalars.
+std::optional<ValueShape> shape_of(const TokenText& text, const DeclaredValue& value);
 
 }  // namespace penumbra::preparation

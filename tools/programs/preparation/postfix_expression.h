@@ -1,8 +1,6 @@
 // The extent of the expression around a token. Internal to this folder.
 #pragma once
 
-#include <cstddef>
-
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
@@ -30,5 +28,17 @@ bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end);
 // Returns the number of characters of the assignment operator at this token ("=" 1, "+=" 2, "<<=" 3); 0 if
 // there is none.
 std::size_t assignment_length(const TokenText& text, std::size_t at);
+
+// The elements of a bracketed list: the arguments of a call, the values of an initialiser.
+//
+// An element with the tokens [first, end).
+struct ListElement {
+  std::size_t first;
+  std::size_t end;
+};
+
+// Returns the elements between the bracket at `open`, which must have a match, and its match. Empty ones are
+// skipped.
+std::vector<ListElement> list_elements(const TokenText& text, std::size_t open);
 
 }  // namespace penumbra::preparation

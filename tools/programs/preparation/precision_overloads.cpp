@@ -1,19 +1,86 @@
-#include "preparation/precision_overloads.h"
+// Merges overloads that differ only in precision.
+//
+// HLSL distinguishes f(half) from f(float); a front end that treats half as float reports a redefinition.
+// Shader libraries define both on purpose. Definitions count as equal if their name and parameter types agree
+// once half, min16float and min10float are read as float (min16int and min12int as int, min16uint as uint).
+// The one with the most full-precision parameters keeps its body, the first of several; one that calls its
+// own name, and so may forward to another overload, only if all do. The others become declarations, each with
+// a note. If the two bodies differ in more than the spelling of types (HALF_EPS against FLT_EPS), the choice
+// matters: the kept body is the one that overload resolution selects for the calls that the entry point
+// reaches, and the note is a warning if it reaches any of them. Definitions with identical parameter types
+// are not merged: every compiler rejects them.
 
 #include <algorithm>
 #include <array>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "hlsl/tokens.h"
-#include "preparation/argument_precision.h"
+#include "preparation/declarators.h"
+#include "preparation/passes.h"
+#include "preparation/postfix_expression.h"
+#include "preparation/token_text.h"
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 
 namespace {
+
+// HLSL's view of a call's argument as half or as float, for overloads that differ only in precision.
+
+enum class Precision { full, narrow };
+
+// Returns the numeric type of the cast, variable, member, element or function result that ends at a token.
+std::string_view type_ending_at(const TokenText& text, std::size_t at) {
+  const std::string_view word = text.word(at);
+  if (text.is_identifier(at) && is_number_type(word)) return word;
+  const std::string_view type = text.is_any(at + 1, "[", "(") ? "" : text.types().at(at).name;
+  return is_number_type(type) ? type : std::string_view();
+}
+
+// Returns whether the type is half2, min16float, min10float3x3, min16int or similar.
+bool is_narrow_type(std::string_view type) {
+  return type.substr(0, 4) == "half" || type.substr(0, 3) == "min";
+}
+
+// Returns one result for each argument in the parentheses that open at `open`: narrow if it has variables,
+// casts or calls and all of them are narrow; literals alone are full.
+std::vector<Precision> argument_precisions(const TokenText& text, std::size_t open) {
+  const std::size_t close = text.matching_bracket(open);
+  std::vector<Precision> all;
+  bool narrow = false;
+  bool full = false;
+  const auto end_argument = [&] {
+    all.push_back(narrow && !full ? Precision::narrow : Precision::full);
+    narrow = full = false;
+  };
+  const auto look = [&](std::size_t at) {
+    const std::string_view type = type_ending_at(text, at);
+    narrow = narrow || (!type.empty() && is_narrow_type(type));
+    full = full || (!type.empty() && !is_narrow_type(type));
+  };
+  for (std::size_t at = open + 1; at < close; ++at) {
+    const std::size_t match = text.matching_bracket(at);
+    const bool opens = match != npos && match > at;
+    if (text.is(at, ",")) {
+      end_argument();
+    } else if (opens && match == at + 2 && text.is_identifier(at + 1) && is_number_type(text.word(at + 1))) {
+      look(at + 1);  // a cast, whose operand does not matter
+      const std::size_t operand = match + 1;
+      const bool group = text.is(operand, "(") && text.matching_bracket(operand) != npos;
+      at = postfix_end(text, group ? text.matching_bracket(operand) : operand) - 1;
+    } else if (opens && (text.is(at, "[") || !text.types().at(match).name.empty())) {
+      look(match);  // a subscript, or the arguments of a known function, do not matter
+      at = match;
+    } else if (opens) {
+      for (; at < match; ++at) look(at);  // its commas do not separate the call's arguments
+    } else {
+      look(at);
+    }
+  }
+  if (close > open + 1) end_argument();
+  return all;
+}
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> full_precision{
     {{"half", "float"},
@@ -60,7 +127,7 @@ struct OverloadedFunction {
 
 OverloadedFunction read_function(const TokenText& text, const hlsl::Declaration& declaration) {
   OverloadedFunction function{&declaration,
-                              declaration.scope + std::string(text[declaration.name].spelling),
+                              declaration.scope + text.name(declaration.name),
                               hlsl::parameter_types(text.tokens(), declaration),
                               {}};
   for (const std::string& type : function.parameters) function.widened_parameters.push_back(widened(type));
@@ -71,12 +138,11 @@ OverloadedFunction read_function(const TokenText& text, const hlsl::Declaration&
 std::vector<OverloadedFunction> overloaded_functions(const TokenText& text) {
   std::unordered_map<std::string_view, int> definitions;  // by name, for all namespaces together
   for (const hlsl::Declaration& declaration : text.declarations())
-    if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
+    if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text.word(declaration.name)];
   std::vector<OverloadedFunction> functions;
   for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
-    if (definitions[text[declaration.name].spelling] > 1)
-      functions.push_back(read_function(text, declaration));
+    if (definitions[text.word(declaration.name)] > 1) functions.push_back(read_function(text, declaration));
   }
   return functions;
 }
@@ -91,7 +157,7 @@ int narrow_parameters(const OverloadedFunction& function) {
 // In float f(float x) { return f(half(x)); }, the function would call itself with one body left.
 bool calls_its_name(const TokenText& text, const OverloadedFunction& function) {
   const hlsl::Declaration& declaration = *function.declaration;
-  const std::string_view name = text[declaration.name].spelling;
+  const std::string_view name = text.word(declaration.name);
   for (std::size_t at = declaration.open; at < declaration.close; ++at)
     if (text.is(at, name) && text.is(at + 1, "(") && !text.is(at - 1, ".")) return true;
   return false;
@@ -129,9 +195,8 @@ std::unordered_map<std::string_view, int> parameter_numbers(const TokenText& tex
   int number = 1;
   for (std::size_t at = function.parameters_open + 1; at < function.parameters_close; ++at) {
     if (text.is(at, ",")) ++number;
-    const bool ends =
-        text.is(at + 1, ",") || text.is(at + 1, ")") || text.is(at + 1, "[") || text.is(at + 1, ":");
-    if (ends && text.is_identifier(at)) numbers.emplace(text[at].spelling, number);
+    const bool ends = text.is_any(at + 1, ",", ")", "[", ":");
+    if (ends && text.is_identifier(at)) numbers.emplace(text.word(at), number);
   }
   return numbers;
 }
@@ -168,14 +233,14 @@ std::vector<bool> reached_tokens(const TokenText& text) {
   std::unordered_map<std::string_view, std::vector<const hlsl::Declaration*>> functions;
   for (const hlsl::Declaration& declaration : text.declarations()) {
     const bool is_function = declaration.kind == hlsl::Declaration::Kind::function;
-    if (is_function) functions[text[declaration.name].spelling].push_back(&declaration);
+    if (is_function) functions[text.word(declaration.name)].push_back(&declaration);
     if (is_function || declaration.kind == hlsl::Declaration::Kind::prototype)
       std::fill(reached.begin() + static_cast<std::ptrdiff_t>(declaration.first),
                 reached.begin() + static_cast<std::ptrdiff_t>(declaration.last) + 1, false);
   }
   std::vector<std::string_view> wanted{text.entry()};
   for (std::size_t at = 0; at < text.size(); ++at)
-    if (reached[at] && text.is_identifier(at)) wanted.push_back(text[at].spelling);
+    if (reached[at] && text.is_identifier(at)) wanted.push_back(text.word(at));
   while (!wanted.empty()) {
     const auto found = functions.find(wanted.back());
     wanted.pop_back();
@@ -183,7 +248,7 @@ std::vector<bool> reached_tokens(const TokenText& text) {
     for (const hlsl::Declaration* function : found->second)
       for (std::size_t at = function->first; at <= function->last; ++at) {
         reached[at] = true;
-        if (text.is_identifier(at)) wanted.push_back(text[at].spelling);
+        if (text.is_identifier(at)) wanted.push_back(text.word(at));
       }
     functions.erase(found);
   }
@@ -242,7 +307,7 @@ const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, con
 // or there is no call.
 const OverloadedFunction* called_overload(const TokenText& text, const Overloads& overloads,
                                           const std::vector<bool>& reached) {
-  const std::string_view name = text[overloads[0]->declaration->name].spelling;
+  const std::string_view name = text.word(overloads[0]->declaration->name);
   const OverloadedFunction* called = nullptr;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     const bool call = text.is(at, name) && text.is(at + 1, "(") && text.matching_bracket(at + 1) != npos &&

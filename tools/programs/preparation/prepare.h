@@ -1,18 +1,14 @@
 // The preparation of preprocessed HLSL for glslang's front end: HLSL that Unity's compilers accept and
 // glslang does not is rewritten to equivalent code.
 //
-// Each incompatibility is one pass over the tokens, in a file that says what it recognises, what it replaces
-// it by and why the meaning is preserved; none depends on a project's names. Every token keeps its original
-// line. docs/validating.md lists them.
+// Each incompatibility is one pass over the tokens (passes.h); none depends on a project's names. Every token
+// keeps its original line. docs/validating.md lists them.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
-#include "preparation/semantic_place.h"
+#include "preparation/semantic_names.h"
 #include "preparation/source_checks.h"
 #include "preparation/token_text.h"
 

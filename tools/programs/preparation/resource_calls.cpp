@@ -1,11 +1,8 @@
-#include <optional>
-#include <string>
-#include <string_view>
 #include <unordered_set>
 
 #include "hlsl/name_set.h"
 #include "preparation/dx9_functions.h"
-#include "preparation/list_elements.h"
+#include "preparation/postfix_expression.h"
 #include "preparation/resource_types.h"
 #include "preparation/source_checks.h"
 #include "preparation/value_types.h"
@@ -34,7 +31,7 @@ bool takes_numbers(std::string_view intrinsic) {
 class ResourceCalls {
  public:
   explicit ResourceCalls(TokenText& text) : text_(text), types_(text.types()) {
-    for (const FunctionType& function : types_.functions()) own_functions_.insert(word(function.name));
+    for (const FunctionType& function : types_.functions()) own_functions_.insert(text_.word(function.name));
   }
 
   void run() {
@@ -50,11 +47,7 @@ class ResourceCalls {
   }
 
  private:
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
-  void refuse(std::size_t at, std::string message) {
-    text_.note(at, hlsl::Severity::error, std::move(message));
-  }
+  void refuse(std::size_t at, std::string message) { text_.error(at, std::move(message)); }
 
   // Returns the tokens as people write them: the preprocessor puts blanks around a '.'.
   std::string spelled(std::size_t first, std::size_t count) const {
@@ -72,27 +65,27 @@ class ResourceCalls {
       if (types_.begin(last) != argument.first || types_.at(last).dimensions > 0 || !is_resource(type))
         continue;
       refuse(argument.first, "'" + spelled(argument.first, argument.end - argument.first) + "' is a " +
-                                 std::string(type) + ", and " + std::string(word(name)) + "() takes numbers" +
+                                 std::string(type) + ", and " + text_.name(name) + "() takes numbers" +
                                  (is_texture(type) ? ": read it with Sample or Load" : ""));
     }
   }
 
   void check_function(std::size_t name) {
-    if (own_functions_.contains(word(name))) return;
-    if (takes_numbers(word(name))) return check_numbers(name);
-    const std::optional<Dx9Function> function = dx9_function(word(name));
+    if (own_functions_.contains(text_.word(name))) return;
+    if (takes_numbers(text_.word(name))) return check_numbers(name);
+    const std::optional<Dx9Function> function = dx9_function(text_.word(name));
     if (!function) return;
     std::size_t last = name + 2;
-    while (last + 1 < text_.size() && !text_.is(last + 1, ",") && !text_.is(last + 1, ")")) {
+    while (last + 1 < text_.size() && !text_.is_any(last + 1, ",", ")")) {
       ++last;
       if (text_.matching_bracket(last) != npos && text_.matching_bracket(last) > last)
         last = text_.matching_bracket(last);
     }
     if (last >= text_.size() || types_.begin(last) != name + 2 || !is_texture(types_.at(last).name)) return;
     const std::string texture = spelled(name + 2, last - name - 1);
-    refuse(name, "'" + std::string(word(name)) + "' takes a sampler" + std::string(function->dimension) +
-                     ", and '" + texture + "' is a " + std::string(types_.at(last).name) + ": write " +
-                     texture + ".Sample() with a SamplerState");
+    refuse(name, "'" + text_.name(name) + "' takes a sampler" + std::string(function->dimension) + ", and '" +
+                     texture + "' is a " + std::string(types_.at(last).name) + ": write " + texture +
+                     ".Sample() with a SamplerState");
   }
 
   // Elements of buffers that are appended to or consumed have no numbers.
@@ -102,7 +95,7 @@ class ResourceCalls {
     const ValueType& type = types_.at(name);
     if (type.dimensions > 0 || (!type.is("AppendStructuredBuffer") && !type.is("ConsumeStructuredBuffer")))
       return;
-    refuse(name, "'" + std::string(word(name)) + "' is " +
+    refuse(name, "'" + text_.name(name) + "' is " +
                      (type.is("AppendStructuredBuffer") ? "an AppendStructuredBuffer, which has Append()"
                                                         : "a ConsumeStructuredBuffer, which has Consume()") +
                      " and no []: for elements by number declare a StructuredBuffer or RWStructuredBuffer");
@@ -122,8 +115,8 @@ class ResourceCalls {
     const std::size_t first = types_.begin(name - 2);
     if (first == npos) return;
     const std::string_view type = types_.at(name - 2).name;
-    const std::string method = "'" + std::string(word(name)) + "'";
-    if (const std::string_view other = type_with(word(name), type); !other.empty())
+    const std::string method = "'" + text_.name(name) + "'";
+    if (const std::string_view other = type_with(text_.word(name), type); !other.empty())
       refuse(name, std::string(type) + " has no method " + method + ": it belongs to " + std::string(other));
     if (is_sampler(type) && text_.is(name + 1, "(")) {
       const std::string_view dimension = dx9_dimension(type);

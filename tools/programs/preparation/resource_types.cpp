@@ -1,6 +1,5 @@
 #include "preparation/resource_types.h"
 
-#include <algorithm>
 #include <map>
 
 #include "hlsl/name_set.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <set>
-#include <string_view>
 
 #include "preparation/value_types.h"
 

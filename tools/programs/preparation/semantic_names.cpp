@@ -1,8 +1,5 @@
 #include "preparation/semantic_names.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "hlsl/name_set.h"
 #include "input/nearest_name.h"
 
@@ -13,46 +10,21 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names& system_values() {
-  static const Names names{"SV_Barycentrics",
-                           "SV_ClipDistance",
-                           "SV_Coverage",
-                           "SV_CullDistance",
-                           "SV_CullPrimitive",
-                           "SV_Depth",
-                           "SV_DepthGreaterEqual",
-                           "SV_DepthLessEqual",
-                           "SV_DispatchThreadID",
-                           "SV_DomainLocation",
-                           "SV_GroupID",
-                           "SV_GroupIndex",
-                           "SV_GroupThreadID",
-                           "SV_GSInstanceID",
-                           "SV_InnerCoverage",
-                           "SV_InsideTessFactor",
-                           "SV_InstanceID",
-                           "SV_IsFrontFace",
-                           "SV_OutputControlPointID",
-                           "SV_Position",
-                           "SV_PrimitiveID",
-                           "SV_RenderTargetArrayIndex",
-                           "SV_SampleIndex",
-                           "SV_ShadingRate",
-                           "SV_StartInstanceLocation",
-                           "SV_StartVertexLocation",
-                           "SV_StencilRef",
-                           "SV_Target",
-                           "SV_TessFactor",
-                           "SV_VertexID",
-                           "SV_ViewID",
-                           "SV_ViewportArrayIndex"};
+  static const Names names = hlsl::names_in(
+      "SV_Barycentrics SV_ClipDistance SV_Coverage SV_CullDistance SV_CullPrimitive SV_Depth "
+      "SV_DepthGreaterEqual SV_DepthLessEqual SV_DispatchThreadID SV_DomainLocation SV_GroupID "
+      "SV_GroupIndex SV_GroupThreadID SV_GSInstanceID SV_InnerCoverage SV_InsideTessFactor "
+      "SV_InstanceID SV_IsFrontFace SV_OutputControlPointID SV_Position SV_PrimitiveID "
+      "SV_RenderTargetArrayIndex SV_SampleIndex SV_ShadingRate SV_StartInstanceLocation "
+      "SV_StartVertexLocation SV_StencilRef SV_Target SV_TessFactor SV_VertexID SV_ViewID "
+      "SV_ViewportArrayIndex");
   return names;
 }
 
 // The names include those of Direct3D 9 that Unity's compilers still accept.
 const Names& fragment_outputs() {
-  static const Names names{
-      "SV_Target", "SV_Depth", "SV_DepthGreaterEqual", "SV_DepthLessEqual", "SV_Coverage", "SV_StencilRef",
-      "COLOR",     "DEPTH"};
+  static const Names names = hlsl::names_in(
+      "SV_Target SV_Depth SV_DepthGreaterEqual SV_DepthLessEqual SV_Coverage SV_StencilRef COLOR DEPTH");
   return names;
 }
 
@@ -65,35 +37,24 @@ const Names& compute_inputs() {
 // "Signature points"), where some are treated as user-defined names. If it is empty, names are not checked.
 const Names& stage_values(hlsl::Stage stage, bool input) {
   static const Names none;
-  static const Names vertex_inputs{
-      "SV_VertexID",     "SV_InstanceID",   "SV_StartInstanceLocation",  "SV_StartVertexLocation",
-      "SV_ViewID",       "SV_Position",     "SV_RenderTargetArrayIndex", "SV_ViewportArrayIndex",
-      "SV_ClipDistance", "SV_CullDistance", "SV_CullPrimitive",          "SV_ShadingRate"};
-  static const Names vertex_outputs{
-      "SV_Position",     "SV_RenderTargetArrayIndex", "SV_ViewportArrayIndex", "SV_ClipDistance",
-      "SV_CullDistance", "SV_CullPrimitive",          "SV_InstanceID",         "SV_ShadingRate"};
-  static const Names fragment_inputs{"SV_Position",
-                                     "SV_RenderTargetArrayIndex",
-                                     "SV_ViewportArrayIndex",
-                                     "SV_ClipDistance",
-                                     "SV_CullDistance",
-                                     "SV_CullPrimitive",
-                                     "SV_InstanceID",
-                                     "SV_ShadingRate",
-                                     "SV_PrimitiveID",
-                                     "SV_IsFrontFace",
-                                     "SV_SampleIndex",
-                                     "SV_Coverage",
-                                     "SV_InnerCoverage",
-                                     "SV_Barycentrics",
-                                     "SV_ViewID"};
+  static const Names vertex_inputs = hlsl::names_in(
+      "SV_VertexID SV_InstanceID SV_StartInstanceLocation SV_StartVertexLocation SV_ViewID SV_Position "
+      "SV_RenderTargetArrayIndex SV_ViewportArrayIndex SV_ClipDistance SV_CullDistance SV_CullPrimitive "
+      "SV_ShadingRate");
+  static const Names vertex_outputs = hlsl::names_in(
+      "SV_Position SV_RenderTargetArrayIndex SV_ViewportArrayIndex SV_ClipDistance SV_CullDistance "
+      "SV_CullPrimitive SV_InstanceID SV_ShadingRate");
+  static const Names fragment_inputs = hlsl::names_in(
+      "SV_Position SV_RenderTargetArrayIndex SV_ViewportArrayIndex SV_ClipDistance SV_CullDistance "
+      "SV_CullPrimitive SV_InstanceID SV_ShadingRate SV_PrimitiveID SV_IsFrontFace SV_SampleIndex "
+      "SV_Coverage SV_InnerCoverage SV_Barycentrics SV_ViewID");
   if (stage == hlsl::Stage::vertex) return input ? vertex_inputs : vertex_outputs;
   return stage == hlsl::Stage::fragment && input ? fragment_inputs : none;
 }
 
 const Names& vertex_inputs() {
-  static const Names names{"POSITION", "NORMAL",       "TANGENT",     "TEXCOORD",
-                           "COLOR",    "BLENDWEIGHTS", "BLENDWEIGHT", "BLENDINDICES"};
+  static const Names names =
+      hlsl::names_in("POSITION NORMAL TANGENT TEXCOORD COLOR BLENDWEIGHTS BLENDWEIGHT BLENDINDICES");
   return names;
 }
 

@@ -4,9 +4,6 @@
 // Unity: https://docs.unity3d.com/Manual/SL-VertexProgramInputs.html.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "hlsl/stage.h"
 #include "preparation/number_shape.h"
 
@@ -31,5 +28,13 @@ std::string type_problem(const std::string& semantic, const NumberShape& type);
 
 // Returns the name in upper case, without its index: "SV_TARGET" for "SV_Target1".
 std::string semantic_key(std::string_view semantic);
+
+// The place where a source declares a semantic of its entry point.
+struct SemanticPlace {
+  std::string semantic;  // the semantic as written
+  bool output = false;
+  std::string file;
+  int line = 0;
+};
 
 }  // namespace penumbra::preparation

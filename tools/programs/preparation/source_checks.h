@@ -4,11 +4,8 @@
 // shows are found by shaders/hlsl_problems.h.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hlsl/stage.h"
-#include "preparation/semantic_place.h"
+#include "preparation/semantic_names.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {

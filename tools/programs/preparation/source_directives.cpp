@@ -5,10 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
 
-#include "preparation/characters.h"
+#include "hlsl/identifier.h"
 
 namespace penumbra::preparation {
 
@@ -23,8 +21,8 @@ std::string_view specifier_of(std::string_view letters) {
 
 // Returns the pragma that a line with one of the identifiers stands for.
 std::optional<std::string> pragma_of(std::string_view line) {
-  while (!line.empty() && (is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
-  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  while (!line.empty() && (hlsl::is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
+  while (!line.empty() && hlsl::is_blank(line.front())) line.remove_prefix(1);
   if (line == kPackedByRows) return "#pragma pack_matrix(row_major)";
   if (line == kPackedByColumns) return "#pragma pack_matrix(column_major)";
   if (!line.starts_with(kWarningPragma)) return std::nullopt;
@@ -72,7 +70,7 @@ class SourceScan {
     if (c == '\n') {
       line_is_empty_ = true;
       ++at_;
-    } else if (is_blank(c)) {
+    } else if (hlsl::is_blank(c)) {
       ++at_;
     } else if (starts("//")) {
       at_ = end_of_line();
@@ -91,10 +89,10 @@ class SourceScan {
       text();
     } else if (c == '\'') {
       character();
-    } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
+    } else if (hlsl::is_digit(c) || (c == '.' && hlsl::is_digit(peek(1)))) {
       number();
-    } else if (is_identifier_character(c)) {
-      while (is_identifier_character(peek())) ++at_;
+    } else if (hlsl::continues_identifier(c)) {
+      while (hlsl::continues_identifier(peek())) ++at_;
     } else {
       ++at_;
     }
@@ -146,7 +144,7 @@ class SourceScan {
     for (++at_; at_ < text_.size(); ++at_) {
       const char before = text_[at_ - 1];
       const bool sign = (peek() == '+' || peek() == '-') && (before == 'e' || before == 'E') && !hexadecimal;
-      if (!is_identifier_character(peek()) && peek() != '.' && !sign) break;
+      if (!hlsl::continues_identifier(peek()) && peek() != '.' && !sign) break;
     }
     const std::string_view spelling = std::string_view(text_).substr(begin, at_ - begin);
     if (spelling == "1." && starts("#INF")) {
@@ -175,9 +173,9 @@ class SourceScan {
 
   void directive() {
     std::size_t word = at_ + 1;
-    while (word < text_.size() && is_blank(text_[word])) ++word;
+    while (word < text_.size() && hlsl::is_blank(text_[word])) ++word;
     std::size_t word_end = word;
-    while (word_end < text_.size() && is_identifier_character(text_[word_end])) ++word_end;
+    while (word_end < text_.size() && hlsl::continues_identifier(text_[word_end])) ++word_end;
     const std::string_view name = std::string_view(text_).substr(word, word_end - word);
     line_is_empty_ = false;
     if (name == "include_with_pragmas") {
@@ -208,7 +206,7 @@ class SourceScan {
     std::string marker;
     std::string word;
     for (const char c : std::string(list) + ' ') {
-      if (is_identifier_character(c)) {
+      if (hlsl::continues_identifier(c)) {
         word += c;
         continue;
       }
@@ -224,14 +222,15 @@ class SourceScan {
     return marker.empty() ? marker : marker + ";";
   }
 
-  // Returns the replacement of `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; it is
+  // Returns the replacement of `#pragma pack_matrix(row_major)` until matrix_layout.cpp reads it; it is
   // shorter than the directive.
   static std::string packing_marker(std::string_view pragma) {
     if (first_word(pragma) != "pack_matrix") return {};
     std::string order;
     pragma = pragma.substr(0, pragma.find("//"));
     for (const char c : pragma.substr(pragma.find("pack_matrix") + 11))
-      if (!is_blank(c) && c != '\r') order += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+      if (!hlsl::is_blank(c) && c != '\r')
+        order += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     if (order == "(row_major)") return std::string(kPackedByRows) + ";";
     return std::string(order == "(column_major)" ? kPackedByColumns : kPackedOtherwise) + ";";
   }
@@ -239,7 +238,7 @@ class SourceScan {
   static std::string_view first_word(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
     std::size_t end = begin;
-    while (end < text.size() && is_identifier_character(text[end])) ++end;
+    while (end < text.size() && hlsl::continues_identifier(text[end])) ++end;
     return text.substr(begin, end - begin);
   }
 

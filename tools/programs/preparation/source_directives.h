@@ -4,7 +4,7 @@
 // - `#include_with_pragmas "x"` (Unity's, docs.unity3d.com/Manual/shader-include-directives.html) becomes an
 //   `#include`: its pragmas are read by the code in variants/.
 // - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
-// - `#pragma pack_matrix(...)` becomes an identifier that matrix_packing.h reads after the preprocessor.
+// - `#pragma pack_matrix(...)` becomes an identifier that matrix_layout.cpp reads after the preprocessor.
 // - `#pragma warning(disable : 3206)` becomes an identifier, too, which is for FXC alone (with_pragmas), if
 // it fits.
 // - `#warning` is blanked: it is not an error in Unity, and glslang does not know the directive.

@@ -1,15 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "preparation/entry_functions.h"
-#include "preparation/list_elements.h"
+#include "preparation/number_shape.h"
+#include "preparation/postfix_expression.h"
 #include "preparation/source_checks.h"
-#include "preparation/value_shape.h"
 
 namespace penumbra::preparation {
 
@@ -47,36 +42,34 @@ class StageAttributes {
  private:
   // Returns the name of the attribute before the function; npos if it is not there.
   std::size_t attribute(std::string_view name) const {
-    for (std::size_t at = function_.name; at > 0 && !text_.is(at, ";") && !text_.is(at, "}"); --at)
+    for (std::size_t at = function_.name; at > 0 && !text_.is_any(at, ";", "}"); --at)
       if (text_.is(at, name) && text_.is(at - 1, "[")) return at;
     return npos;
   }
 
   void require(std::string_view name, const std::string& example) {
     if (attribute(name) != npos) return;
-    text_.note(function_.name, hlsl::Severity::error,
-               "'" + entry_.name + "' has no " + example + ", which a " + hlsl::stage_name(entry_.stage) +
-                   " program needs");
+    text_.error(function_.name, "'" + entry_.name + "' has no " + example + ", which a " +
+                                    hlsl::stage_name(entry_.stage) + " program needs");
   }
 
   void check_patch_function() {
     const std::size_t at = attribute("patchconstantfunc");
     if (at == npos || !text_.is(at + 1, "(") || at + 2 >= text_.size()) return;
-    std::string_view name = text_[at + 2].spelling;
+    std::string_view name = text_.word(at + 2);
     if (name.size() < 3 || name.front() != '"' || name.back() != '"') return;
     name = name.substr(1, name.size() - 2);
     const bool known = std::any_of(
         types_.functions().begin(), types_.functions().end(),
         [&](const FunctionType& function) { return function.name != npos && text_.is(function.name, name); });
     if (!known)
-      text_.note(at, hlsl::Severity::error,
-                 "[patchconstantfunc] names '" + std::string(name) + "', and there is no such function");
+      text_.error(at, "[patchconstantfunc] names '" + std::string(name) + "', and there is no such function");
   }
 
   std::optional<unsigned> vertex_count() const {
     const std::size_t at = attribute("maxvertexcount");
     if (at == npos || !text_.is(at + 1, "(") || !text_.is(at + 3, ")")) return std::nullopt;
-    const std::string_view number = text_[at + 2].spelling;
+    const std::string_view number = text_.word(at + 2);
     unsigned count = 0;
     const auto read = std::from_chars(number.data(), number.data() + number.size(), count);
     return read.ec == std::errc() && read.ptr == number.data() + number.size() ? std::optional(count)
@@ -98,16 +91,15 @@ class StageAttributes {
   void check_stream(const DeclaredValue& stream) {
     const std::string type(stream.type.name);
     if (!has_modifier(text_, stream, "inout"))
-      text_.note(stream.type_at, hlsl::Severity::error,
-                 "a " + type + " is changed by what is appended to it: write inout " + type);
+      text_.error(stream.type_at, "a " + type + " is changed by what is appended to it: write inout " + type);
     const std::optional<unsigned> count = vertex_count();
     const std::size_t scalars = scalars_of(stream.type.element);
     if (!count || scalars == 0 || *count * scalars <= most_scalars) return;
-    text_.note(attribute("maxvertexcount"), hlsl::Severity::error,
-               std::to_string(*count) + " vertices of " + std::to_string(scalars) + " numbers are " +
-                   std::to_string(*count * scalars) + ", and a geometry program emits at most " +
-                   std::to_string(most_scalars) + " (X4552): at most " +
-                   std::to_string(most_scalars / scalars) + " vertices");
+    text_.error(attribute("maxvertexcount"),
+                std::to_string(*count) + " vertices of " + std::to_string(scalars) + " numbers are " +
+                    std::to_string(*count * scalars) + ", and a geometry program emits at most " +
+                    std::to_string(most_scalars) + " (X4552): at most " +
+                    std::to_string(most_scalars / scalars) + " vertices");
   }
 
   // Returns the scalars of a struct's members; 0 where one is not known.
@@ -129,11 +121,29 @@ class StageAttributes {
   const EntryPoint& entry_;
 };
 
+void check_sizes(TokenText& text, std::size_t attribute) {
+  if (!text.is(attribute + 1, "(") || text.matching_bracket(attribute + 1) == npos) return;
+  const std::size_t count = list_elements(text, attribute + 1).size();
+  if (count != 3)
+    text.error(attribute, "[numthreads(x, y, z)] has three sizes, and " + std::to_string(count) +
+                              (count == 1 ? " is" : " are") + " given: write 1 for those that are not used");
+}
+
 }  // namespace
 
 void check_stage_attributes(TokenText& text, const EntryPoint& entry) {
   const std::vector<const hlsl::Declaration*> functions = entry_functions(text, entry);
   if (functions.size() == 1) StageAttributes(text, *functions.front(), entry).run();
+}
+
+void check_thread_group(TokenText& text, const EntryPoint& entry) {
+  if (entry.stage != hlsl::Stage::compute) return;
+  const std::vector<const hlsl::Declaration*> kernels = entry_functions(text, entry);
+  if (kernels.empty()) return;
+  const std::size_t name = kernels.back()->name;
+  for (std::size_t at = name; at > 0 && !text.is_any(at, ";", "}"); --at)
+    if (text.is(at, "numthreads")) return check_sizes(text, at);
+  text.error(name, "'" + entry.name + "' has no [numthreads(x, y, z)], which a compute program needs");
 }
 
 }  // namespace penumbra::preparation

@@ -1,11 +1,14 @@
-#include "preparation/static_initialisers.h"
+// Static constants whose initialiser calls a function of the text: `static const float weights[2] = {
+// Gauss(0), Gauss(1) };`. glslang attributes the call to whatever function precedes it: it then reports
+// recursion, or drops the callee as unused and crashes. The value is computed in a generated function, and
+// every function that reads the constant begins with a local constant of that name and value.
+//
+// Constants only, because their value is the same everywhere; arrays need explicit sizes. A function with a
+// parameter of the same name does not read the constant.
 
-#include <map>
+#include "preparation/passes.h"
+
 #include <optional>
-#include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "preparation/declarators.h"
@@ -38,8 +41,6 @@ class StaticInitialisers {
   }
 
  private:
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
   void move(const hlsl::Declaration& declaration) {
     const std::vector<Declarator> all = declarators(text_, declaration.type, declaration.last);
     if (all.size() != 1 || !all[0].is_static || !all[0].is_const || all[0].initialiser == npos) return;
@@ -47,7 +48,7 @@ class StaticInitialisers {
     const std::size_t index = types_.named(constant.name);
     if (index == npos || !must_move(constant) || !sizes_are_written(constant)) return;
     refuse_if_written_later(constant);
-    const std::string name(word(constant.name));
+    const std::string name = text_.name(constant.name);
     const std::string sizes = text_.spelled(constant.dimensions, constant.dimension_count);
     const std::string function = text_.free_name("set_" + name);
     const std::string to = text_.free_name("to_" + name);
@@ -65,10 +66,9 @@ class StaticInitialisers {
     std::set<std::string_view> functions;
     const std::size_t written = written_in(constant.initialiser, constant.end, functions);
     if (written == npos) return;
-    text_.note(constant.name, hlsl::Severity::error,
-               "not supported here: '" + std::string(word(constant.name)) + "' is initialised from '" +
-                   std::string(word(written)) +
-                   "', which the shader writes to; initialise a local variable from it");
+    text_.error(constant.name, "not supported here: '" + text_.name(constant.name) +
+                                   "' is initialised from '" + text_.name(written) +
+                                   "', which the shader writes to; initialise a local variable from it");
   }
 
   // Returns the first use in the tokens, or in the functions they call, of a variable at file scope that is
@@ -78,10 +78,10 @@ class StaticInitialisers {
       if (!text_.is_identifier(at)) continue;
       if (types_.named(at) != npos && written_globals().count(types_.named(at)) != 0) return at;
       if (!text_.is(at + 1, "(") || !functions_[text_.identifier_number(at)] ||
-          !functions.insert(word(at)).second)
+          !functions.insert(text_.word(at)).second)
         continue;
       for (const FunctionType& function : types_.functions()) {
-        if (function.body == npos || word(function.name) != word(at)) continue;
+        if (function.body == npos || text_.word(function.name) != text_.word(at)) continue;
         const std::size_t found = written_in(function.body, text_.matching_bracket(function.body), functions);
         if (found != npos) return found;
       }

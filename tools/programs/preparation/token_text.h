@@ -5,14 +5,10 @@
 // #line directives where lines are not consecutive), whatever was inserted or removed.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <deque>
+#include <initializer_list>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "hlsl/diagnostic.h"
@@ -48,9 +44,17 @@ class TokenText {
     return at < tokens_.size() && !spelling.empty() && leads_[at] == spelling[0] &&
            tokens_[at].spelling == spelling;
   }
+  template <typename... Spellings>
+  bool is_any(std::size_t at, Spellings... spellings) const {
+    return (is(at, spellings) || ...);
+  }
   bool is_identifier(std::size_t at) const {
     return at < tokens_.size() && hlsl::begins_identifier(leads_[at]);
   }
+  bool is_number(std::size_t at) const { return tokens_[at].kind == hlsl::Token::Kind::number; }
+  std::string_view word(std::size_t at) const { return tokens_[at].spelling; }
+  std::string name(std::size_t at) const { return std::string(word(at)); }
+  bool holds(std::initializer_list<std::string_view> spellings) const;  // in any of its tokens
   // Returns the first character of a token; '\0' past the last.
   char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
   // Returns the number of the identifier at this index, equal for equal spellings, below identifier_count();
@@ -64,7 +68,18 @@ class TokenText {
   std::size_t matching_bracket(std::size_t at) const {
     return at < tokens_.size() && matching_brackets_[at] != alone ? matching_brackets_[at] : npos;
   }
-  std::string spelled(std::size_t first, std::size_t count) const;  // as printed, on one line
+  // Returns one past the bracket that matches the one at this index, or past this index.
+  std::size_t after(std::size_t at) const {
+    const std::size_t match = matching_bracket(at);
+    return match == npos || match < at ? at + 1 : match + 1;
+  }
+  // Returns one past the last of `[...][...]` that begin here: sizes, subscripts or attributes.
+  std::size_t after_subscripts(std::size_t at) const {
+    while (is(at, "[") && matching_bracket(at) != npos) at = matching_bracket(at) + 1;
+    return at;
+  }
+  bool has(std::size_t first, std::size_t end, std::string_view spelling) const;  // among [first, end)
+  std::string spelled(std::size_t first, std::size_t count) const;                // as printed, on one line
 
   // These are the declarations at file scope (hlsl/declarations.h), and the types of the names in the text
   // (value_types.h). They are computed once for all passes until one of them edits; the references are valid
@@ -87,6 +102,8 @@ class TokenText {
 
   // Records a message at a token's source location.
   void note(std::size_t at, hlsl::Severity severity, std::string message);
+  void error(std::size_t at, std::string message) { note(at, hlsl::Severity::error, std::move(message)); }
+  void warn(std::size_t at, std::string message) { note(at, hlsl::Severity::warning, std::move(message)); }
   const std::vector<Note>& notes() const { return notes_; }
 
   // Returns the entry point's name, which is empty for a text without one.

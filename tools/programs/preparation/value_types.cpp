@@ -1,6 +1,5 @@
 #include "preparation/value_types.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "hlsl/name_set.h"
@@ -46,8 +45,6 @@ class ValueTypesReader {
  private:
   using Kind = hlsl::Declaration::Kind;
 
-  std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
   // The first pass reads declarations at file scope and in structs.
   void declare(std::size_t index) {
     const hlsl::Declaration& declaration = to_.declarations_[index];
@@ -82,8 +79,8 @@ class ValueTypesReader {
   }
 
   ValueType type_before(std::size_t first, std::size_t name) const {
-    while (first < name && is_modifier(word(first))) ++first;
-    return first < name && text_.is_identifier(first) ? named_type(word(first)) : ValueType{};
+    while (first < name && is_modifier(text_.word(first))) ++first;
+    return first < name && text_.is_identifier(first) ? named_type(text_.word(first)) : ValueType{};
   }
 
   void declare_struct(std::size_t index) {
@@ -92,23 +89,24 @@ class ValueTypesReader {
     StructType type;
     type.declaration = index;
     if (text_.is(declaration.name + 1, ":") && text_.is_identifier(declaration.name + 2))
-      type.base = word(declaration.name + 2);
+      type.base = text_.word(declaration.name + 2);
     for (std::size_t at = declaration.open + 1; at < declaration.close;)
       at = member(at, declaration.close, type);
-    to_.structs_.insert_or_assign(word(declaration.name), std::move(type));
-    declare_values({declaration.close + 1, declaration.last + 1, Place::global, word(declaration.name)});
+    to_.structs_.insert_or_assign(text_.word(declaration.name), std::move(type));
+    declare_values(
+        {declaration.close + 1, declaration.last + 1, Place::global, text_.word(declaration.name)});
   }
 
   // Reads one member from `at`; returns where the next begins.
   std::size_t member(std::size_t at, std::size_t end, StructType& type) {
     std::size_t stop = at;
-    while (stop < end && !text_.is(stop, ";") && !text_.is(stop, "{") && !text_.is(stop, "(")) ++stop;
+    while (stop < end && !text_.is_any(stop, ";", "{", "(")) ++stop;
     if (text_.is(stop, "(") && stop > at + 1) return method(at, stop, end, type);
     const std::size_t before = to_.declared_.size();
     const std::size_t next = declare_values({at, end, Place::member});
     for (std::size_t i = before; i < to_.declared_.size(); ++i) {
       type.members.push_back(i);
-      type.member_names.emplace(word(to_.declared_[i].name), i);
+      type.member_names.emplace(text_.word(to_.declared_[i].name), i);
     }
     return next;
   }
@@ -122,7 +120,7 @@ class ValueTypesReader {
     function.parameters_close = text_.matching_bracket(parameters);
     if (function.parameters_close == npos) return end;
     std::size_t stop = function.parameters_close + 1;
-    while (stop < end && !text_.is(stop, "{") && !text_.is(stop, ";")) ++stop;
+    while (stop < end && !text_.is_any(stop, "{", ";")) ++stop;
     if (!text_.is(stop, "{") || text_.matching_bracket(stop) == npos) return stop + 1;
     function.open = stop;
     function.close = function.last = text_.matching_bracket(stop);
@@ -166,7 +164,7 @@ class ValueTypesReader {
     if (declaration.kind == Kind::function || declaration.kind == Kind::prototype) {
       read_function(declaration);
     } else if (declaration.kind == Kind::structure && declaration.name != hlsl::Declaration::none) {
-      read_methods(word(declaration.name));
+      read_methods(text_.word(declaration.name));
     } else if (declaration.kind == Kind::variable) {
       for (std::size_t at = declaration.first; at <= declaration.last; ++at) step(at, nullptr);
     }
@@ -229,17 +227,16 @@ class ValueTypesReader {
   // Two consecutive identifiers, or a type with template arguments and an identifier, are a declaration.
   void declaration_statement(std::size_t at) {
     if (at < statement_end_ || (at > 0 && text_.is(at - 1, "."))) return;
-    if (is_modifier(word(at)) || is_statement_word(word(at))) return;
+    if (is_modifier(text_.word(at)) || is_statement_word(text_.word(at))) return;
     const std::size_t name = after_template(text_, at + 1, text_.size());
-    if (!text_.is_identifier(name) || is_statement_word(word(name))) return;
+    if (!text_.is_identifier(name) || is_statement_word(text_.word(name))) return;
     const bool is_template = name > at + 1;
     if (is_template && text_.is(name + 1, "(")) return;                        // a < b > c(
     if (is_template && visible_[text_.identifier_number(at)] != npos) return;  // two comparisons
     std::size_t first = at;
-    while (first > 0 && text_.is_identifier(first - 1) && is_modifier(word(first - 1))) --first;
+    while (first > 0 && text_.is_identifier(first - 1) && is_modifier(text_.word(first - 1))) --first;
     std::size_t end = name;
-    while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ")") && !text_.is(end, "}"))
-      end = after_brackets(text_, end);
+    while (end < text_.size() && !text_.is_any(end, ";", ")", "}")) end = text_.after(end);
     statement_end_ = end;
     declare_values({first, end, Place::local});
   }
@@ -265,7 +262,7 @@ class ValueTypesReader {
 
   std::uint32_t function_result(std::size_t name) {
     if (!current_struct_.empty()) {
-      const ValueType own = method_result(current_struct_, word(name));
+      const ValueType own = method_result(current_struct_, text_.word(name));
       if (!own.name.empty()) return add_type(own);
     }
     const std::uint32_t known = returns_[text_.identifier_number(name)];
@@ -284,7 +281,7 @@ class ValueTypesReader {
     std::size_t index = visible_[text_.identifier_number(at)];
     const bool may_be_member = index == npos || to_.declared_[index].place == Place::global;
     if (may_be_member && !current_struct_.empty()) {
-      const std::size_t member = find_member(current_struct_, word(at));
+      const std::size_t member = find_member(current_struct_, text_.word(at));
       if (member != npos) index = member;
     }
     if (index != npos) name_value(at, index);
@@ -292,8 +289,8 @@ class ValueTypesReader {
 
   void member_of(ValueType of, std::size_t at, bool called) {
     if (of.name.empty() || of.dimensions > 0) return;
-    if (called) return result(at, add_type(method_result(of.name, word(at))));
-    const std::size_t index = find_member(of.name, word(at));
+    if (called) return result(at, add_type(method_result(of.name, text_.word(at))));
+    const std::size_t index = find_member(of.name, text_.word(at));
     if (index == npos) return;
     name_value(at, index);
     if (!of.constant || to_.at(at).constant) return;
@@ -328,7 +325,7 @@ class ValueTypesReader {
     bool several = false;
     each_base(type, [&](const StructType& in) {
       for (const hlsl::Declaration& function : in.functions) {
-        if (word(function.name) != name) continue;
+        if (text_.word(function.name) != name) continue;
         const ValueType returned = type_before(function.type, function.name);
         several = several || (!found.name.empty() && found.name != returned.name);
         found = returned;
@@ -380,6 +377,15 @@ class ValueTypesReader {
 
 ValueTypes::ValueTypes(const TokenText& text) : declarations_(text.declarations()) {
   ValueTypesReader(text, *this).run();
+}
+
+std::vector<std::size_t> ValueTypes::members_with_bases(std::string_view name) const {
+  constexpr int deepest = 16;
+  std::vector<std::size_t> all;
+  const StructType* type = find_struct(name);
+  for (int depth = 0; depth < deepest && type != nullptr; ++depth, type = find_struct(type->base))
+    all.insert(all.begin(), type->members.begin(), type->members.end());
+  return all;
 }
 
 }  // namespace penumbra::preparation

@@ -7,11 +7,7 @@
 // functions - is unknown instead of guessed. It takes one pass over the tokens and linear time.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "preparation/declared_values.h"
@@ -48,6 +44,12 @@ class ValueTypes {
   const std::vector<DeclaredValue>& declared() const { return declared_; }
   const std::vector<hlsl::Declaration>& declarations() const { return declarations_; }
   const std::unordered_map<std::string_view, StructType>& structs() const { return structs_; }
+  const StructType* find_struct(std::string_view name) const {  // null if there is none
+    const auto known = structs_.find(name);
+    return known == structs_.end() ? nullptr : &known->second;
+  }
+  // Returns a struct's members as indices into declared(), those of its bases first.
+  std::vector<std::size_t> members_with_bases(std::string_view name) const;
   const std::vector<FunctionType>& functions() const { return functions_; }  // including those of structs
 
  private:

@@ -1,8 +1,5 @@
 #include "preparation/written_values.h"
 
-#include <string>
-#include <vector>
-
 #include "hlsl/declarations.h"
 #include "preparation/postfix_expression.h"
 
@@ -12,7 +9,7 @@ namespace {
 
 bool writes_a_parameter(const TokenText& text, const hlsl::Declaration& function) {
   for (std::size_t at = function.parameters_open; at < function.parameters_close; ++at)
-    if (text.is(at, "out") || text.is(at, "inout")) return true;
+    if (text.is_any(at, "out", "inout")) return true;
   return false;
 }
 
@@ -27,7 +24,7 @@ WrittenValues::WrittenValues(const TokenText& text) : text_(text) {
     const std::vector<std::string> types = hlsl::parameter_types(text_.tokens(), declaration);
     for (std::size_t i = 0; i < types.size(); ++i)
       if (types[i].rfind("out ", 0) == 0 || types[i].rfind("inout ", 0) == 0)
-        out_parameters_[text_[declaration.name].spelling].insert(i);
+        out_parameters_[text_.word(declaration.name)].insert(i);
   }
 }
 
@@ -54,24 +51,23 @@ bool WrittenValues::stepped(std::size_t begin, std::size_t end) const {
 }
 
 bool WrittenValues::passed_out(std::size_t begin, std::size_t end) const {
-  const bool whole_argument =
-      (text_.is(begin - 1, "(") || text_.is(begin - 1, ",")) && (text_.is(end, ")") || text_.is(end, ","));
+  const bool whole_argument = (text_.is_any(begin - 1, "(", ",")) && (text_.is_any(end, ")", ","));
   if (!whole_argument) return false;
   std::size_t index = 0;
   std::size_t at = begin;
   while (at-- > 0) {
     if (text_.is(at, ",")) {
       ++index;
-    } else if (text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}")) {
+    } else if (text_.is_any(at, ")", "]", "}")) {
       if (text_.matching_bracket(at) == npos) return false;
       at = text_.matching_bracket(at);
     } else if (text_.is(at, "(")) {
       break;
-    } else if (text_.is(at, ";") || text_.is(at, "{")) {
+    } else if (text_.is_any(at, ";", "{")) {
       return false;
     }
   }
-  const auto function = at > 0 && text_.is_identifier(at - 1) ? out_parameters_.find(text_[at - 1].spelling)
+  const auto function = at > 0 && text_.is_identifier(at - 1) ? out_parameters_.find(text_.word(at - 1))
                                                               : out_parameters_.end();
   return function != out_parameters_.end() && function->second.count(index) != 0;
 }

@@ -2,10 +2,8 @@
 // inout parameter of a function of the text. Internal to this folder.
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <set>
-#include <string_view>
 
 #include "preparation/token_text.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,5 +74,14 @@ struct CutSource {
 };
 
 CutSource cut_source(std::string_view text, Spellings& spellings);
+
+// Parses the text that follows #define.
+//
+// Returns nothing if glslang would report an error or a warning.
+std::optional<Definition> cut_definition(const std::vector<Token>& line);
+
+// The comparison is that of the C standard and glslang (6.10.3): the same tokens, with white space at the
+// same places.
+bool are_identical(const Definition& a, const Definition& b);
 
 }  // namespace penumbra::preprocessing

@@ -1,8 +1,8 @@
 #include "preprocessing/expansion.h"
 
-#include <string>
 #include <utility>
 
+#include "preprocessing/cut_source.h"
 #include "preprocessing/token_scan.h"
 
 namespace penumbra::preprocessing {
@@ -251,6 +251,34 @@ void Expansion::expand_argument(const std::vector<Token>& argument, std::vector<
     expanded.push_back(read.token);
   }
   --depth_;
+}
+
+void Macros::define(const Definition& definition) {
+  if (definition.name >= entries_.size()) {
+    entries_.resize(definition.name + 1);
+    defined_.resize(definition.name + 1);
+  }
+  Entry& entry = entries_[definition.name];
+  if (entry.definition != nullptr && entry.definition != &definition &&
+      !are_identical(*entry.definition, definition))
+    throw Unusual("a macro is redefined differently");
+  entry.definition = &definition;
+  defined_[definition.name] = 1;
+  names_.push_back(definition.name);
+}
+
+void Macros::undefine(Spelling name) {
+  if (!is_defined(name)) return;
+  entries_[name].definition = nullptr;
+  defined_[name] = 0;
+}
+
+void Macros::clear() {
+  for (const Spelling name : names_) {
+    entries_[name] = {};
+    defined_[name] = 0;
+  }
+  names_.clear();
 }
 
 }  // namespace penumbra::preprocessing

@@ -1,13 +1,84 @@
 #include "preprocessing/preprocessor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "preprocessing/condition.h"
-#include "preprocessing/output.h"
+#include "preprocessing/cut_source.h"
+#include "preprocessing/token.h"
 
 namespace penumbra::preprocessing {
 
 namespace {
+
+// The text that glslang's preprocessor produces from tokens and their lines (DoPreprocessing and
+// SourceLineSynchronizer in its ShaderLang.cpp).
+
+class Output {
+ public:
+  explicit Output(const Spellings& spellings) : spellings_(spellings) {}
+
+  // `place.column` may be 0 for a token that begins no line.
+  void token(const Token& token, int line, int column);
+  // Copies tokens of one run, in which no macro is called.
+  void copy(const CutSource& source, std::size_t first, std::size_t last);
+  // Emits a directive on `line`: the next line is line `next` of the file.
+  void line_directive(int line, int next, const std::string& file);
+
+  std::string take();
+
+ private:
+  bool sync_to(int line);
+  void begin(const Token& token, int line, int column);
+
+  const Spellings& spellings_;
+  std::string text_;
+  int line_ = -1;  // the current line of the text
+  Token before_;
+};
+
+// Returns true if it begins a line.
+bool Output::sync_to(int line) {
+  const bool begins = line_ < line;
+  for (; line_ < line; ++line_)
+    if (line_ > 0) text_ += '\n';
+  return begins;
+}
+
+void Output::begin(const Token& token, int line, int column) {
+  if (sync_to(line)) {
+    if (column < 1) throw Unusual("a token without a known column");
+    text_.append(static_cast<std::size_t>(column - 1), ' ');
+  } else if (blank_between(before_, token)) {
+    text_ += ' ';
+  }
+}
+
+void Output::token(const Token& token, int line, int column) {
+  begin(token, line, column);
+  text_ += spellings_.text(token.spelling);
+  before_ = token;
+}
+
+void Output::copy(const CutSource& source, std::size_t first, std::size_t last) {
+  if (first == last) return;
+  const Place& place = source.places[first];
+  token(source.tokens[first], place.line, place.column);
+  text_.append(source.printed, source.ends[first], source.ends[last - 1] - source.ends[first]);
+  line_ = source.places[last - 1].line;
+  before_ = source.tokens[last - 1];
+}
+
+void Output::line_directive(int line, int next, const std::string& file) {
+  sync_to(line);
+  text_.append("#line ").append(std::to_string(next)).append(" \"").append(file).append("\"\n");
+  line_ = next;
+}
+
+std::string Output::take() {
+  text_ += '\n';
+  return std::exchange(text_, {});
+}
 
 constexpr int deepest_nesting = 60;  // conditions; glslang's limit is 65
 constexpr std::size_t longest_name = 1000;

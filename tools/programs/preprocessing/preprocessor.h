@@ -7,13 +7,8 @@
 // preprocessor then returns no text.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "preprocessing/cut_source.h"
 #include "preprocessing/expansion.h"
-#include "preprocessing/macros.h"
 #include "preprocessing/spellings.h"
 
 namespace penumbra::preprocessing {

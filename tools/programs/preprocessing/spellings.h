@@ -1,10 +1,8 @@
 // Interned token spellings: equal spellings have equal numbers. Internal to this folder.
 #pragma once
 
-#include <cstdint>
 #include <deque>
 #include <string>
-#include <string_view>
 
 #include "hlsl/string_interner.h"
 

@@ -1,7 +1,6 @@
 // A preprocessing token and its location. Internal to this folder.
 #pragma once
 
-#include <cstdint>
 #include <stdexcept>
 
 #include "preprocessing/spellings.h"
@@ -47,5 +46,17 @@ class Unusual : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// The spaces that glslang's preprocessor prints between two tokens (DoPreprocessing in its ShaderLang.cpp).
+constexpr bool is_tight(Kind kind, Spelling spelling) {
+  return kind == Kind::punctuation &&
+         (spelling == known::semicolon || spelling == known::open || spelling == known::close ||
+          spelling == known::open_square || spelling == known::close_square);
+}
+
+constexpr bool blank_between(const Token& before, const Token& after) {
+  return before.kind != Kind::end && !is_tight(before.kind, before.spelling) &&
+         !is_tight(after.kind, after.spelling) && !after.is(known::comma);
+}
 
 }  // namespace penumbra::preprocessing

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "hlsl/identifier.h"
+
 namespace penumbra::preprocessing {
 
 namespace {
@@ -22,17 +24,8 @@ constexpr std::array<std::string_view, 48> marks{
     "<<",  "<=",  ">>", ">=", "/=", "::", "~",  "(",  ")",  ",",  "?",  ";",  "[",  "]",  "{",  "}",
     "#",   "+",   "-",  "*",  "%",  "^",  "=",  "!",  "|",  "&",  "<",  ">",  ".",  "/",  ":",  "\\"};
 
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-constexpr bool begins_identifier(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-constexpr bool is_identifier_character(char c) {
-  return begins_identifier(c) || is_digit(c);
-}
+using hlsl::begins_identifier;
+using hlsl::is_digit;
 
 // The values of these macros are not known here. VULKAN and GL_EXT_multiview, which glslang defines as well,
 // are no macros in HLSL.
@@ -137,7 +130,7 @@ bool TokenScan::goes_on(Kind kind) const {
   while (at + 1 < text_.size() && text_[at] == '\\' && text_[at + 1] == '\n') at += 2;
   const char c = at < text_.size() ? text_[at] : '\n';
   if (c == ' ' || c == '\t') return false;
-  if (kind == Kind::identifier) return is_identifier_character(c) || c == '\n';
+  if (kind == Kind::identifier) return hlsl::continues_identifier(c) || c == '\n';
   return looked_ahead_;
 }
 
@@ -162,7 +155,7 @@ Token TokenScan::finish(Token token, std::size_t begin) {
 }
 
 void TokenScan::word() {
-  while (is_identifier_character(peek())) ++at_;
+  while (hlsl::continues_identifier(peek())) ++at_;
 }
 
 void TokenScan::digits(std::string_view allowed) {

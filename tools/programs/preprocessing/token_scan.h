@@ -1,8 +1,6 @@
 // Splits a text into tokens as glslang's preprocessor does (its PpScanner.cpp). Internal to this folder.
 #pragma once
 
-#include <string_view>
-
 #include "preprocessing/spellings.h"
 #include "preprocessing/token.h"
 

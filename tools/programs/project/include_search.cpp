@@ -1,21 +1,53 @@
 #include "project/include_search.h"
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
 #include "input/nearest_name.h"
 #include "project/ascii_case.h"
-#include "project/caseless_file.h"
 #include "project/editor_includes.h"
 #include "project/folder_entries.h"
 #include "project/include_bounds.h"
 
 namespace penumbra::project {
 
+namespace {
+
 namespace fs = std::filesystem;
 
-namespace {
+// More occur only on maliciously prepared disks; two are already ambiguous.
+constexpr std::size_t most_paths = 8;
+
+void add_matches(const fs::path& folder, const std::string& name, std::vector<fs::path>& found) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string entry_name = entry->path().filename().string();
+    if (equal_ignoring_case(entry_name, name)) found.push_back(folder / entry_name);
+  }
+}
+
+// Case-insensitive file lookup, as on the file systems of Windows and macOS (ASCII letters only). Internal to
+// this folder.
+//
+// Returns every file whose path below `base` is `rest` up to case, sorted; at most a handful. `base` itself
+// is case-sensitive.
+std::vector<fs::path> files_ignoring_case(const fs::path& base, const fs::path& rest) {
+  std::vector<fs::path> paths{base};
+  for (const fs::path& component : rest) {
+    std::vector<fs::path> next;
+    for (const fs::path& folder : paths) {
+      if (component == "." || component == "..")
+        next.push_back(folder / component);
+      else
+        add_matches(folder, component.string(), next);
+    }
+    std::sort(next.begin(), next.end());
+    if (next.size() > most_paths) next.resize(most_paths);
+    paths = std::move(next);
+  }
+  return rest.empty() ? std::vector<fs::path>() : paths;
+}
 
 constexpr std::string_view packages = "Packages/";
 constexpr std::string_view assets = "Assets/";
@@ -183,6 +215,8 @@ std::string missing_editor_message(std::string_view name, const fs::path& cginc)
 }
 
 }  // namespace
+
+namespace fs = std::filesystem;
 
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, const fs::path& includer) {
   const std::string header = normalised(asked);

@@ -8,9 +8,7 @@
 // macOS, with a warning that gives the right spelling.
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "hlsl/diagnostic.h"
 #include "input/input_error.h"

@@ -1,7 +1,6 @@
 #include "project/package_cache.h"
 
 #include <algorithm>
-#include <optional>
 #include <system_error>
 
 #include "input/input_error.h"

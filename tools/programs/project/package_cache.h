@@ -2,10 +2,7 @@
 // NAME@HASH for all, so that only the package.json inside tells name and version. Internal to this folder.
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
 #include "project/include_bounds.h"

@@ -7,8 +7,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <string_view>
 
 #include "hlsl/diagnostic.h"
 
@@ -18,7 +17,7 @@ struct ShaderSelection {
   // The folders and files to search; if empty, Assets/ and Packages/ of the project. An .hlsl file is found
   // only when it is named here itself.
   std::vector<std::filesystem::path> places;
-  // These are patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They apply
+  // These are patterns (path_matches()) on ShaderFile::shown; without `include` every file counts. They apply
   // to files named in `places`, too: hooks name the files of a commit, and their settings leave folders out.
   std::vector<std::string> include;
   std::vector<std::string> exclude;
@@ -45,5 +44,18 @@ void require_shader_file(const std::filesystem::path& file);
 // of another kind, for folders without any shader, and, with the nearest name, where no pattern of `include`
 // matches any file and no place is one.
 ShaderFiles find_shader_files(const std::filesystem::path& project, const ShaderSelection& selection);
+
+// Matches paths against a pattern such as "Assets/Water/**".
+//
+//   ?     one character, not '/'
+//   *     any characters, not '/'
+//   **    any characters; "**/" between slashes also no folder at all
+//
+// Every other character matches itself; case-sensitive. A pattern without '/' is matched against the file's
+// name only, one with '/' against the whole path. The time is the product of both lengths, whatever the
+// pattern.
+//
+// `path` has '/' as separator.
+bool path_matches(std::string_view pattern, std::string_view path);
 
 }  // namespace penumbra::project

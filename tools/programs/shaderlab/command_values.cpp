@@ -1,9 +1,7 @@
 #include "shaderlab/command_values.h"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
-#include <vector>
 
 #include "shaderlab/characters.h"
 #include "shaderlab/cursor.h"

@@ -6,8 +6,6 @@
 // other value; the comparison is case-insensitive.
 #pragma once
 
-#include <string>
-
 #include "hlsl/diagnostic.h"
 #include "shaderlab/tree.h"
 

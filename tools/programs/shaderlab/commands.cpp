@@ -1,6 +1,5 @@
 #include "shaderlab/commands.h"
 
-#include <algorithm>
 #include <array>
 
 #include "shaderlab/characters.h"

@@ -6,9 +6,6 @@
 // error, as in Unity (command_values.h); numbers are not checked.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "shaderlab/cursor.h"
 
 namespace penumbra::shaderlab {

@@ -1,6 +1,5 @@
 #include "shaderlab/compute.h"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
@@ -8,7 +7,7 @@
 #include "hlsl/identifier.h"
 #include "hlsl/source_text.h"
 #include "shaderlab/characters.h"
-#include "shaderlab/located_diagnostic.h"
+#include "shaderlab/cursor.h"
 #include "shaderlab/pragma_lines.h"
 
 namespace penumbra::shaderlab {

@@ -5,10 +5,6 @@
 // includes, and #if is not evaluated.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "shaderlab/tree.h"
 

@@ -5,7 +5,6 @@
 
 #include "input/nearest_name.h"
 #include "shaderlab/characters.h"
-#include "shaderlab/located_diagnostic.h"
 
 namespace penumbra::shaderlab {
 
@@ -29,6 +28,8 @@ std::string shown(const Token& token) {
       return "'" + spelling + "'";
   }
 }
+
+constexpr std::size_t kLongestLine = 400;
 
 }  // namespace
 
@@ -146,6 +147,15 @@ std::string near_name_hint(std::string_view given, const std::vector<std::string
   if (given.size() > kLongestShown) return {};
   const std::string nearest = nearest_name(given, known);
   return nearest.empty() ? std::string() : "did you mean '" + nearest + "'?";
+}
+
+hlsl::Diagnostic diagnostic_at(const std::string& file, std::string_view text, const Place& place,
+                               hlsl::Severity severity, const std::string& message) {
+  const std::size_t begin = place.offset - static_cast<std::size_t>(place.column - 1);
+  const std::string_view shown = text.substr(begin, kLongestLine + 1);
+  const std::size_t length = std::min(shown.find('\n'), shown.size());
+  return {file,     place.line, place.column,
+          severity, message,    length > kLongestLine ? std::string() : std::string(shown.substr(0, length))};
 }
 
 }  // namespace penumbra::shaderlab

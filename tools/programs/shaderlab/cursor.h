@@ -1,12 +1,9 @@
 // Reads the tokens of a .shader file and reports errors. Internal to this folder.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "shaderlab/lexer.h"
+#include "shaderlab/tree.h"
 
 namespace penumbra::shaderlab {
 
@@ -64,5 +61,11 @@ Name name_of(const Token& token);
 // Returns "did you mean 'Cull'?", or nothing when no known name is near or the given one is too long to be a
 // typing error.
 std::string near_name_hint(std::string_view given, const std::vector<std::string>& known);
+
+// A Diagnostic at a location in a text.
+//
+// Lines that are too long for a screen are omitted.
+hlsl::Diagnostic diagnostic_at(const std::string& file, std::string_view text, const Place& place,
+                               hlsl::Severity severity, const std::string& message);
 
 }  // namespace penumbra::shaderlab

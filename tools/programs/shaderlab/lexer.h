@@ -8,10 +8,6 @@
 //   may be between any two tokens, so they are stored separately.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "shaderlab/tree.h"
 
 namespace penumbra::shaderlab {

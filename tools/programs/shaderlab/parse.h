@@ -10,10 +10,6 @@
 // twice, a tag's unknown value) is a warning. Diagnostics are in source order.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "shaderlab/tree.h"
 

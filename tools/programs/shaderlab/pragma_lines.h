@@ -3,9 +3,6 @@
 // Comments are white space, a backslash at the end of a line joins the next; #if is not evaluated.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
 #include "shaderlab/tree.h"
 
 namespace penumbra::shaderlab {

@@ -12,10 +12,6 @@
 // SubShader or Pass they are in.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "shaderlab/tree.h"
 
 namespace penumbra::shaderlab {
@@ -48,5 +44,19 @@ std::string_view pass_name(const Program& program);
 // Returns the value of a tag that applies to the program: that of its Pass, else of its SubShader, else of
 // the Categories around it from the inside out; nullptr if none has it.
 const std::string* effective_tag(const Program& program, std::string_view key);
+
+// The render state commands that apply to a program: Cull, ZTest, Blend and so on.
+struct RenderCommand {
+  std::string name;  // the name as written
+  // The values as written, without commas; for [_Name] the default of that property.
+  std::vector<std::string> values;
+  Place place;
+  std::vector<RenderCommand> block{};  // the commands in the braces of Stencil { ... }
+};
+
+// Returns the commands of the Categories around the program from the outside in, of its SubShader and of its
+// Pass: a later one replaces an earlier one of the same name, and of the same target where it names one. A
+// property that the shader does not declare is 0.
+std::vector<RenderCommand> render_commands(const Program& program);
 
 }  // namespace penumbra::shaderlab

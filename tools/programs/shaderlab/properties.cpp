@@ -1,6 +1,5 @@
 #include "shaderlab/properties.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 

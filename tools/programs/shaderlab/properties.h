@@ -1,8 +1,6 @@
 // The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this folder.
 #pragma once
 
-#include <vector>
-
 #include "shaderlab/cursor.h"
 
 namespace penumbra::shaderlab {

@@ -2,10 +2,8 @@
 // folder.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <unordered_map>
-#include <vector>
 
 #include "shaders/spirv_module.h"
 #include "spirv/words.h"

@@ -2,12 +2,10 @@
 // Internal to this folder.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "shaders/reflect.h"
+#include "shaders/spirv_module.h"
 #include "shaders/stage_signature.h"
 
 namespace penumbra::shaders {
@@ -24,5 +22,10 @@ struct BytecodeResource {
 // These throw std::invalid_argument for bytes that are not a container's, and for arrays of resources.
 std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode);
 Signature bytecode_signature(std::string_view bytecode);  // locations are registers
+
+// The call of vkd3d-shader, or its replacement where it is not installed.
+//
+// Resource n of `resources` has descriptor set 0 and binding n. Throws as bytecode_module() does.
+SpirvModule translated_bytecode(const std::string& bytecode, const std::vector<BytecodeResource>& resources);
 
 }  // namespace penumbra::shaders

@@ -1,8 +1,7 @@
-#include "shaders/bytecode_translation.h"
+#include "shaders/bytecode_reflection.h"
 
 #include <vkd3d_shader.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 

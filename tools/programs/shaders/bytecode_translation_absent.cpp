@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "shaders/bytecode_module.h"
-#include "shaders/bytecode_translation.h"
+#include "shaders/bytecode_reflection.h"
 
 namespace penumbra::shaders {
 

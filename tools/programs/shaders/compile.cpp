@@ -1,39 +1,30 @@
 #include "shaders/compile.h"
 
+#include <algorithm>
+#include <sstream>
+
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
-
-#include <algorithm>
-#include <optional>
-#include <sstream>
-#include <utility>
+#include <spirv-tools/libspirv.hpp>
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "preparation/prepare.h"
-#include "shaders/comparison_reads.h"
 #include "shaders/error_recovery.h"
 #include "shaders/generated_words.h"
-#include "shaders/group_limits.h"
 #include "shaders/hlsl_problems.h"
-#include "shaders/integer_matrices.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
-#include "shaders/operation_meanings.h"
+#include "shaders/module_corrections.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
-#include "shaders/refused_operands.h"
-#include "shaders/shared_registers.h"
 #include "shaders/source_memory.h"
+#include "shaders/source_problems.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
-#include "shaders/target_problems.h"
+#include "shaders/tree_problems.h"
 #include "shaders/tree_signature.h"
-#include "shaders/whole_matrices.h"
-#include "shaders/written_arguments.h"
-#include "shaders/zero_divisions.h"
-#include "shaders/zeroed_statics.h"
 
 namespace penumbra::shaders {
 
@@ -333,6 +324,13 @@ FrontEndMessages front_end_messages(const CompileRequest& request, const Preproc
   if (!accepts(source.text, &errors)) found.complete = errors.rest && accepts(*errors.rest, nullptr);
   for (hlsl::Diagnostic& said : result.diagnostics) found.messages.push_back(std::move(said));
   return found;
+}
+
+std::string compiler_version() {
+  const glslang::Version version = glslang::GetVersion();
+  const std::string tools = spvSoftwareVersionString();
+  return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
+         std::to_string(version.patch) + ", SPIRV-Tools " + tools.substr(0, tools.find(' '));
 }
 
 }  // namespace penumbra::shaders

@@ -1,18 +1,13 @@
 // HLSL to SPIR-V by glslang in process, with Unity's include rules and exact file:line:column messages.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
 #include "hlsl/token_place.h"
-#include "preparation/semantic_place.h"
+#include "preparation/semantic_names.h"
 #include "project/package_root.h"
 #include "shaders/stage_signature.h"
 #include "shaders/vulkan_version.h"
@@ -109,5 +104,8 @@ struct FrontEndMessages {
 // Returns all diagnostics of a preprocessed source up to linking, including those in functions that its entry
 // point does not reach: if none is an error, the front end accepts it.
 FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source);
+
+// The versions of the compilers that produce SPIR-V: different versions may produce different code.
+std::string compiler_version();  // "glslang 12.0.0, SPIRV-Tools v2023.1"
 
 }  // namespace penumbra::shaders

@@ -2,14 +2,9 @@
 
 #include <glslang/SPIRV/GLSL.std.450.h>
 
-#include <algorithm>
-#include <map>
-#include <optional>
-#include <set>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
+#include "hlsl/name_set.h"
 #include "shaders/module_rewrite.h"
 #include "shaders/spirv_module.h"
 #include "spirv/code.h"
@@ -34,12 +29,12 @@ bool writes_a_texel(spv::Op op) {
 }
 
 bool ends_the_invocation(spv::Op op) {
-  return op == spv::OpKill || op == spv::OpTerminateInvocation || op == spv::OpDemoteToHelperInvocationEXT;
+  return hlsl::is_one_of(op, {spv::OpKill, spv::OpTerminateInvocation, spv::OpDemoteToHelperInvocationEXT});
 }
 
 bool tells_the_source(spv::Op op) {
-  return op == spv::OpLine || op == spv::OpNoLine || op == spv::OpSource || op == spv::OpSourceContinued ||
-         op == spv::OpString || op == spv::OpModuleProcessed;
+  return hlsl::is_one_of(op, {spv::OpLine, spv::OpNoLine, spv::OpSource, spv::OpSourceContinued, spv::OpString,
+                        spv::OpModuleProcessed});
 }
 
 bool ends_a_block(spv::Op op) {

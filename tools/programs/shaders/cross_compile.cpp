@@ -4,13 +4,10 @@
 #include <array>
 #include <initializer_list>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
-#include "shaders/compared_gathers.h"
-#include "shaders/precision_copies.h"
 #include "shaders/spirv_cross_session.h"
-#include "shaders/vertex_layer.h"
+#include "shaders/target_corrections.h"
 #include "shaders/word_blocks.h"
 
 namespace penumbra::shaders {

@@ -1,9 +1,11 @@
 // The source line of each instruction, in a module with debug lines. Internal to this folder.
 #pragma once
 
+#include <algorithm>
 #include <map>
-#include <string>
+#include <utility>
 
+#include "shaders/spirv_module.h"
 #include "spirv/words.h"
 
 namespace penumbra::shaders {
@@ -25,6 +27,39 @@ class DebugLines {
  private:
   std::map<std::uint32_t, std::string> strings_;
   SourcePlace place_;
+};
+
+// A traversal of a module's instructions that reports problems, each once and at its line.
+class ModuleSearch {
+ public:
+  explicit ModuleSearch(const SpirvModule& module) : module_(module) {}
+  virtual ~ModuleSearch() = default;
+  ModuleSearch(const ModuleSearch&) = delete;
+  ModuleSearch& operator=(const ModuleSearch&) = delete;
+
+  std::vector<hlsl::Diagnostic> run() {
+    spirv::for_each_instruction(module_, [this](spirv::Words instruction) {
+      place_ = lines_.visit(instruction);
+      visit(instruction);
+    });
+    return std::move(problems_);
+  }
+
+ protected:
+  virtual void visit(spirv::Words instruction) = 0;
+
+  // Reports a problem of the current instruction.
+  void report(std::string message) {
+    hlsl::Diagnostic problem = error_at(place_, std::move(message));
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+      problems_.push_back(std::move(problem));
+  }
+
+ private:
+  const SpirvModule& module_;
+  DebugLines lines_;
+  SourcePlace place_;
+  std::vector<hlsl::Diagnostic> problems_;
 };
 
 }  // namespace penumbra::shaders

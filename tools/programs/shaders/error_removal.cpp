@@ -1,9 +1,6 @@
 #include "shaders/error_removal.h"
 
-#include <algorithm>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/declarations.h"
 #include "hlsl/name_set.h"

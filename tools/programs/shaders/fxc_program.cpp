@@ -2,8 +2,8 @@
 
 #include <charconv>
 
+#include "fxc/fxc.h"
 #include "fxc/messages.h"
-#include "fxc/profile.h"
 #include "preparation/source_directives.h"
 
 namespace penumbra::shaders {

@@ -1,8 +1,6 @@
 // A program as Unity gives it to FXC.
 #pragma once
 
-#include <string>
-
 #include "fxc/judge.h"
 #include "shaders/compile.h"
 

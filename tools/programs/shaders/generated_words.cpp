@@ -1,11 +1,6 @@
 #include "shaders/generated_words.h"
 
-#include "shaders/flat_inputs.h"
-#include "shaders/gather_comparisons.h"
-#include "shaders/remainders.h"
-#include "shaders/scalar_conditions.h"
-#include "shaders/whole_matrices.h"
-#include "shaders/zeroed_statics.h"
+#include "shaders/module_corrections.h"
 
 namespace penumbra::shaders {
 

@@ -3,10 +3,10 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/glcorearb.h>
+#include <mutex>
 
 #include <cstdio>
 #include <map>
-#include <mutex>
 #include <sstream>
 
 #include "input/input_error.h"

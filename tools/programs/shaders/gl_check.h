@@ -5,9 +5,6 @@
 // each by its own rules.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hlsl/diagnostic.h"
 #include "shaders/compile.h"
 #include "shaders/cross_compile.h"

@@ -1,7 +1,6 @@
 #include "shaders/include_resolver.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "project/include_bounds.h"

@@ -5,12 +5,6 @@
 
 #include <glslang/Public/ShaderLang.h>
 
-#include <filesystem>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "hlsl/source_text.h"
 #include "preparation/macro_arguments.h"
 #include "preprocessing/preprocessor.h"

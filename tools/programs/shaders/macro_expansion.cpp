@@ -3,17 +3,13 @@
 #include <glslang/Public/ResourceLimits.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-#include "preparation/include_guard.h"
+#include "preparation/bare_source.h"
 #include "preparation/macro_arguments.h"
-#include "preparation/macro_own_names.h"
 #include "preparation/macro_text.h"
-#include "shaders/bad_character.h"
 #include "shaders/include_resolver.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
@@ -44,10 +40,6 @@ bool lacks_arguments(const LogLine& line) {
 // Returns whether the line is "2 compilation errors.  No code generated."
 bool is_count(const LogLine& line) {
   return line.file.empty() && line.message.ends_with("No code generated.");
-}
-
-std::string last_word(const std::string& message) {
-  return message.substr(message.rfind(' ') + 1);
 }
 
 // Returns the rest of a log without these.

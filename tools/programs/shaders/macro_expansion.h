@@ -1,7 +1,7 @@
 // Expands includes and macros. Internal to this folder.
 //
 // If the request asks for preparation, macros that refer to themselves are expanded as in C
-// (preparation/macro_own_names.h), and two constructs that glslang's preprocessor rejects and Unity's accepts
+// (preparation/macro_arguments.h), and two constructs that glslang's preprocessor rejects and Unity's accepts
 // are handled, without moving a line:
 // - A macro with two different definitions: each holds from its line on, with a warning.
 // - Macro arguments that expand to several (preparation/macro_arguments.h): the text is read again with such

@@ -1,20 +1,110 @@
 #include "shaders/matrix_operations.h"
 
-#include <glslang/MachineIndependent/localintermediate.h>
-
+#include <map>
 #include <utility>
 
-#include "shaders/matrix_operators.h"
+#include <glslang/Include/intermediate.h>
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include "hlsl/name_set.h"
+#include "hlsl/tokens.h"
 
 namespace penumbra::shaders {
+
 namespace {
+
+using glslang::TOperator;
+using glslang::TType;
+
+bool is_float(const TType& type) {
+  return type.getBasicType() == glslang::EbtFloat || type.getBasicType() == glslang::EbtDouble ||
+         type.getBasicType() == glslang::EbtFloat16;
+}
+
+bool is_comparison(TOperator op) {
+  return hlsl::is_one_of(op, {glslang::EOpEqual, glslang::EOpNotEqual, glslang::EOpVectorEqual,
+                              glslang::EOpVectorNotEqual, glslang::EOpLessThan, glslang::EOpGreaterThan,
+                              glslang::EOpLessThanEqual, glslang::EOpGreaterThanEqual});
+}
+
+// Returns whether a binary node with that result is componentwise and must be expanded. The back end supports
+// + - * % of float matrices, and m / s as m * (1 / s).
+bool is_componentwise(TOperator op, const TType& result) {
+  switch (op) {
+    case glslang::EOpDiv:
+    case glslang::EOpMul:
+      return true;
+    case glslang::EOpAdd:
+    case glslang::EOpSub:
+    case glslang::EOpMod:
+    case glslang::EOpMatrixTimesScalar:
+    case glslang::EOpAnd:
+    case glslang::EOpInclusiveOr:
+    case glslang::EOpExclusiveOr:
+    case glslang::EOpLeftShift:
+    case glslang::EOpRightShift:
+      return !is_float(result);
+    default:
+      return false;
+  }
+}
+
+// Returns the + of +=; EOpNull for others.
+TOperator plain_operator(TOperator assignment) {
+  using namespace glslang;
+  static const std::map<TOperator, TOperator> plain{{EOpAddAssign, EOpAdd},
+                                                    {EOpSubAssign, EOpSub},
+                                                    {EOpMatrixTimesScalarAssign, EOpMatrixTimesScalar},
+                                                    {EOpDivAssign, EOpDiv},
+                                                    {EOpModAssign, EOpMod},
+                                                    {EOpAndAssign, EOpAnd},
+                                                    {EOpInclusiveOrAssign, EOpInclusiveOr},
+                                                    {EOpExclusiveOrAssign, EOpExclusiveOr},
+                                                    {EOpLeftShiftAssign, EOpLeftShift},
+                                                    {EOpRightShiftAssign, EOpRightShift}};
+  const auto found = plain.find(assignment);
+  return found == plain.end() ? EOpNull : found->second;
+}
+
+// Returns the operator for the rows of matrices.
+TOperator by_rows_operator(TOperator op) {
+  return op == glslang::EOpMatrixTimesScalar ? glslang::EOpMul : op;
+}
+
+// Returns whether it is the product of linear algebra.
+bool is_product(TOperator op) {
+  return hlsl::is_one_of(
+      op, {glslang::EOpMatrixTimesMatrix, glslang::EOpMatrixTimesVector, glslang::EOpVectorTimesMatrix,
+           glslang::EOpMatrixTimesMatrixAssign, glslang::EOpVectorTimesMatrixAssign});
+}
+
+// Returns whether it is ++ or --.
+bool is_step(TOperator op) {
+  return hlsl::is_one_of(op, {glslang::EOpPreIncrement, glslang::EOpPreDecrement, glslang::EOpPostIncrement,
+                              glslang::EOpPostDecrement});
+}
+
+// Returns whether it is a function of one argument that the back end supports on whole matrices.
+bool takes_whole(TOperator op) {
+  return hlsl::is_one_of(op, {glslang::EOpTranspose, glslang::EOpDeterminant, glslang::EOpMatrixInverse,
+                              glslang::EOpArrayLength});
+}
+
+// Returns whether it is a function of several arguments.
+bool is_componentwise_function(TOperator op) {
+  return hlsl::is_one_of(
+      op, {glslang::EOpMin, glslang::EOpMax, glslang::EOpClamp, glslang::EOpMix, glslang::EOpStep,
+           glslang::EOpSmoothStep, glslang::EOpPow, glslang::EOpAtan, glslang::EOpMod});
+}
+
+bool writes_an_argument(TOperator op) {
+  return op == glslang::EOpModf || op == glslang::EOpFrexp;
+}
 
 using glslang::TIntermAggregate;
 using glslang::TIntermBinary;
 using glslang::TIntermTyped;
 using glslang::TIntermUnary;
-using glslang::TOperator;
-using glslang::TType;
 
 // A row of a matrix in HLSL is a column in glslang.
 int rows(const TType& matrix) {
@@ -37,7 +127,8 @@ bool has_rows(const TType& matrix) {
 
 class MatrixOperations final : public TreeRewrite {
  public:
-  explicit MatrixOperations(ProductMarks marks) : marks_(std::move(marks)) {}
+  MatrixOperations(const glslang::TIntermediate& tree, ProductMarks marks)
+      : tree_(tree), marks_(std::move(marks)) {}
 
   std::vector<hlsl::Diagnostic> problems;
 
@@ -152,7 +243,7 @@ class MatrixOperations final : public TreeRewrite {
       of.push_back(rows_of(operand, operands.size() > 1));
       assignments.insert(assignments.end(), of.back().assignments.begin(), of.back().assignments.end());
     }
-    auto* made = new TIntermAggregate(constructor(node.getType()));
+    auto* made = new TIntermAggregate(tree_.mapTypeToConstructorOp(node.getType()));
     for (int row = 0; row < rows(node.getType()); ++row) {
       std::vector<TIntermTyped*> of_row;
       for (const Rows& operand : of)
@@ -274,6 +365,7 @@ class MatrixOperations final : public TreeRewrite {
         "comparing matrices, which gives a matrix of bools in HLSL; compare their rows, as in a[0] == b[0]");
   }
 
+  const glslang::TIntermediate& tree_;
   ProductMarks marks_;
   long long next_variable_ =
       100LL << 56;  // above those of the front end, which begin with the depth of their block
@@ -295,11 +387,28 @@ class BoolMatrices final : public glslang::TIntermTraverser {
 }  // namespace
 
 std::vector<hlsl::Diagnostic> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
-  MatrixOperations operations(std::move(marks));
+  MatrixOperations operations(tree, std::move(marks));
   operations.run(tree);
   BoolMatrices bools;
   if (operations.problems.empty() && tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&bools);
   return operations.problems.empty() ? std::move(bools.problems) : std::move(operations.problems);
+}
+
+bool ProductMarks::stands_at(const glslang::TSourceLoc& place) {
+  if (!read_) read();
+  const std::string file = place.getFilename() == nullptr ? main_file_ : place.getFilename();
+  return marks_.contains({file, place.line, place.column});
+}
+
+void ProductMarks::read() {
+  read_ = true;
+  for (const hlsl::Token& token : hlsl::lex(text_)) {
+    if (token.spelling != "*") continue;
+    const auto at = static_cast<std::size_t>(token.spelling.data() - text_.data());
+    const std::size_t line = text_.rfind('\n', at) + 1;
+    const std::string file = token.file.empty() ? main_file_ : std::string(token.file);
+    marks_.insert({file, token.line, static_cast<int>(at - line) + 1});
+  }
 }
 
 }  // namespace penumbra::shaders

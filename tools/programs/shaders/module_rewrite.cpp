@@ -1,5 +1,7 @@
 #include "shaders/module_rewrite.h"
 
+#include "hlsl/name_set.h"
+
 namespace penumbra::shaders {
 
 namespace {
@@ -14,8 +16,8 @@ void append(SpirvModule& to, spv::Op op, const ModuleRewrite::Words& operands) {
 }
 
 bool is_annotation(spv::Op op) {
-  return op == spv::OpDecorate || op == spv::OpMemberDecorate || op == spv::OpDecorateString ||
-         op == spv::OpMemberDecorateString || op == spv::OpDecorateId;
+  return hlsl::is_one_of(op, {spv::OpDecorate, spv::OpMemberDecorate, spv::OpDecorateString,
+                        spv::OpMemberDecorateString, spv::OpDecorateId});
 }
 
 bool is_type(spv::Op op) {
@@ -24,8 +26,8 @@ bool is_type(spv::Op op) {
 
 // Returns whether type() takes this kind of type: a module may have each of them once.
 bool is_there_once(spv::Op op) {
-  return op == spv::OpTypeVoid || op == spv::OpTypeBool || op == spv::OpTypeInt || op == spv::OpTypeFloat ||
-         op == spv::OpTypeVector || op == spv::OpTypePointer || op == spv::OpTypeFunction;
+  return hlsl::is_one_of(op, {spv::OpTypeVoid, spv::OpTypeBool, spv::OpTypeInt, spv::OpTypeFloat, spv::OpTypeVector,
+                        spv::OpTypePointer, spv::OpTypeFunction});
 }
 
 }  // namespace

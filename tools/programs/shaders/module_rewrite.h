@@ -2,10 +2,7 @@
 // in the section that SPIR-V requires (specification, 2.4). Internal to this folder.
 #pragma once
 
-#include <cstdint>
-#include <initializer_list>
 #include <map>
-#include <vector>
 
 #include "shaders/spirv_module.h"
 #include "spirv/words.h"

@@ -97,9 +97,8 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
   compile.entry = entry_point(pragmas, stage, program);
   compile.stage = stage;
   const int target = variants::shader_target(pragmas, on);
-  for (const auto& [name, value] : variants::platform_defines(platform, stage, target)) {
+  for (const auto& [name, value] : variants::platform_defines(platform, stage, target))
     compile.defines.emplace_back(name, value);
-  }
   for (const std::string& keyword : on) compile.defines.emplace_back(keyword, "1");
   // OpenGL alone among Unity's APIs does not reverse depth. These programs run on Vulkan with both depth
   // directions; Vulkan defines what OpenGL leaves undefined.

@@ -2,14 +2,9 @@
 // their pragmas, the platform's macros as its importer defines them.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "shaderlab/programs.h"
-#include "shaderlab/render_commands.h"
 #include "shaderlab/tree.h"
 #include "shaders/compile.h"
 

@@ -9,9 +9,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
@@ -48,5 +45,10 @@ struct NamedEntry {
 hlsl::Diagnostic link_error(const ParseFailure& failure, const NamedEntry& entry,
                             const hlsl::SourceFiles& sources);
 std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources);
+
+// A character with which no HLSL token begins. The preprocessor prints "<bad token>" for it and continues, so
+// it is searched for in the preprocessor's output, and then in the original line.
+std::optional<hlsl::Diagnostic> bad_character(const std::string& preprocessed, const std::string& main_file,
+                                              const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::shaders

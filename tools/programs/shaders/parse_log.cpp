@@ -5,6 +5,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "hlsl/identifier.h"
+
 namespace penumbra::shaders {
 
 namespace {
@@ -17,10 +19,6 @@ constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
                                           {"INTERNAL ERROR: ", hlsl::Severity::error},
                                           {"UNIMPLEMENTED: ", hlsl::Severity::error},
                                           {"WARNING: ", hlsl::Severity::warning}}};
-
-bool is_identifier_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // Takes ":123: " (or "(123): ") off the front of `rest`.
 bool take_line_number(std::string_view& rest, int& line) {
@@ -59,7 +57,7 @@ void take_token(std::string_view& rest, LogLine& out) {
 std::string as_written(std::string_view message) {
   std::string written;
   for (std::size_t at = 0; at < message.size(); ++at)
-    if (message[at] != '@' || at + 1 == message.size() || !is_identifier_character(message[at + 1]))
+    if (message[at] != '@' || at + 1 == message.size() || !hlsl::continues_identifier(message[at + 1]))
       written += message[at];
   return written;
 }
@@ -91,14 +89,18 @@ int column_of(std::string_view token, std::string_view line) {
   int column = 0;
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
     const bool inside_word =
-        (at > 0 && is_identifier_character(line[at - 1]) && is_identifier_character(token.front())) ||
-        (at + token.size() < line.size() && is_identifier_character(line[at + token.size()]) &&
-         is_identifier_character(token.back()));
+        (at > 0 && hlsl::continues_identifier(line[at - 1]) && hlsl::continues_identifier(token.front())) ||
+        (at + token.size() < line.size() && hlsl::continues_identifier(line[at + token.size()]) &&
+         hlsl::continues_identifier(token.back()));
     if (inside_word) continue;
     if (column != 0) return 0;
     column = static_cast<int>(at) + 1;
   }
   return column;
+}
+
+std::string last_word(const std::string& message) {
+  return message.substr(message.rfind(' ') + 1);
 }
 
 }  // namespace penumbra::shaders

@@ -1,21 +1,64 @@
 #include "shaders/parse_message.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
-#include <vector>
 
 #include "hlsl/identifier.h"
+#include "hlsl/name_set.h"
 #include "input/nearest_name.h"
-#include "shaders/glsl_names.h"
 #include "shaders/parse_log.h"
 
 namespace penumbra::shaders {
 
 namespace {
+
+struct Names {
+  std::string_view glsl;
+  std::string_view hlsl;
+};
+
+constexpr Names names[] = {{"vec2", "float2"},
+                           {"vec3", "float3"},
+                           {"vec4", "float4"},
+                           {"ivec2", "int2"},
+                           {"ivec3", "int3"},
+                           {"ivec4", "int4"},
+                           {"uvec2", "uint2"},
+                           {"uvec3", "uint3"},
+                           {"uvec4", "uint4"},
+                           {"bvec2", "bool2"},
+                           {"bvec3", "bool3"},
+                           {"bvec4", "bool4"},
+                           {"mat2", "float2x2"},
+                           {"mat3", "float3x3"},
+                           {"mat4", "float4x4"},
+                           {"sampler2DArray", "Texture2DArray"},
+                           {"samplerCube", "TextureCube"},
+                           {"dFdx", "ddx"},
+                           {"dFdy", "ddy"},
+                           {"floatBitsToInt", "asint"},
+                           {"floatBitsToUint", "asuint"},
+                           {"fract", "frac"},
+                           {"intBitsToFloat", "asfloat"},
+                           {"inversesqrt", "rsqrt"},
+                           {"mix", "lerp"},
+                           {"mod", "fmod"},
+                           {"texelFetch", "Load"},
+                           {"textureGrad", "SampleGrad"},
+                           {"textureLod", "SampleLevel"},
+                           {"uintBitsToFloat", "asfloat"}};
+
+// GLSL's names of types and functions that HLSL names otherwise, for messages.
+//
+// Returns HLSL's name; empty if GLSL has no such name, or HLSL the same.
+std::string_view hlsl_name(std::string_view glsl) {
+  const auto* const found =
+      std::find_if(std::begin(names), std::end(names), [&](const Names& one) { return one.glsl == glsl; });
+  return found == std::end(names) ? std::string_view{} : found->hlsl;
+}
 
 // {token, prefix of the message, our message}: an empty token matches any. In our message % is the token and
 // $ the rest of glslang's message after the prefix.
@@ -229,34 +272,11 @@ std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces
 }
 
 std::string nearest_method(const std::string& unknown) {
-  static const std::vector<std::string> methods{"Append",
-                                                "CalculateLevelOfDetail",
-                                                "CalculateLevelOfDetailUnclamped",
-                                                "Consume",
-                                                "Gather",
-                                                "GatherAlpha",
-                                                "GatherBlue",
-                                                "GatherCmp",
-                                                "GatherGreen",
-                                                "GatherRed",
-                                                "GetDimensions",
-                                                "GetSamplePosition",
-                                                "InterlockedAdd",
-                                                "Load",
-                                                "Load2",
-                                                "Load3",
-                                                "Load4",
-                                                "RestartStrip",
-                                                "Sample",
-                                                "SampleBias",
-                                                "SampleCmp",
-                                                "SampleCmpLevelZero",
-                                                "SampleGrad",
-                                                "SampleLevel",
-                                                "Store",
-                                                "Store2",
-                                                "Store3",
-                                                "Store4"};
+  static const std::vector<std::string> methods = hlsl::names_in(
+      "Append CalculateLevelOfDetail CalculateLevelOfDetailUnclamped Consume Gather GatherAlpha "
+      "GatherBlue GatherCmp GatherGreen GatherRed GetDimensions GetSamplePosition InterlockedAdd Load "
+      "Load2 Load3 Load4 RestartStrip Sample SampleBias SampleCmp SampleCmpLevelZero SampleGrad "
+      "SampleLevel Store Store2 Store3 Store4");
   if (std::find(methods.begin(), methods.end(), unknown) != methods.end()) return {};
   const std::string nearest = nearest_name(unknown, methods);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";

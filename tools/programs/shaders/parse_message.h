@@ -4,9 +4,6 @@
 // 2-component vector of float"). Unknown messages are not changed.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "hlsl/token_place.h"
 
 namespace penumbra::shaders {

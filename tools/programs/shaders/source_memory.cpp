@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "preparation/bare_source.h"
-#include "preparation/include_guard.h"
-#include "preparation/macro_own_names.h"
+#include "preparation/macro_arguments.h"
 #include "preparation/source_directives.h"
 
 namespace penumbra::shaders {

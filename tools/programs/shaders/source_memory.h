@@ -2,10 +2,7 @@
 // compilations see the same state of the disk. Not thread-safe.
 #pragma once
 
-#include <optional>
 #include <set>
-#include <string>
-#include <string_view>
 #include <unordered_map>
 
 #include "hlsl/source_text.h"

@@ -3,8 +3,6 @@
 
 #include <glslang/Public/ShaderLang.h>
 
-#include <string>
-
 #include "shaders/compile.h"
 #include "shaders/parse_failure.h"
 

@@ -1,13 +1,14 @@
 #include "shaders/spirv_module.h"
 
-#include <optional>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
-#include <string_view>
-#include <utility>
 
+#include "hlsl/name_set.h"
 #include "shaders/debug_lines.h"
-#include "shaders/uncalled_functions.h"
 #include "shaders/word_blocks.h"
 #include "spirv/words.h"
 
@@ -139,6 +140,131 @@ void for_each_decoration(SpirvModule& module, spv::Decoration decoration, Visit 
   });
 }
 
+using Ids = std::unordered_set<std::uint32_t>;
+
+// Returns an empty list for malformed words.
+std::vector<spirv::Words> instructions(const SpirvModule& module) {
+  std::vector<spirv::Words> found;
+  const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) { found.push_back(words); });
+  return whole ? found : std::vector<spirv::Words>();
+}
+
+Ids called_functions(const std::vector<spirv::Words>& all) {
+  std::vector<std::uint32_t> to_visit;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> calls;
+  std::uint32_t function = 0;
+  for (const spirv::Words instruction : all) {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpEntryPoint) to_visit.push_back(spirv::operand(instruction, 2));
+    if (op == spv::OpFunction) function = spirv::operand(instruction, 2);
+    if (op == spv::OpFunctionCall) calls[function].push_back(spirv::operand(instruction, 3));
+  }
+  Ids called;
+  while (!to_visit.empty()) {
+    const std::uint32_t next = to_visit.back();
+    to_visit.pop_back();
+    if (!called.insert(next).second) continue;
+    to_visit.insert(to_visit.end(), calls[next].begin(), calls[next].end());
+  }
+  return called;
+}
+
+// Returns the id that the instruction defines, or 0.
+std::uint32_t result(spirv::Words instruction) {
+  bool has_result = false;
+  bool has_type = false;
+  spv::HasResultAndType(spirv::opcode(instruction), &has_result, &has_type);
+  return has_result ? spirv::operand(instruction, has_type ? 2 : 1) : 0;
+}
+
+bool describes(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
+  return hlsl::is_one_of(op, {spv::OpName, spv::OpDecorate, spv::OpDecorateId, spv::OpDecorateString});
+}
+
+class ConstantTables {
+ public:
+  explicit ConstantTables(const SpirvModule& module) {
+    spirv::for_each_instruction(module, [&](spirv::Words words) { find(words); });
+  }
+
+  SpirvModule initialised(const SpirvModule& module) const {
+    SpirvModule result(module.begin(), module.begin() + spirv::header_words);
+    const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) {
+      const spv::Op op = spirv::opcode(words);
+      if (op == spv::OpStore && contents_.contains(words[1])) return;
+      if (op == spv::OpVariable && contents_.contains(words[2])) {
+        result.insert(result.end(),
+                      {5U << 16U | spv::OpVariable, words[1], words[2], words[3], contents_.at(words[2])});
+        return;
+      }
+      result.insert(result.end(), words.begin(), words.end());
+    });
+    return whole ? result : module;
+  }
+
+ private:
+  void find(spirv::Words words) {
+    switch (spirv::opcode(words)) {
+      case spv::OpConstant:
+      case spv::OpConstantTrue:
+      case spv::OpConstantFalse:
+      case spv::OpConstantComposite:
+      case spv::OpConstantNull:
+        constants_.insert(words[2]);
+        return;
+      case spv::OpName:
+      case spv::OpDecorate:
+        return;
+      case spv::OpVariable:
+        if (words[3] == spv::StorageClassFunction && words.size() == 4) local_.insert(words[2]);
+        return;
+      case spv::OpStore:
+        store(words[1], words[2]);
+        return;
+      case spv::OpLoad:
+        return;
+      case spv::OpAccessChain:
+      case spv::OpInBoundsAccessChain:
+        if (const std::uint32_t variable = variable_of(words[3]); local_.contains(variable))
+          parts_[words[2]] = variable;
+        return;
+      default:
+        refuse(words.subspan(1));
+        return;
+    }
+  }
+
+  void store(std::uint32_t variable, std::uint32_t value) {
+    refuse(value);  // a pointer may be stored
+    if (!local_.contains(variable) || !constants_.contains(value)) return refuse(variable);
+    const auto [known, is_new] = contents_.emplace(variable, value);
+    if (!is_new && known->second != value) refuse(variable);
+  }
+
+  // Refuses a word that may be a variable, or a part of one, in an instruction that does not merely read it.
+  // Literals that look like an id only cost the variable its initialiser.
+  void refuse(std::uint32_t word) {
+    const std::uint32_t variable = variable_of(word);
+    local_.erase(variable);
+    contents_.erase(variable);
+  }
+
+  void refuse(spirv::Words words) {
+    for (const std::uint32_t word : words) refuse(word);
+  }
+
+  std::uint32_t variable_of(std::uint32_t pointer) const {
+    const auto part = parts_.find(pointer);
+    return part == parts_.end() ? pointer : part->second;
+  }
+
+  std::set<std::uint32_t> constants_;
+  std::set<std::uint32_t> local_;                    // local variables that may still be tables
+  std::map<std::uint32_t, std::uint32_t> parts_;     // the local variable of each pointer into one
+  std::map<std::uint32_t, std::uint32_t> contents_;  // the constant that each local variable holds
+};
+
 }  // namespace
 
 void number_bindings(SpirvModule& module) {
@@ -187,6 +313,31 @@ hlsl::Diagnostic error_at(const SourcePlace& place, std::string message) {
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan) {
   const std::optional<std::size_t> instruction = problem_instruction(module, vulkan);
   return instruction ? place_of_instruction(module, *instruction) : SourcePlace{};
+}
+
+void drop_uncalled_functions(SpirvModule& module) {
+  const std::vector<spirv::Words> all = instructions(module);
+  const Ids called = called_functions(all);
+  Ids gone;
+  bool inside = false;
+  std::vector<bool> goes;
+  for (const spirv::Words instruction : all) {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpFunction) inside = called.count(spirv::operand(instruction, 2)) == 0;
+    goes.push_back(inside);
+    if (inside) gone.insert(result(instruction));
+    if (op == spv::OpFunctionEnd) inside = false;
+  }
+  if (gone.empty()) return;
+  std::size_t number = 0;
+  module = spirv::with_instructions(module, [&](spirv::Words instruction) {
+    return !goes[number++] && !(describes(instruction) && gone.count(spirv::operand(instruction, 1)) != 0);
+  });
+}
+
+void initialise_tables(SpirvModule& module) {
+  if (module.size() < spirv::header_words) return;
+  module = ConstantTables(module).initialised(module);
 }
 
 }  // namespace penumbra::shaders

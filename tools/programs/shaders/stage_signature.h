@@ -4,7 +4,6 @@
 // Based on "Signatures", https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-signatures.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

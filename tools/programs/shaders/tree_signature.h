@@ -3,11 +3,9 @@
 
 #include <glslang/MachineIndependent/localintermediate.h>
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
-#include "preparation/semantic_place.h"
+#include "preparation/semantic_names.h"
 #include "shaders/stage_signature.h"
 
 namespace penumbra::shaders {

@@ -1,13 +1,9 @@
 #include "shaders/word_blocks.h"
 
-#include <algorithm>
-#include <map>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
-#include <vector>
 
-#include "shaders/block_place.h"
+#include "hlsl/name_set.h"
 #include "shaders/block_types.h"
 #include "shaders/module_rewrite.h"
 #include "shaders/spirv_module.h"
@@ -16,6 +12,83 @@
 namespace penumbra::shaders {
 
 namespace {
+
+// The part of a block that a pointer refers to, in words of 32 bits.
+
+constexpr std::uint32_t word_bytes = 4;
+
+struct BlockPlace {
+  struct Term {
+    std::uint32_t index;  // the id of a value known only at run time
+    std::uint32_t words;
+  };
+  std::uint32_t variable = 0;  // the block's variable
+  BlockMember value;           // its offset is not used
+  std::uint32_t word = 0;
+  std::uint32_t component_words = 1;  // words from one component of a vector to the next
+  std::vector<Term> terms;            // index times words are added to `word`
+};
+
+// The components of a column in a row-major matrix are one row stride apart.
+void move_to_part(BlockPlace& place, const BlockType& type) {
+  if (type.op == spv::OpTypeMatrix)
+    place.component_words = place.value.row_major ? place.value.matrix_stride / word_bytes : 1;
+  place.value.type = type.element;
+}
+
+// Returns the stride from one part of a value to the next, in words; not for structs.
+std::uint32_t part_stride(const BlockPlace& place, const BlockTypes& types) {
+  const BlockType& type = *types.find(place.value.type);
+  if (type.op == spv::OpTypeVector) return place.component_words;
+  if (type.op == spv::OpTypeMatrix) return place.value.row_major ? 1 : place.value.matrix_stride / word_bytes;
+  return type.array_stride / word_bytes;
+}
+
+// Selects part `number` of the value; returns false if it has no such part or one that is not aligned to a
+// word.
+bool enter_part(BlockPlace& place, const BlockTypes& types, std::uint32_t number) {
+  const BlockType* type = types.find(place.value.type);
+  if (type == nullptr) return false;
+  if (type->op == spv::OpTypeStruct) {
+    if (number >= type->members.size()) return false;
+    place.value = type->members[number];
+    place.word += place.value.offset / word_bytes;
+    return place.value.offset % word_bytes == 0;
+  }
+  if (type->element == 0) return false;
+  place.word += number * part_stride(place, types);
+  move_to_part(place, *type);
+  return true;
+}
+
+// Selects the same for a dynamic index.
+bool enter_part_at(BlockPlace& place, const BlockTypes& types, std::uint32_t index) {
+  const BlockType* type = types.find(place.value.type);
+  if (type == nullptr || type->element == 0 || type->op == spv::OpTypeStruct) return false;
+  place.terms.push_back({index, part_stride(place, types)});
+  move_to_part(place, *type);
+  return true;
+}
+
+// Returns the number of components, columns, elements or members.
+std::uint32_t part_count(const BlockType& type) {
+  return type.op == spv::OpTypeStruct ? static_cast<std::uint32_t>(type.members.size()) : type.count;
+}
+
+// Returns the number of words of a value that consists of 32-bit numbers, if it is at most `most`; else more
+// than `most`.
+std::uint32_t word_count(const BlockPlace& place, const BlockTypes& types, std::uint32_t most) {
+  const BlockType* type = types.find(place.value.type);
+  if (type == nullptr || type->op == spv::OpTypeRuntimeArray) return most + 1;
+  if (type->op == spv::OpTypeInt || type->op == spv::OpTypeFloat)
+    return type->count == word_bytes * 8 ? 1 : most + 1;
+  std::uint32_t words = 0;
+  for (std::uint32_t i = 0; i < part_count(*type) && words <= most; ++i) {
+    BlockPlace part = place;
+    words += enter_part(part, types, i) ? word_count(part, types, most) : most + 1;
+  }
+  return words;
+}
 
 constexpr std::uint32_t register_words = 4;
 constexpr std::uint32_t most_words = 4096;  // limit for a value that is read or written whole
@@ -28,9 +101,9 @@ bool is_chain(spirv::Words one) {
 
 // Returns whether the instruction takes a pointer and is not one that reads and writes.
 bool passes_pointers(spv::Op op) {
-  return (op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor) || op == spv::OpCopyMemory ||
-         op == spv::OpCopyObject || op == spv::OpFunctionCall || op == spv::OpPhi || op == spv::OpSelect ||
-         op == spv::OpPtrAccessChain;
+  return (op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor) ||
+         hlsl::is_one_of(op, {spv::OpCopyMemory, spv::OpCopyObject, spv::OpFunctionCall, spv::OpPhi, spv::OpSelect,
+                        spv::OpPtrAccessChain});
 }
 
 struct Block {

@@ -6,12 +6,8 @@
 // (https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html).
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <glslang/SPIRV/spirv.hpp>
 #include <span>
 #include <string>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "input/input_error.h"
-#include "techniques/graph_order.h"
+#include "techniques/pass_graph.h"
 #include "techniques/texel_formats.h"
 
 namespace penumbra::techniques {

@@ -2,8 +2,6 @@
 // folder.
 #pragma once
 
-#include <string>
-
 #include "techniques/pass_graph.h"
 
 namespace penumbra::techniques {

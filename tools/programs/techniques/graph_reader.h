@@ -1,10 +1,6 @@
 // Reads and checks one graph of a manifest. Internal to this folder.
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <string>
-
 #include "project/include_bounds.h"
 #include "techniques/manifest_reader.h"
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <tuple>
-#include <vector>
 
 #define VALIJSON_USE_EXCEPTIONS 1  // without it, valijson ends the program
 #include <valijson/adapters/nlohmann_json_adapter.hpp>

@@ -1,8 +1,6 @@
 // Checks a manifest against its schema. Internal to this folder.
 #pragma once
 
-#include <string_view>
-
 #include "input/located_json.h"
 
 namespace penumbra::techniques {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "techniques/graph_reader.h"
 #include "techniques/manifest_check.h"
-#include "techniques/technique_values.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::techniques {
 namespace {

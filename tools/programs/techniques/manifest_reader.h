@@ -3,10 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "input/located_json.h"
 #include "techniques/technique_list.h"

@@ -5,8 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "techniques/comment_lines.h"
-#include "techniques/csharp_literal.h"
+#include "techniques/emitted_text.h"
 #include "techniques/parameter_packing.h"
 
 namespace penumbra::techniques {

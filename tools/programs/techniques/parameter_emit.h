@@ -2,10 +2,15 @@
 // hold the struct and the same packing (parameter_packing.h).
 #pragma once
 
-#include "techniques/emitted_file.h"
-#include "techniques/parameter_struct.h"
+#include "techniques/parameter_packing.h"
 
 namespace penumbra::techniques {
+
+// A text that is made from the manifests and checked in.
+struct EmittedFile {
+  std::string file;  // path relative to the package's folder
+  std::string text;
+};
 
 EmittedFile emit_hlsl(const ParameterStruct& parameters);
 EmittedFile emit_csharp(const ParameterStruct& parameters);

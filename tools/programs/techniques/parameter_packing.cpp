@@ -34,4 +34,9 @@ std::vector<std::array<float, 4>> packed(const ParameterStruct& parameters,
   return vectors;
 }
 
+std::size_t component_count(const ParameterField& field) {
+  if (field.type == "float2") return 2;
+  return field.type == "float4" ? 4 : 1;
+}
+
 }  // namespace penumbra::techniques

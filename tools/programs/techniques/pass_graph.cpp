@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "project/json_diagnostic.h"
-#include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
 namespace penumbra::techniques {

@@ -5,10 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
 
@@ -184,5 +183,16 @@ std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph);
 // that its compute shaders cannot write. Targets have the names that `penumbra validate` takes.
 std::vector<hlsl::Diagnostic> target_problems(const PassGraph& graph, const GraphPass& pass,
                                               const std::string& target);
+
+// The reads of a graph's passes, and the order that follows from them.
+bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name);
+
+// Returns whether `later` has to wait for `earlier`: it reads or changes what `earlier` writes, or makes the
+// mip levels of it.
+bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier);
+
+// Returns for each pass the numbers of those that it waits for, rising. Only passes that write what it needs
+// are examined.
+std::vector<std::vector<std::size_t>> awaited_passes(const PassGraph& graph);
 
 }  // namespace penumbra::techniques

@@ -2,12 +2,7 @@
 // feature.
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "techniques/parameter_struct.h"
+#include "techniques/parameter_packing.h"
 #include "techniques/pass_graph.h"
 
 namespace penumbra::techniques {

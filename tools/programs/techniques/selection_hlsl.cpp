@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "input/input_error.h"
 #include "techniques/parameter_packing.h"

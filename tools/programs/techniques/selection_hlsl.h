@@ -2,8 +2,6 @@
 // (ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl).
 #pragma once
 
-#include <string>
-
 #include "techniques/technique_list.h"
 
 namespace penumbra::techniques {

@@ -3,8 +3,8 @@
 
 #include "input/input_error.h"
 #include "techniques/manifest_reader.h"
-#include "techniques/preset_emit.h"
 #include "techniques/selection.h"
+#include "techniques/settings_emit.h"
 
 namespace penumbra::techniques {
 namespace {

@@ -4,22 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
-#include <set>
 #include <sstream>
-#include <string_view>
-#include <system_error>
-#include <utility>
 
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "platform/data_directory.h"
 #include "preparation/bare_source.h"
-#include "preparation/include_guard.h"
 #include "project/include_bounds.h"
 #include "project/include_search.h"
-#include "techniques/cascade_rules.h"
-#include "techniques/comment_lines.h"
+#include "techniques/emitted_text.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/technique_call.h"
 

@@ -1,10 +1,6 @@
 // A technique's filter as one HLSL file, for those who copy it into an engine of their own.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "techniques/technique_list.h"
 
 namespace penumbra::techniques {

@@ -5,11 +5,8 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
 
-#include "techniques/parameter_struct.h"
+#include "techniques/parameter_packing.h"
 #include "techniques/pass_graph.h"
 #include "techniques/selection.h"
 
@@ -116,5 +113,16 @@ TechniqueList read_technique_list(const std::filesystem::path& package_or_manife
 
 // Reads those of this program's own package.
 TechniqueList read_own_techniques();
+
+// A technique with other values than the list gives it.
+//
+// Describes the problem of a value of the field: no finite number, not whole where the field is an int, out
+// of range. The result is empty if there is none.
+std::string value_problem(const ParameterField& field, double value);
+
+// Throws InputError, naming the technique and its parameters, when it has none of that name, and for a value
+// that value_problem() refuses.
+Technique with_value(const TechniqueList& list, Technique technique, const std::string& parameter,
+                     double value);
 
 }  // namespace penumbra::techniques

@@ -1,6 +1,5 @@
 // The techniques of a manifest (manifest_reader.h).
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 

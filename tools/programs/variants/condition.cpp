@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "hlsl/identifier.h"
 
 namespace penumbra::variants {
 namespace {
@@ -38,13 +39,6 @@ struct ConditionToken {
 };
 using Tokens = std::vector<ConditionToken>;
 
-bool starts_name(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-bool continues_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 Tokens split(std::string_view text, const std::shared_ptr<const Origin>& origin) {
   static constexpr std::string_view pairs[] = {"&&", "||", "==", "!=", "<=", ">=", "<<", ">>"};
   Tokens tokens;
@@ -56,9 +50,9 @@ Tokens split(std::string_view text, const std::shared_ptr<const Origin>& origin)
       ++at;
       continue;
     }
-    if (continues_name(c)) {
-      kind = starts_name(c) ? ConditionToken::Kind::name : ConditionToken::Kind::number;
-      while (end < text.size() && continues_name(text[end])) ++end;
+    if (hlsl::continues_identifier(c)) {
+      kind = hlsl::begins_identifier(c) ? ConditionToken::Kind::name : ConditionToken::Kind::number;
+      while (end < text.size() && hlsl::continues_identifier(text[end])) ++end;
     } else if (std::find(std::begin(pairs), std::end(pairs), text.substr(at, 2)) != std::end(pairs)) {
       end = at + 2;
     }

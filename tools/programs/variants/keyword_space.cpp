@@ -4,11 +4,10 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
-#include "variants/built_in_sets.h"
 #include "variants/keyword_join.h"
+#include "variants/pragma_names.h"
 
 namespace penumbra::variants {
 namespace {
@@ -179,10 +178,9 @@ std::vector<std::vector<Choice>> seen_by(hlsl::Stage stage, const std::vector<st
                                          const std::vector<StageSet>& stages_of) {
   std::vector<std::vector<Choice>> seen = axes;
   for (std::vector<Choice>& choices : seen) {
-    for (Choice& choice : choices) {
+    for (Choice& choice : choices)
       std::erase_if(choice,
                     [&](int keyword) { return !stages_of[static_cast<std::size_t>(keyword)].has(stage); });
-    }
     drop_repeated(choices);
   }
   return seen;

@@ -21,16 +21,10 @@
 // shaders", "Shader variant stripping".
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "hlsl/stage.h"
-#include "variants/clause.h"
 #include "variants/keyword_join.h"
 #include "variants/keyword_set.h"
 #include "variants/platform_defines.h"
@@ -42,7 +36,7 @@ namespace penumbra::variants {
 struct Narrowing {
   std::vector<Clause> clauses;
   std::optional<std::vector<Keywords>> materials;  // if absent, shader_feature sets span all combinations
-  Keywords stereo_modes;                           // see stereo_set() in built_in_sets.h; empty for no XR
+  Keywords stereo_modes;                           // see stereo_set() in pragma_names.h; empty for no XR
   std::string tiers_for;                           // renderer for which hardware_tier_variants count
   std::vector<std::string> unused_passes{};        // names or LightMode tags: none of their variants is built
 };

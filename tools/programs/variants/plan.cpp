@@ -83,9 +83,8 @@ std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, Variant
 
 std::string line_of(const ProgramPlan& program) {
   std::string line = "  " + visible_line(program.name);
-  for (const StagePlan& stage : program.stages) {
+  for (const StagePlan& stage : program.stages)
     line += std::string("   ") + hlsl::stage_name(stage.stage) + " " + text_of(stage.variants);
-  }
   return line + "\n";
 }
 
@@ -142,9 +141,8 @@ std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t l
                    [](const ProgramPlan* a, const ProgramPlan* b) { return a->total > b->total; });
   text += "most of them in\n";
   for (std::size_t i = 0; i < std::min(largest.size(), most_shown); ++i) text += line_of(*largest[i]);
-  if (largest.size() > most_shown) {
+  if (largest.size() > most_shown)
     text += "  and " + std::to_string(largest.size() - most_shown) + " more programs\n";
-  }
   const std::vector<Saving> candidates = savings(programs, counted.total);
   if (!candidates.empty())
     text += "what multiplies the number most, and how many variants are left without it\n";

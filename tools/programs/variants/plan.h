@@ -1,9 +1,6 @@
 // The amount of work, counted before any of it starts.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hlsl/stage.h"
 #include "variants/keyword_space.h"
 #include "variants/variant_count.h"

@@ -70,9 +70,8 @@ std::map<std::string, std::string> pragma_defines(const Platform& platform) {
   std::map<std::string, std::string> defines;
   defines[names_of(platform.api).macro] = "1";
   defines["UNITY_VERSION"] = std::to_string(platform.unity_version);
-  if (platform.api != GraphicsApi::nintendo_switch) {
+  if (platform.api != GraphicsApi::nintendo_switch)
     defines[platform.mobile ? "SHADER_API_MOBILE" : "SHADER_API_DESKTOP"] = "1";
-  }
   return defines;
 }
 

@@ -26,15 +26,12 @@
 //   - from HLSLSupport.cginc, which CGPROGRAM blocks include unasked and HLSLPROGRAM blocks do not:
 //     UNITY_STEREO_MULTIVIEW_ENABLED of STEREO_MULTIVIEW_ON, and its own UNITY_COMPILER_*,
 //     UNITY_REVERSED_Z, UNITY_UV_STARTS_AT_TOP, CBUFFER_START, ...
-// The keywords from which these are derived are defined by their variant (built_in_sets.h), like every
+// The keywords from which these are derived are defined by their variant (pragma_names.h), like every
 // keyword; UNITY_SINGLE_PASS_STEREO is one that the libraries test directly.
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "hlsl/stage.h"
 

@@ -1,14 +1,11 @@
 #include "variants/pragma_parser.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "hlsl/identifier.h"
 #include "input/nearest_name.h"
-#include "variants/built_in_sets.h"
 #include "variants/pragma_names.h"
 
 namespace penumbra::variants {
@@ -76,9 +73,8 @@ bool PragmaParser::read_entry_point(Line& line) {
     error(place_of(line, function), "'" + function.text + "' cannot be the name of a function");
     return true;
   }
-  if (line.words.size() > 1) {
+  if (line.words.size() > 1)
     warn(place_of(line, line.words[1]), "what follows the function's name has no effect");
-  }
   const EntryPoint entry{*stage, function.text, line.place};
   for (EntryPoint& known : pragmas_.entry_points) {
     if (known.stage != *stage) continue;
@@ -164,9 +160,8 @@ KeywordSet PragmaParser::set_of(const Line& line) {
 }
 
 void PragmaParser::add_built_in(const Line& line) {
-  if (!line.words.empty()) {
+  if (!line.words.empty())
     warn(place_of(line, line.words.front()), "'#pragma " + line.name + "' takes no keywords");
-  }
   BuiltInSets sets = *built_in_sets(line.name);
   for (std::vector<Keywords>& alternatives : sets.sets) {
     KeywordSet set;
@@ -353,9 +348,8 @@ void PragmaParser::finish() {
                   return !seen.insert(keyword.name).second;
                 });
   for (KeywordSet& set : pragmas_.keyword_sets) {
-    if (set.pragma == "multi_compile_instancing" && !pragmas_.procedural_function.empty()) {
+    if (set.pragma == "multi_compile_instancing" && !pragmas_.procedural_function.empty())
       set.alternatives.push_back({"PROCEDURAL_INSTANCING_ON"});
-    }
     std::set<Keywords> kept;
     for (Keywords& alternative : set.alternatives) {
       for (const std::string& keyword : alternative) {

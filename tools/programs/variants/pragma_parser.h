@@ -1,9 +1,7 @@
 // Reads one #pragma line after another into Pragmas. Internal to this folder.
 #pragma once
 
-#include <functional>
 #include <set>
-#include <string>
 
 #include "hlsl/diagnostic.h"
 #include "variants/directive_lines.h"

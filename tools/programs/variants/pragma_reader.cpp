@@ -1,8 +1,4 @@
-#include <algorithm>
 #include <cctype>
-#include <cstddef>
-#include <set>
-#include <utility>
 
 #include "hlsl/identifier.h"
 #include "variants/condition.h"
@@ -23,9 +19,8 @@ constexpr std::size_t most_condition_tokens = 4'000'000;
 class NumberedText {
  public:
   explicit NumberedText(std::string text) : text_(std::move(text)), starts_{0} {
-    for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1)) {
+    for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
       starts_.push_back(at + 1);
-    }
   }
   const std::string& text() const { return text_; }
   std::string line(int number) const {
@@ -97,18 +92,16 @@ class PragmaReader {
     if (is_new) pragmas_.files.push_back(name);
     open_.push_back(name);
     const std::size_t outer_branches = branches_.size();
-    for (const DirectiveLine& line : directive_lines(numbered->second.text())) {
+    for (const DirectiveLine& line : directive_lines(numbered->second.text()))
       read_directive(line, name, outer_branches);
-    }
     while (branches_.size() > outer_branches) close_branch();
     open_.pop_back();
   }
 
   void read_directive(const DirectiveLine& line, const std::string& file, std::size_t outer_branches) {
     if (read_condition(line, file, outer_branches)) return;
-    if (line.name == "pragma" && !branches_.empty() && !branches_.back().first_pragma) {
+    if (line.name == "pragma" && !branches_.empty() && !branches_.back().first_pragma)
       branches_.back().first_pragma = Place{file, line.line, line.column};
-    }
     if (!active()) return;
     if (line.name == "pragma") {
       if (!line.words.empty() && line.words.front().text == "once") once_.insert(file);
@@ -160,11 +153,10 @@ class PragmaReader {
     }
     const Condition condition = evaluate(line.rest, macros_, condition_budget_);
     branch.consulted.insert(condition.consulted.begin(), condition.consulted.end());
-    if (!condition.problem.empty()) {
+    if (!condition.problem.empty())
       say(hlsl::Severity::warning, {file, line.line, line.column},
           "this condition cannot be evaluated, and the pragmas it guards may be misread: " +
               condition.problem);
-    }
     return condition.holds;
   }
 
@@ -197,9 +189,8 @@ class PragmaReader {
       return;
     }
     if (++includes_ > most_files || bytes_ + found->text.size() > most_bytes) {
-      if (includes_ == most_files + 1) {
+      if (includes_ == most_files + 1)
         say(hlsl::Severity::error, place, "too many files are included; the pragmas of the rest are ignored");
-      }
       includes_ = most_files + 1;
       return;
     }
@@ -210,9 +201,8 @@ class PragmaReader {
     Branch closed = std::move(branches_.back());
     branches_.pop_back();
     if (!closed.first_pragma) return;
-    if (!branches_.empty() && !branches_.back().first_pragma) {
+    if (!branches_.empty() && !branches_.back().first_pragma)
       branches_.back().first_pragma = closed.first_pragma;
-    }
     conditional_.push_back(std::move(closed));
   }
 

@@ -19,16 +19,11 @@
 
 #include <functional>
 #include <map>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
-#include "variants/clause.h"
 #include "variants/keyword_set.h"
-#include "variants/place.h"
 
 namespace penumbra::variants {
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <string>
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
@@ -24,9 +23,8 @@ bool take_field(std::string_view text, Line& line) {
   if (colon == std::string_view::npos) return false;
   line.name = text.substr(0, colon);
   line.value = text.substr(colon + 2);
-  while (!line.value.empty() && (line.value.back() == '\r' || line.value.back() == ' ')) {
+  while (!line.value.empty() && (line.value.back() == '\r' || line.value.back() == ' '))
     line.value.remove_suffix(1);
-  }
   return true;
 }
 
@@ -34,10 +32,9 @@ int number_of(const Line& line, int highest) {
   int value = -1;
   const char* const end = line.value.data() + line.value.size();
   const auto [stop, error] = std::from_chars(line.value.data(), end, value);
-  if (error != std::errc() || stop != end || value < 0 || value > highest) {
+  if (error != std::errc() || stop != end || value < 0 || value > highest)
     throw InputError(line.where, "'" + std::string(line.name) + "' must be an integer from 0 to " +
                                      std::to_string(highest) + ", found '" + std::string(line.value) + "'");
-  }
   return value;
 }
 
@@ -89,10 +86,9 @@ bool read_field(const Line& line, UrpSettings& settings, bool& no_main_light) {
 }  // namespace
 
 UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
-  if (text.find('\0') != std::string_view::npos) {
+  if (text.find('\0') != std::string_view::npos)
     throw InputError(name, "is a binary asset",
                      "set Project Settings > Editor > Asset Serialization to Force Text");
-  }
   UrpSettings settings;
   bool known = false;
   bool no_main_light = false;
@@ -103,10 +99,9 @@ UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
     if (take_field(text.substr(at, end - at), line)) known |= read_field(line, settings, no_main_light);
     at = end + 1;
   }
-  if (!known) {
+  if (!known)
     throw InputError(name, "contains no setting of the Universal Render Pipeline",
                      "use a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");
-  }
   if (no_main_light) settings.main_light_shadows = false;
   return settings;
 }

@@ -89,22 +89,18 @@ void add_lights(const UrpSettings& settings, Clauses& clauses) {
     clauses.forbid(forward_plus_keywords);
   }
   const auto lights = settings.additional_lights;
-  if (forward_plus || lights == AdditionalLights::disabled || lights == AdditionalLights::per_pixel) {
+  if (forward_plus || lights == AdditionalLights::disabled || lights == AdditionalLights::per_pixel)
     clauses.forbid({"_ADDITIONAL_LIGHTS_VERTEX"});
-  }
-  if (forward_plus || lights == AdditionalLights::disabled || lights == AdditionalLights::per_vertex) {
+  if (forward_plus || lights == AdditionalLights::disabled || lights == AdditionalLights::per_vertex)
     clauses.forbid({"_ADDITIONAL_LIGHTS"});
-  }
 }
 
 void add_shadows(const UrpSettings& settings, Clauses& clauses) {
-  if (settings.shadow_cascades) {
+  if (settings.shadow_cascades)
     clauses.forbid({*settings.shadow_cascades > 1 ? "_MAIN_LIGHT_SHADOWS" : "_MAIN_LIGHT_SHADOWS_CASCADE"});
-  }
-  for (const std::string& soft : soft_keywords) {
+  for (const std::string& soft : soft_keywords)
     clauses.tie(soft, {"_MAIN_LIGHT_SHADOWS", "_MAIN_LIGHT_SHADOWS_CASCADE", "_MAIN_LIGHT_SHADOWS_SCREEN",
                        "_ADDITIONAL_LIGHT_SHADOWS"});
-  }
   if (settings.rendering_mode == RenderingMode::deferred) return;
   Keywords lights = forward_plus_keywords;
   lights.insert(lights.end(), {"_ADDITIONAL_LIGHTS", "_DEFERRED_STENCIL"});

@@ -62,11 +62,8 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "variants/clause.h"
 #include "variants/keyword_set.h"
 
 namespace penumbra::variants {

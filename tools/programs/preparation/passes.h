@@ -1,0 +1,61 @@
+// The passes of prepare.h, in the order in which they run. Each says at its definition what it recognises,
+// what it replaces that by and why the meaning is preserved. Internal to this folder.
+#pragma once
+
+#include "preparation/token_text.h"
+
+namespace penumbra::preparation {
+
+void pack_matrices(TokenText& text);
+void make_constants_uniforms(TokenText& text);
+void name_unsigned_types(TokenText& text);
+void drop_const_of_casts(TokenText& text);
+void drop_uniform_of_parameters(TokenText& text);
+void drop_texture_precision(TokenText& text);
+void name_precision_matrices(TokenText& text);
+void put_bodies_into_structs(TokenText& text);
+void write_out_namespaces(TokenText& text);
+void put_static_first(TokenText& text);
+void rename_type_semantics(TokenText& text);
+void pass_bools_as_numbers(TokenText& text);
+void write_out_base_members(TokenText& text);
+void match_prototypes(TokenText& text);
+void call_own_methods_by_this(TokenText& text);
+void keep_loop_variables(TokenText& text);
+void make_row_matrices_vectors(TokenText& text);
+void plain_registers(TokenText& text);
+void read_framebuffer(TokenText& text);
+void take_apart_uniform_structs(TokenText& text);
+void hoist_cbuffer_resources(TokenText& text);
+void place_cbuffer_members(TokenText& text);
+void separate_dx9_samplers(TokenText& text);
+void call_members_on_variables(TokenText& text);
+void resolve_buffer_aliases(TokenText& text);
+void zero_resource_structs(TokenText& text);
+void cast_zero_to_structs(TokenText& text);
+void copy_cast_structs(TokenText& text);
+void assign_resource_arrays(TokenText& text);
+void separate_texture_reads(TokenText& text);
+void return_from_empty_functions(TokenText& text);
+void merge_precision_overloads(TokenText& text);
+void narrow_arguments(TokenText& text);
+void drop_stray_semicolons(TokenText& text);
+void drop_statement_attributes(TokenText& text);
+void match_struct_initialisers(TokenText& text);
+void group_flat_initialisers(TokenText& text);
+void write_whole_texels(TokenText& text);
+void widen_matrix_casts(TokenText& text);
+void cast_switch_values(TokenText& text);
+void pass_swizzles_in_variables(TokenText& text);
+void write_out_matrix_swizzles(TokenText& text);
+void write_out_matrix_operators(TokenText& text);
+void write_out_integer_products(TokenText& text);
+void define_intrinsics(TokenText& text);
+void hide_constant_operands(TokenText& text);
+void work_out_static_initialisers(TokenText& text);
+void wrap_constructor_statements(TokenText& text);
+void copy_written_uniforms(TokenText& text);
+void multiply_bool_signs(TokenText& text);
+void write_out_intrinsic_calls(TokenText& text);
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,260 @@
+#include "shaders/tree_problems.h"
+
+#include <string>
+#include <utility>
+
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include "hlsl/name_set.h"
+#include "shaders/tree_rewrite.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+// A traversal of the whole tree that collects problems.
+class TreeSearch : public glslang::TIntermTraverser {
+ public:
+  std::vector<hlsl::Diagnostic> run(const glslang::TIntermediate& tree) {
+    if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(this);
+    return std::move(found);
+  }
+
+ protected:
+  std::vector<hlsl::Diagnostic> found;
+};
+
+bool gathers(glslang::TOperator op) {
+  return hlsl::is_one_of(
+      op, {glslang::EOpTextureGather, glslang::EOpTextureGatherOffset, glslang::EOpTextureGatherOffsets});
+}
+
+bool samples(glslang::TOperator op) {
+  return hlsl::is_one_of(
+      op, {glslang::EOpTexture, glslang::EOpTextureLod, glslang::EOpTextureOffset,
+           glslang::EOpTextureLodOffset, glslang::EOpTextureGrad, glslang::EOpTextureGradOffset});
+}
+
+int coordinates(const glslang::TSampler& texture) {
+  const bool of_three = texture.dim == glslang::Esd3D || texture.dim == glslang::EsdCube;
+  const int plain = texture.dim == glslang::Esd1D ? 1 : of_three ? 3 : 2;
+  return plain + (texture.arrayed ? 1 : 0);
+}
+
+// A sample has its reference as the last coordinate; cube arrays and gathers have it as a separate argument.
+bool has_reference(const glslang::TIntermAggregate& read, const glslang::TSampler& texture) {
+  const glslang::TIntermSequence& arguments = read.getSequence();
+  const bool is_cube_array = texture.dim == glslang::EsdCube && texture.arrayed;
+  if (is_cube_array && !gathers(read.getOp())) return read.isScalar();  // the result type of a comparison
+  if (!gathers(read.getOp()))
+    return arguments[1]->getAsTyped()->getType().getVectorSize() > coordinates(texture);
+  if (arguments.size() < 3) return false;
+  const glslang::TType& third = arguments[2]->getAsTyped()->getType();
+  return third.isFloatingDomain() && third.getVectorSize() == 1;
+}
+
+class ComparisonSearch final : public TreeSearch {
+ public:
+  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
+    const glslang::TOperator op = node->getOp();
+    const glslang::TIntermSequence& arguments = node->getSequence();
+    if ((!samples(op) && !gathers(op)) || arguments.size() < 2) return true;
+    const glslang::TIntermTyped* texture = arguments[0]->getAsTyped();
+    if (texture == nullptr || texture->getBasicType() != glslang::EbtSampler) return true;
+    const glslang::TSampler& type = texture->getType().getSampler();
+    if (type.shadow && !has_reference(*node, type)) found.push_back(problem(*texture, *node));
+    return true;
+  }
+
+ private:
+  // Returns an empty name if it is not a variable.
+  static std::string sampler_of(const glslang::TIntermTyped& pair) {
+    const glslang::TIntermAggregate* made = pair.getAsAggregate();
+    if (made == nullptr || made->getSequence().size() < 2) return "";
+    const glslang::TIntermSymbol* symbol = made->getSequence()[1]->getAsSymbolNode();
+    return symbol == nullptr ? "" : symbol->getName().c_str();
+  }
+
+  static hlsl::Diagnostic problem(const glslang::TIntermTyped& texture, const TIntermNode& read) {
+    const std::string name = sampler_of(texture);
+    const std::string sampler = name.empty() ? "this" : "'" + name + "'";
+    return error_at(read, sampler +
+                              " is a comparison sampler and this read does not compare; use a sampler like "
+                              "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW");
+  }
+};
+
+bool is_written(glslang::TStorageQualifier qualifier) {
+  return qualifier == glslang::EvqOut || qualifier == glslang::EvqInOut;
+}
+
+bool is_arithmetic(glslang::TOperator op) {
+  return hlsl::is_one_of(op, {glslang::EOpAdd, glslang::EOpSub, glslang::EOpMul, glslang::EOpDiv,
+                              glslang::EOpMod, glslang::EOpVectorTimesScalar, glslang::EOpNegative,
+                              glslang::EOpLogicalNot, glslang::EOpBitwiseNot});
+}
+
+bool is_value(glslang::TIntermTyped& argument) {
+  if (argument.getAsConstantUnion() != nullptr) return true;
+  const glslang::TIntermOperator* made = argument.getAsOperator();
+  return made != nullptr && is_arithmetic(made->getOp());
+}
+
+// HLSL converts an inout argument of another type in both directions, glslang only on input.
+bool is_converted(glslang::TIntermTyped& argument) {
+  const glslang::TIntermUnary* made = argument.getAsUnaryNode();
+  return made != nullptr && made->getOperand()->getBasicType() != argument.getBasicType();
+}
+
+class ArgumentSearch final : public TreeSearch {
+ public:
+  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
+    if (node->getOp() != glslang::EOpFunctionCall) return true;
+    const glslang::TIntermSequence& arguments = node->getSequence();
+    const glslang::TQualifierList& qualifiers = node->getQualifierList();
+    for (std::size_t i = 0; i < std::min(arguments.size(), qualifiers.size()); ++i) {
+      glslang::TIntermTyped* argument = arguments[i]->getAsTyped();
+      if (argument == nullptr || !is_written(qualifiers[i])) continue;
+      if (is_value(*argument)) tell(*node, i, "which is not an lvalue: pass a variable");
+      if (is_converted(*argument))
+        tell(*node, i, "which has another type: pass a variable of the parameter's type");
+    }
+    return true;
+  }
+
+  void tell(const glslang::TIntermAggregate& call, std::size_t argument, const std::string& what) {
+    const std::string name(call.getName().c_str());
+    found.push_back(error_at(call, "'" + name.substr(0, name.find('(')) + "' writes to its argument " +
+                                       std::to_string(argument + 1) + ", " + what));
+  }
+};
+
+// Returns an empty name for other operators.
+std::string_view bit_operator(glslang::TOperator op) {
+  if (op == glslang::EOpAnd || op == glslang::EOpAndAssign) return "&";
+  if (op == glslang::EOpInclusiveOr || op == glslang::EOpInclusiveOrAssign) return "|";
+  if (op == glslang::EOpExclusiveOr || op == glslang::EOpExclusiveOrAssign) return "^";
+  if (op == glslang::EOpLeftShift || op == glslang::EOpLeftShiftAssign) return "<<";
+  if (op == glslang::EOpRightShift || op == glslang::EOpRightShiftAssign) return ">>";
+  return {};
+}
+
+std::string int_of(int components) {
+  return components == 1 ? "int" : "int" + std::to_string(components);
+}
+
+class OperandSearch final : public TreeSearch {
+ public:
+  bool visitBinary(glslang::TVisit /*when*/, glslang::TIntermBinary* node) override {
+    const std::string_view name = bit_operator(node->getOp());
+    const bool of_floats =
+        node->getLeft()->getType().isFloatingDomain() || node->getRight()->getType().isFloatingDomain();
+    if (!name.empty() && of_floats)
+      found.push_back(error_at(*node, "'" + std::string(name) +
+                                          "' takes integers, and an operand is a float: convert it "
+                                          "with (int), or read its bits with asuint()"));
+    return true;
+  }
+
+  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
+    const glslang::TIntermSequence& arguments = node->getSequence();
+    if (node->getOp() != glslang::EOpTextureFetch || arguments.size() < 2) return true;
+    const glslang::TIntermTyped* texture = arguments[0]->getAsTyped();
+    const glslang::TIntermTyped* place = arguments[1]->getAsTyped();
+    if (texture == nullptr || place == nullptr || texture->getBasicType() != glslang::EbtSampler) return true;
+    const glslang::TSampler& type = texture->getType().getSampler();
+    const int wanted = load_coordinates(type);
+    const bool has_level = !type.isMultiSample() && !type.isBuffer();
+    const int given = place->getType().getVectorSize();
+    if (wanted == 0 || given == wanted || (!has_level && given > wanted)) return true;
+    const int level = has_level ? 1 : 0;
+    found.push_back(error_at(*node, "this Load takes an " + int_of(wanted + level) +
+                                        (has_level ? ", the last for the mip level" : "") +
+                                        ", and its argument has " + std::to_string(given + level) +
+                                        (given + level == 1 ? " component" : " components")));
+    return true;
+  }
+
+ private:
+  // Returns 0 if it is not known.
+  static int load_coordinates(const glslang::TSampler& type) {
+    const int layer = type.isArrayed() ? 1 : 0;
+    switch (type.dim) {
+      case glslang::EsdBuffer:
+      case glslang::Esd1D:
+        return 1 + layer;
+      case glslang::Esd2D:
+        return 2 + layer;
+      case glslang::Esd3D:
+        return 3;
+      default:
+        return 0;
+    }
+  }
+};
+
+using glslang::TIntermTyped;
+
+class OperationMeanings final : public TreeRewrite {
+ private:
+  TIntermTyped* of_unary(glslang::TIntermUnary& node) override {
+    TIntermTyped* operand = node.getOperand();
+    const bool is_number = !operand->isMatrix() && !operand->isArray();
+    if (operand->getBasicType() != glslang::EbtUint || !is_number) return &node;
+    if (node.getOp() == glslang::EOpAbs) return operand;
+    if (node.getOp() != glslang::EOpNegative) return &node;
+    return binary_node(node, glslang::EOpSub, zero(operand->getVectorSize()), operand, node.getType());
+  }
+
+  static TIntermTyped* zero(int size) {
+    glslang::TConstUnionArray values(size);
+    for (int i = 0; i < size; ++i) values[i].setUConst(0);
+    return new glslang::TIntermConstantUnion(values,
+                                             glslang::TType(glslang::EbtUint, glslang::EvqConst, size));
+  }
+
+  // The sample number is a uint in HLSL, and an int in GLSL, where it is not converted implicitly.
+  static TIntermTyped* with_int_sample(glslang::TIntermAggregate& node) {
+    TIntermTyped* sample = node.getSequence()[1]->getAsTyped();
+    if (sample->getBasicType() == glslang::EbtUint)
+      node.getSequence()[1] = unary_node(node, glslang::EOpConvUintToInt, sample,
+                                         glslang::TType(glslang::EbtInt, glslang::EvqTemporary));
+    return &node;
+  }
+
+  TIntermTyped* of_aggregate(glslang::TIntermAggregate& node) override {
+    const glslang::TIntermSequence& given = node.getSequence();
+    const glslang::TType& type = node.getType();
+    const auto argument = [&](std::size_t i) { return given[i]->getAsTyped(); };
+    if (node.getOp() == glslang::EOpFma && given.size() == 3) {
+      TIntermTyped* product = binary_node(node, glslang::EOpMul, argument(0), argument(1), type);
+      return binary_node(node, glslang::EOpAdd, product, argument(2), type);
+    }
+    if (node.getOp() == glslang::EOpInterpolateAtSample && given.size() == 2) return with_int_sample(node);
+    if (node.getOp() == glslang::EOpLdexp && given.size() == 2) {
+      TIntermTyped* scale = unary_node(node, glslang::EOpExp2, argument(1), argument(1)->getType());
+      return binary_node(node, glslang::EOpMul, argument(0), scale, type);
+    }
+    return &node;
+  }
+};
+
+}  // namespace
+
+std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermediate& tree) {
+  return ComparisonSearch().run(tree);
+}
+
+std::vector<hlsl::Diagnostic> unwritable_arguments(const glslang::TIntermediate& tree) {
+  return ArgumentSearch().run(tree);
+}
+
+std::vector<hlsl::Diagnostic> refused_operands(const glslang::TIntermediate& tree) {
+  return OperandSearch().run(tree);
+}
+
+void correct_operations(glslang::TIntermediate& tree) {
+  OperationMeanings().run(tree);
+}
+
+}  // namespace penumbra::shaders
