@@ -24,8 +24,7 @@ namespace Penumbra
         {
 #if UNITY_EDITOR
             PackageInfo package = PackageInfo.FindForAssembly(typeof(PackagePageAttribute).Assembly);
-            if (package != null)
-                return new Uri(Path.Combine(package.resolvedPath, "Documentation~", page)).AbsoluteUri;
+            if (package != null) return new Uri(Path.Combine(package.resolvedPath, "Documentation~", page)).AbsoluteUri;
 #endif
             return "";
         }

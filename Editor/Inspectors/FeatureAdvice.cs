@@ -5,9 +5,7 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>
-    /// The project's state that decides whether the feature works; collected by FeatureSurroundings.
-    /// </summary>
+    /// <summary>The project's state that decides whether the feature works; collected by FeatureSurroundings.</summary>
     internal struct FeatureState
     {
         internal bool shaderFound;

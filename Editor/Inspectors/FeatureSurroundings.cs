@@ -6,9 +6,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>
-    /// Collects a feature's state from its renderer, the URP asset in use and the graphics settings.
-    /// </summary>
+    /// <summary>Collects a feature's state from its renderer, the URP asset in use and the graphics settings.</summary>
     internal static class FeatureSurroundings
     {
         private const string UrpScreenSpaceShadows = "UnityEngine.Rendering.Universal.ScreenSpaceShadows";

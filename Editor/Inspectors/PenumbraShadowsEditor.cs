@@ -17,8 +17,7 @@ namespace Penumbra.Editor
             CustomFields.KeepPreset(settings, ((PenumbraShadows)target).Settings);
             if ((QualityPreset)preset.intValue == QualityPreset.Custom)
                 ShowOptions(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)));
-            else
-                ShowPreset(settings, (QualityPreset)preset.intValue);
+            else ShowPreset(settings, (QualityPreset)preset.intValue);
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.noise)));
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.sceneView)));
             EditorGUILayout.PropertyField(

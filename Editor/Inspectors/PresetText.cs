@@ -11,9 +11,7 @@ namespace Penumbra.Editor
             bool isReplaced = ChainSubstitute.TryGetSampled(options, out ShadowOptions instead);
             if (isReplaced && options.DrawsVisibility && options.HalvesResolution)
                 text += ", sharp edges by " + TechniqueName.Of(instead.technique);
-            return isReplaced
-                       ? text + "; on devices that cannot run it " + DescribeOne(instead) + "."
-                       : text + ".";
+            return isReplaced ? text + "; on devices that cannot run it " + DescribeOne(instead) + "." : text + ".";
         }
 
         // The text leaves out the technique that stands in for it on some devices.

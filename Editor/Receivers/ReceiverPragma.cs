@@ -15,17 +15,14 @@ namespace Penumbra.Editor
         /// <summary>The shader declares the screen keyword, so that it can read the screen-space texture.</summary>
         Complete,
 
-        /// <summary>
-        /// A program lacks the screen keyword: its surfaces have no shadow while the feature is on.
-        /// </summary>
+        /// <summary>A program lacks the screen keyword: its surfaces have no shadow while the feature is on.</summary>
         LacksScreen,
     }
 
     /// <summary>
     /// Finds the programs of a shader's text whose pragmas declare URP's main light shadow keywords, and adds the
-    /// missing keyword. A program is the text from HLSLPROGRAM to ENDHLSL (or the CG equivalents) plus the
-    /// HLSLINCLUDE blocks of the file; an include file counts as one program. Each line is one pragma; comments are
-    /// ignored.
+    /// missing keyword. A program is the text from HLSLPROGRAM to ENDHLSL (or the CG equivalents) plus the HLSLINCLUDE
+    /// blocks of the file; an include file counts as one program. Each line is one pragma; comments are ignored.
     /// </summary>
     internal static class ReceiverPragma
     {

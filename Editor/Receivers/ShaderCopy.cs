@@ -3,9 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Penumbra.Editor
 {
-    /// <summary>
-    /// Copies a package's shader into the project, with the changes that make it a separate shader.
-    /// </summary>
+    /// <summary>Copies a package's shader into the project, with the changes that make it a separate shader.</summary>
     internal static class ShaderCopy
     {
         internal const string OfProject = "Project/";

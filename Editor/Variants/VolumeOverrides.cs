@@ -15,10 +15,8 @@ namespace Penumbra.Editor
             bool? conservativeMask, bool? halfResolution, bool? denoise, bool? contactShadows) values;
 
         private VolumeOverrides(
-            (QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?, bool?) values)
-        {
+            (QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?, bool?) values) =>
             this.values = values;
-        }
 
         /// <summary>
         /// The overrides of `volume`: two variants for each number that it sets to 0, which is larger while the Volume

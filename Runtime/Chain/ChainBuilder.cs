@@ -40,8 +40,7 @@ namespace Penumbra
                 int written = previousOf == TechniqueGraph.None ? i : previousOf;
                 textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i),
                                               graph.passes.Any(pass => pass.depth == i), IsFiltered(graph, i)));
-                if (written != i)
-                    histories.Add(new ChainHistory { now = placed[written], before = placed[i] });
+                if (written != i) histories.Add(new ChainHistory { now = placed[written], before = placed[i] });
             }
             foreach (GraphBuffer buffer in graph.buffers)
                 buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,

@@ -27,10 +27,7 @@ namespace Penumbra
         /// <summary>The current chain's textures and steps; null before the first Prepare.</summary>
         internal ShadowChain Chain => current?.chain;
 
-        internal ChainDraw(Material material, PassAssets assets)
-        {
-            materials = new PassMaterials(material, assets);
-        }
+        internal ChainDraw(Material material, PassAssets assets) => materials = new PassMaterials(material, assets);
 
         /// <summary>
         /// The reason why the current chain stands in for the one that was asked for; null if it does not.

@@ -29,8 +29,7 @@ namespace Penumbra
         /// The size of the whole texture, rounded up, so that it covers an extent that is not a multiple of the
         /// divisor.
         /// </summary>
-        internal static TextureSize Of(in ChainTexture texture, in ShadowFrame frame) =>
-            Of(texture, frame, 1.0f, 1.0f);
+        internal static TextureSize Of(in ChainTexture texture, in ShadowFrame frame) => Of(texture, frame, 1.0f, 1.0f);
 
         /// <summary>
         /// The size of the part of the texture that is drawn: dynamic resolution leaves part of the screen's textures

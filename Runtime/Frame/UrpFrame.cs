@@ -170,8 +170,7 @@ namespace Penumbra
             target.width = size.width;
             target.height = size.height;
             if (texture.extent != GraphExtent.Screen || texture.layers > 1) SetSlices(ref target, texture, size.depth);
-            // The copy of a mip level has the level's size without dynamic resolution, which contains the scaled
-            // part.
+            // The copy of a mip level has the level's size without dynamic resolution, which contains the scaled part.
             if (texture.extent != GraphExtent.Screen || texture.level > 0) target.useDynamicScale = false;
             target.msaaSamples = texture.samples;
             target.bindMS = texture.samples > 1;

@@ -75,8 +75,7 @@ namespace Penumbra
         private static DoubleColumn Transform(in DoubleMatrix m, in DoubleColumn v) =>
             v.X * m.Column0 + v.Y * m.Column1 + v.Z * m.Column2 + v.W * m.Column3;
 
-        private static DoubleMatrix FromRows(in DoubleColumn x, in DoubleColumn y, in DoubleColumn z,
-                                             in DoubleColumn w)
+        private static DoubleMatrix FromRows(in DoubleColumn x, in DoubleColumn y, in DoubleColumn z, in DoubleColumn w)
         {
             DoubleMatrix matrix;
             matrix.Column0 = new DoubleColumn(x.X, y.X, z.X, w.X);
@@ -89,7 +88,6 @@ namespace Penumbra
         private static bool Fits(in DoubleColumn c) =>
             Bounded.FitsFloat(c.X) && Bounded.FitsFloat(c.Y) && Bounded.FitsFloat(c.Z) && Bounded.FitsFloat(c.W);
 
-        private static Vector4 Round(in DoubleColumn c) =>
-            new Vector4((float)c.X, (float)c.Y, (float)c.Z, (float)c.W);
+        private static Vector4 Round(in DoubleColumn c) => new Vector4((float)c.X, (float)c.Y, (float)c.Z, (float)c.W);
     }
 }

@@ -15,9 +15,7 @@ namespace Penumbra
         public readonly double MinFilterTanHalf;
 
         public HdrpCones(in SoftShadowParameters parameters, float lightDegrees)
-            : this(parameters, AngularDiameter.TanHalfInDouble(lightDegrees, AngularDiameter.LargestDegrees))
-        {
-        }
+            : this(parameters, AngularDiameter.TanHalfInDouble(lightDegrees, AngularDiameter.LargestDegrees)) { }
 
         public HdrpCones(in SoftShadowParameters parameters, double lightTanHalf)
         {

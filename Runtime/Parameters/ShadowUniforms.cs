@@ -38,30 +38,22 @@ namespace Penumbra
                                           Bounded.OrLow(parameters.CascadeBorder, 0.0f, 1.0f));
             PcssAngular = new PcssAngularParameters
             {
-                blockerSamples = parameters.BlockerSamples,
-                filterSamples = parameters.FilterSamples,
-                blockerClump = parameters.BlockerClump,
-                minFilterTexels = parameters.MinFilterTexels,
-                maxPenumbraMetres = parameters.MaxPenumbraMetres,
-                maxSamplingMetres = parameters.MaxSamplingMetres,
+                blockerSamples = parameters.BlockerSamples, filterSamples = parameters.FilterSamples,
+                blockerClump = parameters.BlockerClump, minFilterTexels = parameters.MinFilterTexels,
+                maxPenumbraMetres = parameters.MaxPenumbraMetres, maxSamplingMetres = parameters.MaxSamplingMetres,
             };
             PcssClassic = new PcssClassicParameters
             {
-                samples = parameters.BlockerSamples,
-                searchRadiusMetres = parameters.SearchRadiusMetres,
+                samples = parameters.BlockerSamples, searchRadiusMetres = parameters.SearchRadiusMetres,
                 minFilterTexels = parameters.MinFilterTexels,
             };
             var cones = new HdrpCones(parameters, parameters.AngularDiameterDegrees);
             PcssHdrp = new PcssHdrpParameters
             {
-                blockerSamples = parameters.BlockerSamples,
-                filterSamples = parameters.FilterSamples,
-                blockerClump = parameters.BlockerClump,
-                minFilterTexels = parameters.MinFilterTexels,
-                maxPenumbraMetres = parameters.MaxPenumbraMetres,
-                maxSamplingMetres = parameters.MaxSamplingMetres,
-                searchTanHalf = (float)cones.SearchTanHalf,
-                minFilterTanHalf = (float)cones.MinFilterTanHalf,
+                blockerSamples = parameters.BlockerSamples, filterSamples = parameters.FilterSamples,
+                blockerClump = parameters.BlockerClump, minFilterTexels = parameters.MinFilterTexels,
+                maxPenumbraMetres = parameters.MaxPenumbraMetres, maxSamplingMetres = parameters.MaxSamplingMetres,
+                searchTanHalf = (float)cones.SearchTanHalf, minFilterTanHalf = (float)cones.MinFilterTanHalf,
             };
         }
 

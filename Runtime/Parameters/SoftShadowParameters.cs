@@ -55,16 +55,9 @@ namespace Penumbra
         /// <summary>Parameters for the sun: PCSS with the sun's angular diameter.</summary>
         public static SoftShadowParameters Default => new SoftShadowParameters
         {
-            AngularDiameterDegrees = AngularDiameter.SunDegrees,
-            BlockerSamples = 24,
-            FilterSamples = 16,
-            BlockerClump = 0.0f,
-            MinFilterTexels = 1.25f,
-            MaxPenumbraMetres = 100.0f,
-            MaxSamplingMetres = 1000.0f,
-            SearchRadiusMetres = 0.5f,
-            HdrpSearchDegrees = 12.0f,
-            HdrpMinFilterDegrees = 10.0f,
+            AngularDiameterDegrees = AngularDiameter.SunDegrees, BlockerSamples = 24, FilterSamples = 16,
+            BlockerClump = 0.0f, MinFilterTexels = 1.25f, MaxPenumbraMetres = 100.0f, MaxSamplingMetres = 1000.0f,
+            SearchRadiusMetres = 0.5f, HdrpSearchDegrees = 12.0f, HdrpMinFilterDegrees = 10.0f,
         };
 
         /// <summary>HDRP's own defaults, for PCSS (HDRP) (_PENUMBRA_PCSS_HDRP).</summary>

@@ -32,10 +32,10 @@ namespace Penumbra
                                   FrameShadows shadows, in ShadowFrame shadow)
         {
             int resolution = shadow.layout.TileResolution;
-            for (int cascade = 0; cascade < shadow.layout.Cascades; ++cascade)
+            for (int cascade = 0; cascade < CasterFrame.MostCascades; ++cascade)
             {
                 ref CasterView view = ref frame.cascades[cascade];
-                view.isCulled = shadow.Updates(cascade) &&
+                view.isCulled = cascade < shadow.layout.Cascades && shadow.Updates(cascade) &&
                     frame.seen.ComputeDirectionalShadowMatricesAndCullingPrimitives(
                         lightIndex, cascade, shadow.layout.Cascades, shadows.mainLightShadowCascadesSplit, resolution,
                         frame.light.light.shadowNearPlane, out view.view, out view.projection,
@@ -67,19 +67,26 @@ namespace Penumbra
             return true;
         }
 
-        internal static RendererListParams OfCascade(CasterFrame frame, int cascade, GraphPass pass,
-                                                     in PassProgram program) =>
-            pass.blended ? Blended(frame.cascades[cascade].casters, frame.camera, program)
-                         : List(frame.cascades[cascade].casters, frame.camera, casters, RenderQueueRange.all, program);
-
-        internal static RendererListParams OfCamera(CasterFrame frame, GraphPass pass, in PassProgram program) =>
-            pass.blended ? Blended(frame.seen, frame.camera, program)
-                         : List(frame.seen, frame.camera, opaques, RenderQueueRange.opaque, program);
+        /// <summary>
+        /// The list that a step draws for a cascade, or in place of the first cascade's what the camera sees. False if
+        /// there is none.
+        /// </summary>
+        internal static bool TryList(CasterFrame frame, ChainStep step, int cascade, in PassProgram program,
+                                     out RendererListParams list)
+        {
+            list = default;
+            if (step.pass.kind != PassKind.Casters) return false;
+            if (step.ByCascade ? !frame.cascades[cascade].isCulled : cascade > 0) return false;
+            CullingResults results = step.ByCascade ? frame.cascades[cascade].casters : frame.seen;
+            list = step.pass.blended ? Blended(results, frame.camera, program)
+                   : step.ByCascade ? List(results, frame.camera, casters, RenderQueueRange.all, program)
+                                    : List(results, frame.camera, opaques, RenderQueueRange.opaque, program);
+            return true;
+        }
 
         private static RendererListParams Blended(in CullingResults results, Camera camera, in PassProgram program)
         {
-            DrawingSettings drawing =
-                Drawing(camera, blended[0], SortingCriteria.CommonTransparent, program);
+            DrawingSettings drawing = Drawing(camera, blended[0], SortingCriteria.CommonTransparent, program);
             for (int tag = 1; tag < blended.Length; ++tag) drawing.SetShaderPassName(tag, blended[tag]);
             return new RendererListParams(results, drawing, new FilteringSettings(RenderQueueRange.transparent));
         }

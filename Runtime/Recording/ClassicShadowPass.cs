@@ -29,10 +29,7 @@ namespace Penumbra
         internal ref readonly ShadowOptions Options => ref frame.options;
         internal ref readonly ShadowFrame Frame => ref frame;
 
-        internal ClassicShadowPass()
-        {
-            profilingSampler = new ProfilingSampler("Penumbra Shadows");
-        }
+        internal ClassicShadowPass() => profilingSampler = new ProfilingSampler("Penumbra Shadows");
 
         internal void Setup(ChainDraw draw, in ShadowFrame frame)
         {
@@ -48,8 +45,7 @@ namespace Penumbra
         /// </summary>
         internal void SetPath(bool deferred)
         {
-            renderPassEvent =
-                deferred ? RenderPassEvent.AfterRenderingGbuffer : RenderPassEvent.BeforeRenderingGbuffer;
+            renderPassEvent = deferred ? RenderPassEvent.AfterRenderingGbuffer : RenderPassEvent.BeforeRenderingGbuffer;
             ConfigureInput(deferred ? ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Normal
                                     : ScriptableRenderPassInput.Depth);
         }
@@ -102,19 +98,10 @@ namespace Penumbra
             if (draw.Chain.DrawsCascades)
                 CasterCulling.Cull(context, casters, data.lightData.mainLightIndex, data.shadowData, frame);
             for (int step = 0; step < draw.Chain.Steps.Count; ++step)
-            {
-                GraphPass pass = draw.Chain.Steps[step].pass;
-                if (pass.kind != PassKind.Casters) continue;
-                bool byCascade = draw.Chain.Steps[step].ByCascade;
-                for (int cascade = 0; cascade < (byCascade ? frame.layout.Cascades : 1); ++cascade)
-                {
-                    if (byCascade && !casters.cascades[cascade].isCulled) continue;
-                    RendererListParams list = byCascade
-                                                  ? CasterCulling.OfCascade(casters, cascade, pass, draw.Program(step))
-                                                  : CasterCulling.OfCamera(casters, pass, draw.Program(step));
-                    casters.Set(CasterFrame.IndexOf(step, cascade), context.CreateRendererList(ref list));
-                }
-            }
+                for (int cascade = 0; cascade < CasterFrame.MostCascades; ++cascade)
+                    if (CasterCulling.TryList(casters, draw.Chain.Steps[step], cascade, draw.Program(step),
+                                              out RendererListParams list))
+                        casters.Set(CasterFrame.IndexOf(step, cascade), context.CreateRendererList(ref list));
         }
 
         private RTHandle Shared(SlotTextures textures, int slot, in RenderTextureDescriptor target)

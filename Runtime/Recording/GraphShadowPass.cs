@@ -140,13 +140,9 @@ namespace Penumbra
                 {
                     ref RendererListHandle list = ref data.lists[CasterFrame.IndexOf(step, cascade)];
                     list = default;
-                    ChainStep drawn = draw.Chain.Steps[step];
-                    if (drawn.pass.kind != PassKind.Casters) continue;
-                    if (drawn.ByCascade ? cascade >= frame.layout.Cascades || !casters.cascades[cascade].isCulled
-                                        : cascade > 0) continue;
-                    list = renderGraph.CreateRendererList(
-                        drawn.ByCascade ? CasterCulling.OfCascade(casters, cascade, drawn.pass, draw.Program(step))
-                                        : CasterCulling.OfCamera(casters, drawn.pass, draw.Program(step)));
+                    if (!CasterCulling.TryList(casters, draw.Chain.Steps[step], cascade, draw.Program(step),
+                                               out RendererListParams casting)) continue;
+                    list = renderGraph.CreateRendererList(casting);
                     builder.UseRendererList(list);
                 }
         }

@@ -6,8 +6,7 @@ namespace Penumbra
 {
     /// <summary>
     /// Unity 6: the Volume profiles of the URP asset and of scripts, which apply where no Volume of a scene does.
-    /// Volume blending treats their values as defaults and drops their override states, so the profiles are read
-    /// here.
+    /// Volume blending treats their values as defaults and drops their override states, so the profiles are read here.
     /// </summary>
     internal static class DefaultVolumes
     {

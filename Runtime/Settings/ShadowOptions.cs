@@ -246,8 +246,7 @@ namespace Penumbra
         /// <summary>
         /// Whether the technique's passes draw the visibility, in place of the feature's own over the screen.
         /// </summary>
-        internal bool DrawsVisibility =>
-            HasPasses && Entry.formats[0].graph.visibility != TechniqueGraph.None;
+        internal bool DrawsVisibility => HasPasses && Entry.formats[0].graph.visibility != TechniqueGraph.None;
 
         /// <summary>
         /// Whether the technique's passes, or the feature's with its filter, can draw at half resolution.

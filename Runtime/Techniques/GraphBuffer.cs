@@ -28,9 +28,6 @@ namespace Penumbra
         }
 
         /// <summary>The number of blocks that cover that many texels.</summary>
-        internal int Blocks(int texels)
-        {
-            return (texels + divisor - 1) / divisor;
-        }
+        internal int Blocks(int texels) => (texels + divisor - 1) / divisor;
     }
 }

@@ -26,10 +26,8 @@ void targets::technique_list(std::string_view bytes) {
   const std::filesystem::path file = folder.write("fuzzed.technique.json", bytes);
   read([&] {
     const techniques::TechniqueList list = techniques::read_technique_list(file);
-    for (const techniques::ParameterStruct& parameters : list.structs) {
-      techniques::emit_hlsl(parameters);
-      techniques::emit_csharp(parameters);
-    }
+    for (const techniques::ParameterStruct& parameters : list.structs) techniques::emit_hlsl(parameters);
+    techniques::emit_csharp(list.structs, "FuzzedParameters");
     techniques::graph_rows(list);
     for (const techniques::Technique& technique : list.techniques)
       require(list.find(technique.name).name == technique.name, "a technique is found by its name");

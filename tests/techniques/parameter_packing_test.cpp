@@ -74,8 +74,8 @@ TEST(ParameterPacking, TheHlslsCommentsAreWrapped) {
 }
 
 TEST(ParameterPacking, TheCSharpPacksItWithinTheRanges) {
-  const EmittedFile csharp = emit_csharp(mixed());
-  EXPECT_EQ(csharp.file, "Runtime/Parameters/MixedParameters.cs");
+  const EmittedFile csharp = emit_csharp({mixed(), mixed()}, "TwoParameters");
+  EXPECT_EQ(csharp.file, "Runtime/Parameters/TwoParameters.cs");
   EXPECT_THAT(csharp.text, HasSubstr("[Tooltip(\"Number of taps. Unit: fetches.\"), Range(1, 64)] "
                                      "public int count;\n"));
   EXPECT_THAT(csharp.text, HasSubstr("public Vector2 offset;"));

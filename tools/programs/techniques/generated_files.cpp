@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -71,6 +74,17 @@ void add_graphs(const TechniqueList& list, std::vector<EmittedFile>& files) {
                    fmt::format(kTechniqueTable, manifest.generic_string()) + rows});
 }
 
+// The package's structs are one file of C#, those of a technique to come one of their manifest.
+void add_structs(const TechniqueList& list, bool has_feature, std::vector<EmittedFile>& files) {
+  std::map<std::string, std::vector<ParameterStruct>> by_file;
+  for (const ParameterStruct& parameters : list.structs) {
+    files.push_back(emit_hlsl(parameters));
+    const std::string manifest = fs::path(parameters.manifest).stem().stem().string();
+    by_file[has_feature ? "TechniqueParameters" : manifest + "Parameters"].push_back(parameters);
+  }
+  for (const auto& [name, structs] : by_file) files.push_back(emit_csharp(structs, name));
+}
+
 constexpr std::array<PackageFile, 9> kPackageFiles{
     {{"Runtime/Techniques/Techniques.txt", table},
      {"Runtime/Settings/OptionTable.cs", emit_options_csharp},
@@ -102,10 +116,7 @@ std::vector<EmittedFile> generated_files(const TechniqueList& list) {
   std::error_code error;
   const bool has_feature = fs::exists(list.package / kFeatureShader, error);
   if (!has_feature) add_graphs(list, files);
-  for (const ParameterStruct& parameters : list.structs) {
-    files.push_back(emit_hlsl(parameters));
-    files.push_back(emit_csharp(parameters));
-  }
+  add_structs(list, has_feature, files);
   if (!has_feature) return files;
   for (const PackageFile& made : kPackageFiles)
     if (made.shipped || fs::is_directory((list.package / made.file).parent_path(), error))

@@ -7,8 +7,8 @@
 
 namespace penumbra::techniques {
 
-// Of every list: each parameter struct as HLSL beside its manifest and as C#, and each manifest's graphs as
-// C#. Of a package with the renderer feature's shader also the feature's tables, and what tests and pages
+// Of every list: each parameter struct as HLSL beside its manifest, the structs as C#, and the graphs as a
+// table. Of a package with the renderer feature's shader also the feature's tables, and what tests and pages
 // read, where the package has a folder for it. Throws InputError as the functions that make the texts do.
 std::vector<EmittedFile> generated_files(const TechniqueList& list);
 

@@ -38,40 +38,38 @@ constexpr const char* kHlslField = R"({comment}    {type} {name};
 constexpr const char* kHlslUnpacked = R"(    parameters.{name} = {value};
 )";
 
-constexpr const char* kCsharp = R"(using UnityEngine;
+constexpr const char* kCsharp = R"(using System;
+using UnityEngine;
 using UnityEngine.Rendering;
 
+// Written by `penumbra emit` from the manifests, *.technique.json; do not edit. Of each struct:
+// Default: the manifest's defaults; a field without one is 0, or the low end of its range.
+// VectorN: the uniform UniformN, each component clamped to its range; NaN gives the low end.
+// SetGlobal: sets the uniforms for all later draws. It does not allocate.
 namespace Penumbra
 {{
-    // Written by `penumbra emit` from {manifest}; do not edit.
-    /// <summary>{doc}</summary>
-    [System.Serializable]
+{structs}}}
+)";
+
+constexpr const char* kCsharpStruct = R"(    /// <summary>{doc}</summary>
+    [Serializable]
     public struct {name}
     {{
-{ids}
-{fields}
-        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
-        public static {name} Default => new {name}
+{fields}{ids}        public static {name} Default => new {name}
             {{ {defaults} }};
-
-{vectors}
-        /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
-        public void SetGlobal(CommandBuffer commands){sets}
+{vectors}        public void SetGlobal(CommandBuffer commands){sets}
     }}
-}}
 )";
 
 constexpr const char* kCsharpId =
     R"(        public static readonly int Uniform{index} = Shader.PropertyToID("{uniform}");
 )";
 
-constexpr const char* kCsharpField = R"(        /// <summary>{summary}</summary>
-        [Tooltip({tooltip}){range}] public {type} {name};
+constexpr const char* kCsharpField = R"(        [Tooltip({tooltip}){range}] public {type} {name};
 )";
 
 constexpr const char* kCsharpVector =
-    R"(        /// <summary>{uniform}, each component clamped to its range; NaN gives the low end.</summary>
-        public Vector4 Vector{index} => new Vector4({components});
+    R"(        public Vector4 Vector{index} => new Vector4({components});
 )";
 
 constexpr const char* kCsharpSet = R"( => commands.SetGlobalVector(Uniform0, Vector0);)";
@@ -165,8 +163,7 @@ std::string csharp_fields(const ParameterStruct& parameters) {
     if (field.range && component_count(field) == 1)
       range = ", Range(" + csharp_number(field, field.range->smallest) + ", " +
               csharp_number(field, field.range->largest) + ")";
-    text += fmt::format(kCsharpField, fmt::arg("summary", xml_text(summary)),
-                        fmt::arg("tooltip", csharp_text(summary)), fmt::arg("range", range),
+    text += fmt::format(kCsharpField, fmt::arg("tooltip", csharp_text(summary)), fmt::arg("range", range),
                         fmt::arg("type", csharp_type(field)), fmt::arg("name", field.name));
   }
   return text;
@@ -184,7 +181,7 @@ std::string csharp_vectors(const ParameterStruct& parameters) {
   }
   std::string text;
   for (std::size_t i = 0; i < vectors.size(); ++i)
-    text += fmt::format(kCsharpVector, fmt::arg("uniform", uniform_name(parameters, i)), fmt::arg("index", i),
+    text += fmt::format(kCsharpVector, fmt::arg("index", i),
                         fmt::arg("components", csharp_list(vectors[i], 12, 33)));
   return text;
 }
@@ -202,6 +199,22 @@ std::string of_each_vector(const ParameterStruct& parameters, const char* betwee
   std::string text;
   for (std::size_t i = 0; i < vector_count(parameters); ++i) text += (i == 0 ? "" : between) + of(i);
   return text;
+}
+
+std::string csharp_struct(const ParameterStruct& parameters) {
+  const auto id = [&](std::size_t i) {
+    return fmt::format(kCsharpId, fmt::arg("index", i), fmt::arg("uniform", uniform_name(parameters, i)));
+  };
+  const auto set = [](std::size_t i) { return fmt::format(kCsharpSetOf, fmt::arg("index", i)); };
+  const std::string sets =
+      vector_count(parameters) == 1
+          ? kCsharpSet
+          : fmt::format(kCsharpSets, fmt::arg("sets", of_each_vector(parameters, "", set)));
+  return fmt::format(kCsharpStruct, fmt::arg("doc", xml_text(parameters.doc)),
+                     fmt::arg("name", parameters.name), fmt::arg("ids", of_each_vector(parameters, "", id)),
+                     fmt::arg("fields", csharp_fields(parameters)),
+                     fmt::arg("defaults", csharp_defaults(parameters)),
+                     fmt::arg("vectors", csharp_vectors(parameters)), fmt::arg("sets", sets));
 }
 
 }  // namespace
@@ -223,22 +236,11 @@ EmittedFile emit_hlsl(const ParameterStruct& parameters) {
                   fmt::arg("unpacked", hlsl_unpacked(parameters)))};
 }
 
-EmittedFile emit_csharp(const ParameterStruct& parameters) {
-  const auto id = [&](std::size_t i) {
-    return fmt::format(kCsharpId, fmt::arg("index", i), fmt::arg("uniform", uniform_name(parameters, i)));
-  };
-  const auto set = [](std::size_t i) { return fmt::format(kCsharpSetOf, fmt::arg("index", i)); };
-  const std::string sets =
-      vector_count(parameters) == 1
-          ? kCsharpSet
-          : fmt::format(kCsharpSets, fmt::arg("sets", of_each_vector(parameters, "", set)));
-  return {"Runtime/Parameters/" + parameters.name + ".cs",
-          fmt::format(kCsharp, fmt::arg("doc", xml_text(parameters.doc)),
-                      fmt::arg("manifest", parameters.manifest), fmt::arg("name", parameters.name),
-                      fmt::arg("ids", of_each_vector(parameters, "", id)),
-                      fmt::arg("fields", csharp_fields(parameters)),
-                      fmt::arg("defaults", csharp_defaults(parameters)),
-                      fmt::arg("vectors", csharp_vectors(parameters)), fmt::arg("sets", sets))};
+EmittedFile emit_csharp(const std::vector<ParameterStruct>& structs, const std::string& name) {
+  std::string text;
+  for (const ParameterStruct& parameters : structs)
+    text += (text.empty() ? "" : "\n") + csharp_struct(parameters);
+  return {"Runtime/Parameters/" + name + ".cs", fmt::format(kCsharp, fmt::arg("structs", text))};
 }
 
 }  // namespace penumbra::techniques

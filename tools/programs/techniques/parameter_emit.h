@@ -1,6 +1,9 @@
-// The checked-in texts of a parameter struct: in HLSL beside its manifest, in C# in Runtime/Parameters. Both
-// hold the struct and the same packing (parameter_packing.h).
+// The checked-in texts of parameter structs: in HLSL a file for each beside its manifest, in C# one of
+// several in Runtime/Parameters. Both hold the struct and the same packing (parameter_packing.h).
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "techniques/parameter_packing.h"
 
@@ -13,6 +16,6 @@ struct EmittedFile {
 };
 
 EmittedFile emit_hlsl(const ParameterStruct& parameters);
-EmittedFile emit_csharp(const ParameterStruct& parameters);
+EmittedFile emit_csharp(const std::vector<ParameterStruct>& structs, const std::string& name);
 
 }  // namespace penumbra::techniques
