@@ -1,5 +1,3 @@
-using NUnit.Framework;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>The command's exit codes, what it writes where, and wrong usage.</summary>

@@ -1,9 +1,3 @@
-using Microsoft.CodeAnalysis;
-using NUnit.Framework;
-using Penumbra.ApiCheck.Compare;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>
@@ -60,8 +54,7 @@ public sealed class EditModeTests
     private static IEnumerable<string> ProblemsWith(IEnumerable<string> files)
     {
         using var folder = new TemporaryFolder();
-        foreach (var part in Folders)
-            folder.Copy(Repository.At(part), part);
+        foreach (var part in Folders) folder.Copy(Repository.At(part), part);
         foreach (var (code, i) in files.Select((code, i) => (code, i)))
             folder.Write($"{Folders[^1]}/Other{i}.cs", code + "\n");
         return Check(folder.Path, "6000.0").Problems;

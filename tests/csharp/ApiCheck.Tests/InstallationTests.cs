@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
@@ -279,8 +278,7 @@ public sealed partial class InstallationTests
         foreach (var file in Directory.EnumerateFiles(world.Folder.At("package/Runtime"), "*.cs", SearchOption.AllDirectories).Order())
         {
             var text = File.ReadAllText(file);
-            if (Use().Match(text) is not { Success: true } use)
-                continue;
+            if (Use().Match(text) is not { Success: true } use) continue;
             File.WriteAllText(file, text.Insert(use.Index + use.Length, "x"));
             return (Path.GetRelativePath(world.Package, file), text[..use.Index].Count(letter => letter == '\n') + 1,
                     use.Groups[1].Value, use.Groups[2].Value + "x");

@@ -1,8 +1,3 @@
-using Microsoft.CodeAnalysis;
-using NUnit.Framework;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>

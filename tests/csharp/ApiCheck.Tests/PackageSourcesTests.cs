@@ -1,6 +1,3 @@
-using NUnit.Framework;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>The assembly that each file belongs to, and the code that is compiled for editor and player.</summary>

@@ -1,6 +1,3 @@
-using NUnit.Framework;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>Versions, version ranges, symbols and assembly definitions, against Unity's manual.</summary>

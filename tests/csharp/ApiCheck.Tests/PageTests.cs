@@ -1,6 +1,3 @@
-using NUnit.Framework;
-using Penumbra.ApiCheck.Report;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>The block that is written into a page.</summary>

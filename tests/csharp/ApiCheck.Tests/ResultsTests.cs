@@ -1,9 +1,3 @@
-using NUnit.Framework;
-using Penumbra.ApiCheck.Compare;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Report;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>

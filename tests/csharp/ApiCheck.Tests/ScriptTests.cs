@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NUnit.Framework;
 
 namespace Penumbra.ApiCheck.Tests;
 
@@ -21,8 +20,7 @@ public sealed class ScriptTests
     public void SaysHowToGetTheSdk()
     {
         using var tools = new TemporaryFolder();
-        foreach (var tool in new[] { "bash", "dirname" })
-            File.CreateSymbolicLink(tools.At(tool), $"/usr/bin/{tool}");
+        foreach (var tool in new[] { "bash", "dirname" }) File.CreateSymbolicLink(tools.At(tool), $"/usr/bin/{tool}");
         var (code, output) = Run(tools.Path, "--help");
         Assert.That(output, Is.EqualTo("check-unity-api: the .NET SDK 10 is missing: https://dotnet.microsoft.com/download says how to get it\n"));
         Assert.That(code, Is.EqualTo(3));
@@ -36,8 +34,7 @@ public sealed class ScriptTests
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        if (path is not null)
-            start.Environment["PATH"] = path;
+        if (path is not null) start.Environment["PATH"] = path;
         using var process = Process.Start(start)!;
         var errors = process.StandardError.ReadToEndAsync();
         var output = process.StandardOutput.ReadToEnd() + errors.Result;

@@ -1,6 +1,3 @@
-using NUnit.Framework;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>Folders of sources: what is recognised, which version it says it has, and what is refused.</summary>

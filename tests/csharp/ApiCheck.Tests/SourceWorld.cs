@@ -1,6 +1,3 @@
-using Penumbra.ApiCheck.Report;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>Small sources, declarations and a package, written to disk and checked as the command does.</summary>

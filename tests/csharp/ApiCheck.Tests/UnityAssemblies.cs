@@ -1,8 +1,5 @@
-using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Tests;
 

@@ -1,7 +1,4 @@
 using Penumbra.ApiCheck.Assemblies;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Report;
-using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck;
 
@@ -21,10 +18,8 @@ public static class Command
                 return Exit.Same;
             }
             options.RefuseStrangers();
-            if (options.Page is not null)
-                return WritePage(options);
-            if (options.IsSourceCheck)
-                return CheckSources(options, answers);
+            if (options.Page is not null) return WritePage(options);
+            if (options.IsSourceCheck) return CheckSources(options, answers);
             if (options.Operands.Count == 0)
                 throw CheckException.Usage("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)");
             return CheckAssemblies(options, answers);
@@ -62,15 +57,11 @@ public static class Command
         var check = SourceCheck.Run(new SourceRequest(options.Generation, package,
             Path.GetFullPath(options.Declarations ?? Path.Combine(package, "tests/csharp/UnityApi")))
         {
-            Folders = options.Sources,
-            Named = options.Named,
-            Versions = options.Versions,
+            Folders = options.Sources, Named = options.Named, Versions = options.Versions,
         });
         var report = SourceReport.Of(options.Generation, check);
-        if (options.Output is not null)
-            WholeFile.Write(options.Output, report.Json());
-        foreach (var problem in report.Problems)
-            answers.WriteLine(problem);
+        if (options.Output is not null) WholeFile.Write(options.Output, report.Json());
+        foreach (var problem in report.Problems) answers.WriteLine(problem);
         var counts = report.Counts;
         var sources = report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}");
         answers.WriteLine($"{counts.Types} types with {counts.Declarations} declarations, {counts.Differences} differences from " +
@@ -81,12 +72,9 @@ public static class Command
     private static int CheckAssemblies(Options options, TextWriter answers)
     {
         var check = AssemblyCheck.Run(PackageOf(options), options.Operands, options.Version);
-        if (options.Output is not null)
-            WholeFile.Write(options.Output, check.Json());
-        foreach (var line in check.Problems)
-            answers.WriteLine(line);
-        foreach (var line in check.Notes)
-            answers.WriteLine(line);
+        if (options.Output is not null) WholeFile.Write(options.Output, check.Json());
+        foreach (var line in check.Problems) answers.WriteLine(line);
+        foreach (var line in check.Notes) answers.WriteLine(line);
         return check.Problems.Count == 0 ? Exit.Same : Exit.Differences;
     }
 

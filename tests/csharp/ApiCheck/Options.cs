@@ -43,14 +43,11 @@ public sealed class Options
         for (var at = 0; at < arguments.Count; ++at)
         {
             var argument = arguments[at];
-            if (argument is "--help" or "-h")
-                options.Help = true;
-            else if (!argument.StartsWith('-'))
-                options.Operands.Add(argument);
+            if (argument is "--help" or "-h") options.Help = true;
+            else if (!argument.StartsWith('-')) options.Operands.Add(argument);
             else if (at + 1 == arguments.Count)
                 throw CheckException.Usage($"{argument} needs a value (--help lists the options)");
-            else
-                options.Set(argument, arguments[++at]);
+            else options.Set(argument, arguments[++at]);
         }
         return options;
     }

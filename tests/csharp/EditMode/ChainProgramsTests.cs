@@ -37,12 +37,6 @@ namespace Penumbra.Tests
             return volume;
         }
 
-        private static void Override<T>(UnityEngine.Rendering.VolumeParameter<T> parameter, T value)
-        {
-            parameter.overrideState = true;
-            parameter.value = value;
-        }
-
         // The passes of the frame itself, and those that make the maps of techniques.
         private static readonly (string asset, string pass)[] AllPasses =
             Passes.Select(pass => (Asset(pass), pass))
@@ -137,7 +131,7 @@ namespace Penumbra.Tests
         [Test]
         public void WithoutAFeatureNothingIsKept() =>
             Assert.That(Kept(ChainPrograms.Of(new PenumbraShadowsSettings[0],
-                                              new[] { Volume(volume => Override(volume.mask, true)) })), Is.Empty);
+                                              new[] { Volume(volume => volume.mask.Set(true)) })), Is.Empty);
 
         [Test]
         public void APassThatNoChainHasIsNotKept() =>
@@ -156,8 +150,8 @@ namespace Penumbra.Tests
         {
             PenumbraShadowsVolume volume = Volume(one =>
             {
-                Override(one.technique, ShadowTechnique.PcssHdrp);
-                Override(one.mask, true);
+                one.technique.Set(ShadowTechnique.PcssHdrp);
+                one.mask.Set(true);
             });
             Assert.That(Kept(Of(QualityPreset.Reference, volume)),
                         Is.EquivalentTo(Asked(ShadowPresets.Options(QualityPreset.Reference)).Concat(new[]
@@ -169,11 +163,11 @@ namespace Penumbra.Tests
         [Test]
         public void APresetOfOneVolumeMeetsTheSwitchOfAnother()
         {
-            PenumbraShadowsVolume preset = Volume(one => Override(one.preset, QualityPreset.Reference));
+            PenumbraShadowsVolume preset = Volume(one => one.preset.Set(QualityPreset.Reference));
             PenumbraShadowsVolume both = Volume(one =>
             {
-                Override(one.preset, QualityPreset.High);
-                Override(one.halfResolution, true);
+                one.preset.Set(QualityPreset.High);
+                one.halfResolution.Set(true);
             });
             Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
             {
@@ -189,8 +183,8 @@ namespace Penumbra.Tests
         {
             PenumbraShadowsVolume volume = Volume(one =>
             {
-                Override(one.angularDiameterDegrees, 0.0f);
-                Override(one.denoise, true);
+                one.angularDiameterDegrees.Set(0.0f);
+                one.denoise.Set(true);
             });
             string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
             Assert.That(Kept(Of(QualityPreset.Reference, volume)),
@@ -203,7 +197,7 @@ namespace Penumbra.Tests
             string[] alone = { "Resolve _PENUMBRA_PCSS", Tent };
             var settings = new PenumbraShadowsSettings { preset = QualityPreset.Reference };
             Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)), Is.EquivalentTo(alone));
-            PenumbraShadowsVolume volume = Volume(one => Override(one.contactShadowMetres, 0.25f));
+            PenumbraShadowsVolume volume = Volume(one => one.contactShadowMetres.Set(0.25f));
             Assert.That(Kept(ChainPrograms.Of(new[] { settings }, new[] { volume })),
                         Is.EquivalentTo(alone.Append("ScreenTrace")));
             settings.contactShadowMetres = 0.5f;
@@ -312,15 +306,15 @@ namespace Penumbra.Tests
 
         private static void RandomOverrides(PenumbraShadowsVolume volume, System.Random random)
         {
-            if (random.Next(3) == 0) Override(volume.preset, Random<QualityPreset>(random));
-            if (random.Next(3) == 0) Override(volume.technique, Random<ShadowTechnique>(random));
-            if (random.Next(3) == 0) Override(volume.angularDiameterDegrees, random.Next(2) * 0.5f);
-            if (random.Next(3) == 0) Override(volume.mask, random.Next(2) == 0);
-            if (random.Next(3) == 0) Override(volume.conservativeMask, random.Next(2) == 0);
-            if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
-            if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
-            if (random.Next(3) == 0) Override(volume.contactShadowMetres, random.Next(2) * 0.5f);
-            if (random.Next(3) == 0) Override(volume.filterSamples, random.Next(1, 65));
+            if (random.Next(3) == 0) volume.preset.Set(Random<QualityPreset>(random));
+            if (random.Next(3) == 0) volume.technique.Set(Random<ShadowTechnique>(random));
+            if (random.Next(3) == 0) volume.angularDiameterDegrees.Set(random.Next(2) * 0.5f);
+            if (random.Next(3) == 0) volume.mask.Set(random.Next(2) == 0);
+            if (random.Next(3) == 0) volume.conservativeMask.Set(random.Next(2) == 0);
+            if (random.Next(3) == 0) volume.halfResolution.Set(random.Next(2) == 0);
+            if (random.Next(3) == 0) volume.denoise.Set(random.Next(2) == 0);
+            if (random.Next(3) == 0) volume.contactShadowMetres.Set(random.Next(2) * 0.5f);
+            if (random.Next(3) == 0) volume.filterSamples.Set(random.Next(1, 65));
         }
 
         // The orders of every subset.
@@ -354,13 +348,13 @@ namespace Penumbra.Tests
         private static void Blend(UnityEngine.Rendering.VolumeParameter<float> stack,
                                   UnityEngine.Rendering.VolumeParameter<float> volume, float weight)
         {
-            if (volume.overrideState) Override(stack, stack.value + (volume.value - stack.value) * weight);
+            if (volume.overrideState) stack.Set(stack.value + (volume.value - stack.value) * weight);
         }
 
         private static void Take<T>(UnityEngine.Rendering.VolumeParameter<T> stack,
                                     UnityEngine.Rendering.VolumeParameter<T> volume)
         {
-            if (volume.overrideState) Override(stack, volume.value);
+            if (volume.overrideState) stack.Set(volume.value);
         }
 
         [TestCase(true, false, false)]

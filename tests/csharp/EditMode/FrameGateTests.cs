@@ -8,8 +8,7 @@ namespace Penumbra.Tests
         private static ShadowSource Source() => new ShadowSource
         {
             cameraType = CameraType.Game, supported = true, mainLightIndex = 0, lightShadows = LightShadows.Hard,
-            distanceMetres = 50.0f, hasCasters = true, hasCascades = true, cascadeCount = 4,
-            mapWidth = 2048,
+            distanceMetres = 50.0f, hasCasters = true, hasCascades = true, cascadeCount = 4, mapWidth = 2048,
         };
 
         private static SkipReason Reason(ShadowSource source) =>
@@ -41,8 +40,7 @@ namespace Penumbra.Tests
             Assert.That(With((ref ShadowSource s) => s.mainLightIndex = -1), Is.EqualTo(SkipReason.NoMainLight));
             Assert.That(With((ref ShadowSource s) => s.lightShadows = LightShadows.None),
                         Is.EqualTo(SkipReason.LightWithoutShadows));
-            Assert.That(With((ref ShadowSource s) => s.distanceMetres = 0.0f),
-                        Is.EqualTo(SkipReason.NoShadowDistance));
+            Assert.That(With((ref ShadowSource s) => s.distanceMetres = 0.0f), Is.EqualTo(SkipReason.NoShadowDistance));
             Assert.That(With((ref ShadowSource s) => s.distanceMetres = float.NaN),
                         Is.EqualTo(SkipReason.NoShadowDistance));
             Assert.That(With((ref ShadowSource s) => s.hasCasters = false), Is.EqualTo(SkipReason.NoCasters));

@@ -40,8 +40,7 @@ namespace Penumbra.Tests
                 .Append(OptionFields.DebugView).ToArray();
             Assert.That(all.Select(option => option.name), Is.EquivalentTo(Fields.Select(field => field.Name)));
             Assert.That(all.Select(option => option.label.text), Is.Unique);
-            foreach (OptionField option in all)
-                Assert.That(option.label.tooltip, Does.EndWith("."), option.name);
+            foreach (OptionField option in all) Assert.That(option.label.tooltip, Does.EndWith("."), option.name);
         }
 
         [Test]

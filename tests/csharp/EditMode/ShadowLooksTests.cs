@@ -134,8 +134,7 @@ namespace Penumbra.Tests
             LookValues look = ShadowLooks.Values(ShadowLook.Overcast);
             ShadowOptions expected = feature.Under(look.angularDiameterDegrees, look.softnessCapMetres);
             Assert.That(volume.Over(feature), Is.EqualTo(expected));
-            volume.preset.overrideState = true;
-            volume.preset.value = QualityPreset.Low;
+            volume.preset.Set(QualityPreset.Low);
             expected = ShadowPresets.Options(QualityPreset.Low)
                 .Under(look.angularDiameterDegrees, look.softnessCapMetres);
             Assert.That(volume.Over(feature), Is.EqualTo(expected));
@@ -146,8 +145,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions feature = new PenumbraShadowsSettings { Look = ShadowLook.Overcast }.Options();
             PenumbraShadowsVolume volume = Volume();
-            volume.preset.overrideState = true;
-            volume.preset.value = QualityPreset.Ultra;
+            volume.preset.Set(QualityPreset.Ultra);
             ShadowOptions options = volume.Over(feature);
             Assert.That(ShadowLooks.Of(options.angularDiameterDegrees, options.softnessCapMetres),
                         Is.EqualTo(ShadowLook.Overcast));

@@ -1,4 +1,5 @@
 using System;
+using System.Reflection;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -11,8 +12,7 @@ namespace Penumbra.Tests
         {
             technique = ShadowTechnique.Pcss, angularDiameterDegrees = number, softnessCapMetres = number,
             minFilterTexels = number, blockerSamples = count, filterSamples = count, lightBleeding = number,
-            mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count,
-            filterCells = count,
+            mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count, filterCells = count,
         };
 
         [TestCase(float.NaN, int.MinValue)]
@@ -50,21 +50,24 @@ namespace Penumbra.Tests
             }
         }
 
+        /// <summary>Another value of an option, within its range.</summary>
+        internal static object Changed(object value) =>
+            value is bool on ? !on
+            : value is float number ? number > 0.25f ? 0.75f * number : number + 0.125f
+            : value is int count ? count > 4 ? count - 1 : count + 1
+            : value is MapFormat ? MapFormat.Bits16
+            : value is DebugView ? DebugView.Cascades
+            : value is FarShadowMode ? FarShadowMode.HorizonAngles
+            : (object)ShadowTechnique.Tent3x3;
+
         [Test]
         public void EqualityLooksAtEveryField()
         {
             object original = ShadowPresets.Options(QualityPreset.High);
-            foreach (System.Reflection.FieldInfo field in typeof(ShadowOptions).GetFields())
+            foreach (FieldInfo field in typeof(ShadowOptions).GetFields())
             {
                 object changed = ShadowPresets.Options(QualityPreset.High);
-                object value = field.GetValue(changed);
-                field.SetValue(changed, value is bool on ? !on
-                                        : value is float number ? number + 1.0f
-                                        : value is int count ? count + 1
-                                        : value is MapFormat ? MapFormat.Bits16
-                                        : value is DebugView ? DebugView.Cascades
-                                        : value is FarShadowMode ? FarShadowMode.HorizonAngles
-                                        : (object)ShadowTechnique.Tent3x3);
+                field.SetValue(changed, Changed(field.GetValue(changed)));
                 Assert.That(changed, Is.Not.EqualTo(original), field.Name);
             }
         }
@@ -104,10 +107,8 @@ namespace Penumbra.Tests
         public void APresetComesBeforeTheSingleValues()
         {
             PenumbraShadowsVolume volume = Volume();
-            volume.preset.overrideState = true;
-            volume.preset.value = QualityPreset.Low;
-            volume.filterSamples.overrideState = true;
-            volume.filterSamples.value = 5;
+            volume.preset.Set(QualityPreset.Low);
+            volume.filterSamples.Set(5);
             ShadowOptions expected = ShadowPresets.Options(QualityPreset.Low);
             expected.filterSamples = 5;
             Assert.That(volume.Over(Feature), Is.EqualTo(expected));
@@ -124,53 +125,22 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void EveryParameterReachesItsOption()
+        public void EveryParameterReachesItsOptionAlone()
         {
-            PenumbraShadowsVolume volume = Volume();
-            volume.angularDiameterDegrees.overrideState = true;
-            volume.angularDiameterDegrees.value = 4.0f;
-            volume.technique.overrideState = true;
-            volume.technique.value = ShadowTechnique.PcssPoisson;
-            volume.blockerSamples.overrideState = true;
-            volume.blockerSamples.value = 33;
-            volume.softnessCapMetres.overrideState = true;
-            volume.softnessCapMetres.value = 0.5f;
-            volume.lightBleeding.overrideState = true;
-            volume.lightBleeding.value = 0.4f;
-            volume.mapBlurTexels.overrideState = true;
-            volume.mapBlurTexels.value = 3.0f;
-            volume.mapFormat.overrideState = true;
-            volume.mapFormat.value = MapFormat.Bits16;
-            volume.rays.overrideState = true;
-            volume.rays.value = 5;
-            volume.samplesPerRay.overrideState = true;
-            volume.samplesPerRay.value = 6;
-            volume.discRadiusMetres.overrideState = true;
-            volume.discRadiusMetres.value = 0.25f;
-            volume.filterCells.overrideState = true;
-            volume.filterCells.value = 4;
-            volume.mask.overrideState = true;
-            volume.mask.value = false;
-            volume.conservativeMask.overrideState = true;
-            volume.conservativeMask.value = true;
-            volume.halfResolution.overrideState = true;
-            volume.halfResolution.value = true;
-            volume.denoise.overrideState = true;
-            volume.denoise.value = false;
-            volume.contactShadowMetres.overrideState = true;
-            volume.contactShadowMetres.value = 0.125f;
-            volume.contactShadowSteps.overrideState = true;
-            volume.contactShadowSteps.value = 20;
-            ShadowOptions options = volume.Over(Feature);
-            Assert.That(options, Is.EqualTo(new ShadowOptions
+            foreach (FieldInfo parameter in typeof(PenumbraShadowsVolume).GetFields())
             {
-                technique = ShadowTechnique.PcssPoisson, angularDiameterDegrees = 4.0f, blockerSamples = 33,
-                filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
-                minFilterTexels = Feature.minFilterTexels, lightBleeding = 0.4f, mapBlurTexels = 3.0f,
-                mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, filterCells = 4,
-                mask = false, conservativeMask = true, halfResolution = true, denoise = false,
-                contactShadowMetres = 0.125f, contactShadowSteps = 20,
-            }));
+                if (!typeof(VolumeParameter).IsAssignableFrom(parameter.FieldType) || parameter.Name == "preset") continue;
+                PenumbraShadowsVolume volume = Volume();
+                FieldInfo option = typeof(ShadowOptions).GetField(parameter.Name);
+                Assert.That(option, Is.Not.Null, parameter.Name);
+                object expected = Feature, value = ShadowOptionsTests.Changed(option.GetValue(Feature));
+                option.SetValue(expected, value);
+                var overridden = (VolumeParameter)parameter.GetValue(volume);
+                overridden.overrideState = true;
+                overridden.GetType().GetProperty("value").SetValue(overridden, value);
+                Assert.That(volume.Over(Feature), Is.EqualTo(((ShadowOptions)expected).Clamped()), parameter.Name);
+                Assert.That(expected, Is.Not.EqualTo(Feature), parameter.Name);
+            }
         }
 
         // These are options that only other techniques than the presets' have.

@@ -28,23 +28,14 @@ namespace Penumbra.Tests
 
         private static void Nothing(PenumbraShadowsVolume volume) { }
 
-        private static Action<PenumbraShadowsVolume> Preset(QualityPreset preset) => volume =>
-        {
-            volume.preset.overrideState = true;
-            volume.preset.value = preset;
-        };
+        private static Action<PenumbraShadowsVolume> Preset(QualityPreset preset) =>
+            volume => volume.preset.Set(preset);
 
-        private static Action<PenumbraShadowsVolume> Technique(ShadowTechnique technique) => volume =>
-        {
-            volume.technique.overrideState = true;
-            volume.technique.value = technique;
-        };
+        private static Action<PenumbraShadowsVolume> Technique(ShadowTechnique technique) =>
+            volume => volume.technique.Set(technique);
 
-        private static Action<PenumbraShadowsVolume> Angle(float degrees) => volume =>
-        {
-            volume.angularDiameterDegrees.overrideState = true;
-            volume.angularDiameterDegrees.value = degrees;
-        };
+        private static Action<PenumbraShadowsVolume> Angle(float degrees) =>
+            volume => volume.angularDiameterDegrees.Set(degrees);
 
         private static void Denoise(PenumbraShadowsVolume volume) => volume.denoise.overrideState = true;
 

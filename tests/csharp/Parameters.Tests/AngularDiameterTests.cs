@@ -1,84 +1,81 @@
-using System;
 using System.Globalization;
 using System.Threading;
 using NUnit.Framework;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+[TestFixture]
+public class AngularDiameterTests
 {
-    [TestFixture]
-    public class AngularDiameterTests
+    [Test]
+    public void NoAngleIsExactlyNoTangent()
     {
-        [Test]
-        public void NoAngleIsExactlyNoTangent()
+        Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(0.0f)), Is.Zero);
+        Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(-0.0f)), Is.Zero);
+        Assert.That(AngularDiameter.FromTanHalf(0.0f), Is.Zero);
+    }
+
+    [TestCase(60.0f, 30.0f)]
+    [TestCase(float.PositiveInfinity, 30.0f)]
+    [TestCase(-1.0f, 0.0f)]
+    [TestCase(float.NegativeInfinity, 0.0f)]
+    [TestCase(float.NaN, 0.0f)]
+    public void OutsideCountsAsTheNearerEnd(float degrees, float nearest) =>
+        Assert.That(AngularDiameter.TanHalf(degrees), Is.EqualTo(AngularDiameter.TanHalf(nearest)));
+
+    [TestCase(float.NaN)]
+    [TestCase(-1.0f)]
+    [TestCase(float.NegativeInfinity)]
+    public void WhatIsNoTangentIsNoAngle(float tanHalf) => Assert.That(AngularDiameter.FromTanHalf(tanHalf), Is.Zero);
+
+    [Test]
+    public void TangentsGrowWithTheAngle()
+    {
+        for (var degrees = 0.001f; degrees < 30.0f; degrees *= 1.01f)
         {
-            Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(0.0f)), Is.Zero);
-            Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(-0.0f)), Is.Zero);
-            Assert.That(AngularDiameter.FromTanHalf(0.0f), Is.Zero);
+            Assert.That(AngularDiameter.TanHalf(degrees * 1.01f), Is.GreaterThan(AngularDiameter.TanHalf(degrees)));
         }
+    }
 
-        [TestCase(60.0f, 30.0f)]
-        [TestCase(float.PositiveInfinity, 30.0f)]
-        [TestCase(-1.0f, 0.0f)]
-        [TestCase(float.NegativeInfinity, 0.0f)]
-        [TestCase(float.NaN, 0.0f)]
-        public void OutsideCountsAsTheNearerEnd(float degrees, float nearest) =>
-            Assert.That(AngularDiameter.TanHalf(degrees), Is.EqualTo(AngularDiameter.TanHalf(nearest)));
-
-        [TestCase(float.NaN)]
-        [TestCase(-1.0f)]
-        [TestCase(float.NegativeInfinity)]
-        public void WhatIsNoTangentIsNoAngle(float tanHalf) =>
-            Assert.That(AngularDiameter.FromTanHalf(tanHalf), Is.Zero);
-
-        [Test]
-        public void TangentsGrowWithTheAngle()
+    // The tangent is steeper than the angle up to 90 degrees, so its rounding costs the angle at most as much.
+    [Test]
+    public void TheInverseComesBackWithinTwoUlp()
+    {
+        for (var degrees = 1e-6f; degrees < 30.0f; degrees *= 1.003f)
         {
-            for (var degrees = 0.001f; degrees < 30.0f; degrees *= 1.01f)
-            {
-                Assert.That(AngularDiameter.TanHalf(degrees * 1.01f), Is.GreaterThan(AngularDiameter.TanHalf(degrees)));
-            }
+            var back = AngularDiameter.FromTanHalf(AngularDiameter.TanHalf(degrees));
+            Assert.That(Ulp.Distance(back, degrees), Is.LessThanOrEqualTo(2.0), $"{degrees:R}");
         }
+    }
 
-        // The tangent is steeper than the angle up to 90 degrees, so its rounding costs the angle at most as much.
-        [Test]
-        public void TheInverseComesBackWithinTwoUlp()
+    [Test]
+    public void TheFullCircleHasItsEnds()
+    {
+        Assert.That(AngularDiameter.FromTanHalf(1.0f), Is.EqualTo(90.0f));
+        Assert.That(AngularDiameter.FromTanHalf(float.PositiveInfinity), Is.EqualTo(180.0f));
+    }
+
+    [TestCase(0.0f)]
+    [TestCase(0.53f)]
+    [TestCase(30.0f)]
+    public void NothingIsWrongInRange(float degrees) => Assert.That(AngularDiameter.Problem(degrees), Is.Null);
+
+    [TestCase(45.5f, "45.5")]
+    [TestCase(-0.25f, "-0.25")]
+    [TestCase(float.NaN, "NaN")]
+    public void TheMessageNamesValueRangeAndWayOut(float degrees, string printed)
+    {
+        var culture = Thread.CurrentThread.CurrentCulture;
+        try
         {
-            for (var degrees = 1e-6f; degrees < 30.0f; degrees *= 1.003f)
-            {
-                var back = AngularDiameter.FromTanHalf(AngularDiameter.TanHalf(degrees));
-                Assert.That(Ulp.Distance(back, degrees), Is.LessThanOrEqualTo(2.0), $"{degrees:R}");
-            }
+            Thread.CurrentThread.CurrentCulture = new CultureInfo("de-DE");
+            Assert.That(AngularDiameter.Problem(degrees),
+                        Is.EqualTo($"angular diameter is {printed}, outside 0 .. 30 degrees; it is the full " +
+                                   "angle of the light's disc, and the sun's is 0.53"));
         }
-
-        [Test]
-        public void TheFullCircleHasItsEnds()
+        finally
         {
-            Assert.That(AngularDiameter.FromTanHalf(1.0f), Is.EqualTo(90.0f));
-            Assert.That(AngularDiameter.FromTanHalf(float.PositiveInfinity), Is.EqualTo(180.0f));
-        }
-
-        [TestCase(0.0f)]
-        [TestCase(0.53f)]
-        [TestCase(30.0f)]
-        public void NothingIsWrongInRange(float degrees) => Assert.That(AngularDiameter.Problem(degrees), Is.Null);
-
-        [TestCase(45.5f, "45.5")]
-        [TestCase(-0.25f, "-0.25")]
-        [TestCase(float.NaN, "NaN")]
-        public void TheMessageNamesValueRangeAndWayOut(float degrees, string printed)
-        {
-            var culture = Thread.CurrentThread.CurrentCulture;
-            try
-            {
-                Thread.CurrentThread.CurrentCulture = new CultureInfo("de-DE");
-                Assert.That(AngularDiameter.Problem(degrees),
-                            Is.EqualTo($"angular diameter is {printed}, outside 0 .. 30 degrees; it is the full " +
-                                       "angle of the light's disc, and the sun's is 0.53"));
-            }
-            finally
-            {
-                Thread.CurrentThread.CurrentCulture = culture;
-            }
+            Thread.CurrentThread.CurrentCulture = culture;
         }
     }
 }

@@ -1,69 +1,65 @@
-using System;
 using NUnit.Framework;
-using UnityEngine;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+[TestFixture]
+public class DoubleMatrixTests
 {
-    [TestFixture]
-    public class DoubleMatrixTests
+    private static double[] Entries(in DoubleMatrix m) => new[]
     {
-        private static double[] Entries(in DoubleMatrix m) => new[]
-        {
-            m.Column0.X, m.Column0.Y, m.Column0.Z, m.Column0.W, m.Column1.X, m.Column1.Y, m.Column1.Z, m.Column1.W,
-            m.Column2.X, m.Column2.Y, m.Column2.Z, m.Column2.W, m.Column3.X, m.Column3.Y, m.Column3.Z, m.Column3.W,
-        };
+        m.Column0.X, m.Column0.Y, m.Column0.Z, m.Column0.W, m.Column1.X, m.Column1.Y, m.Column1.Z, m.Column1.W,
+        m.Column2.X, m.Column2.Y, m.Column2.Z, m.Column2.W, m.Column3.X, m.Column3.Y, m.Column3.Z, m.Column3.W,
+    };
 
-        private static void AssertInverts(Matrix4x4 matrix, double tolerance)
+    private static void AssertInverts(Matrix4x4 matrix, double tolerance)
+    {
+        var given = DoubleMatrix.From(matrix);
+        Assert.That(given.TryInvert(out var inverse));
+        AssertIdentity(DoubleMatrix.Product(inverse, given), tolerance);
+        AssertIdentity(DoubleMatrix.Product(given, inverse), tolerance);
+    }
+
+    private static void AssertIdentity(in DoubleMatrix matrix, double tolerance)
+    {
+        var entries = Entries(matrix);
+        for (var i = 0; i < entries.Length; ++i)
         {
-            var given = DoubleMatrix.From(matrix);
-            Assert.That(given.TryInvert(out var inverse));
-            AssertIdentity(DoubleMatrix.Product(inverse, given), tolerance);
-            AssertIdentity(DoubleMatrix.Product(given, inverse), tolerance);
+            Assert.That(entries[i], Is.EqualTo(i % 5 == 0 ? 1.0 : 0.0).Within(tolerance), $"entry {i}");
         }
+    }
 
-        private static void AssertIdentity(in DoubleMatrix matrix, double tolerance)
+    // There is one permutation per term of the determinant: each minor is the only one that is not 0 in some of them.
+    [Test]
+    public void EveryPermutationIsInvertedExactly()
+    {
+        var count = 0;
+        for (var code = 0; code < 256; ++code)
         {
-            var entries = Entries(matrix);
-            for (var i = 0; i < entries.Length; ++i)
-            {
-                Assert.That(entries[i], Is.EqualTo(i % 5 == 0 ? 1.0 : 0.0).Within(tolerance), $"entry {i}");
-            }
+            var to = new[] { code & 3, (code >> 2) & 3, (code >> 4) & 3, code >> 6 };
+            if ((1 << to[0] | 1 << to[1] | 1 << to[2] | 1 << to[3]) != 15) continue;
+            AssertInverts(Adversary.Build((row, column) => to[column] == row ? 2.0f : 0.0f), 0.0);
+            ++count;
         }
+        Assert.That(count, Is.EqualTo(24));
+    }
 
-        // There is one permutation per term of the determinant: each minor is the only one that is not 0 in some of
-        // them.
-        [Test]
-        public void EveryPermutationIsInvertedExactly()
+    [Test]
+    public void FullMatricesAreInverted()
+    {
+        var random = new Random(17);
+        for (var i = 0; i < 1000; ++i)
         {
-            var count = 0;
-            for (var code = 0; code < 256; ++code)
-            {
-                var to = new[] { code & 3, (code >> 2) & 3, (code >> 4) & 3, code >> 6 };
-                if ((1 << to[0] | 1 << to[1] | 1 << to[2] | 1 << to[3]) != 15) continue;
-                AssertInverts(Adversary.Build((row, column) => to[column] == row ? 2.0f : 0.0f), 0.0);
-                ++count;
-            }
-            Assert.That(count, Is.EqualTo(24));
+            double Entry(int row, int column) => random.NextDouble() * 2 - 1 + (row == column ? 3 : 0);
+            AssertInverts(Adversary.Build((row, column) => (float)Entry(row, column)), 1e-13);
         }
+    }
 
-        [Test]
-        public void FullMatricesAreInverted()
+    [Test]
+    public void SizesFromOneEndOfTheFloatsToTheOtherAreInverted()
+    {
+        foreach (var scale in new[] { float.Epsilon, 1e-38f, 1e-10f, 1e10f, float.MaxValue })
         {
-            var random = new Random(17);
-            for (var i = 0; i < 1000; ++i)
-            {
-                double Entry(int row, int column) => random.NextDouble() * 2 - 1 + (row == column ? 3 : 0);
-                AssertInverts(Adversary.Build((row, column) => (float)Entry(row, column)), 1e-13);
-            }
-        }
-
-        [Test]
-        public void SizesFromOneEndOfTheFloatsToTheOtherAreInverted()
-        {
-            foreach (var scale in new[] { float.Epsilon, 1e-38f, 1e-10f, 1e10f, float.MaxValue })
-            {
-                AssertInverts(Adversary.Build((row, column) => row == column ? scale : 0.0f), 1e-12);
-            }
+            AssertInverts(Adversary.Build((row, column) => row == column ? scale : 0.0f), 1e-12);
         }
     }
 }

@@ -1,68 +1,65 @@
-using System.Linq;
 using NUnit.Framework;
-using UnityEngine;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+[TestFixture]
+public class UpdateScheduleTests
 {
-    [TestFixture]
-    public class UpdateScheduleTests
+    private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
+
+    // The expected phases are the C++ library's answers.
+    [Test]
+    public void PhasesAreThoseOfTheOtherImplementation()
     {
-        private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
-
-        // The expected phases are the C++ library's answers.
-        [Test]
-        public void PhasesAreThoseOfTheOtherImplementation()
+        var records = GoldenRecord.Of("schedules").ToList();
+        Assert.That(records.Count, Is.GreaterThanOrEqualTo(64));
+        foreach (GoldenRecord record in records)
         {
-            var records = GoldenRecord.Of("schedules").ToList();
-            Assert.That(records.Count, Is.GreaterThanOrEqualTo(64));
-            foreach (GoldenRecord record in records)
+            float[] periods = Numbers(record.Vector("periods"));
+            float[] phases = Numbers(record.Vector("phases"));
+            var schedule = new UpdateSchedule(
+                Enumerable.Range(0, record.Int("cascades")).Select(i => (int)periods[i]).ToArray());
+            Assert.That(schedule.Cascades, Is.EqualTo(record.Int("cascades")), record.Label);
+            for (var i = 0; i < schedule.Cascades; ++i)
             {
-                float[] periods = Numbers(record.Vector("periods"));
-                float[] phases = Numbers(record.Vector("phases"));
-                var schedule = new UpdateSchedule(
-                    Enumerable.Range(0, record.Int("cascades")).Select(i => (int)periods[i]).ToArray());
-                Assert.That(schedule.Cascades, Is.EqualTo(record.Int("cascades")), record.Label);
-                for (var i = 0; i < schedule.Cascades; ++i)
-                {
-                    Assert.That(schedule.Period(i), Is.EqualTo((int)periods[i]), record.Label);
-                    Assert.That(schedule.Phase(i), Is.EqualTo((int)phases[i]), record.Label);
-                }
-                Assert.That(schedule.Due(record.Int("frame")), Is.EqualTo(record.Int("due")), record.Label);
+                Assert.That(schedule.Period(i), Is.EqualTo((int)periods[i]), record.Label);
+                Assert.That(schedule.Phase(i), Is.EqualTo((int)phases[i]), record.Label);
             }
+            Assert.That(schedule.Due(record.Int("frame")), Is.EqualTo(record.Int("due")), record.Label);
         }
+    }
 
-        [Test]
-        public void EachCascadeIsDrawnOnceInItsPeriod()
-        {
-            var schedule = new UpdateSchedule(1, 2, 4, 8);
-            for (var cascade = 0; cascade < 4; ++cascade)
-                for (var begin = -9; begin < 9; ++begin)
-                    Assert.That(Enumerable.Range(begin, schedule.Period(cascade))
-                                    .Count(frame => schedule.IsDue(cascade, frame)), Is.EqualTo(1));
-        }
+    [Test]
+    public void EachCascadeIsDrawnOnceInItsPeriod()
+    {
+        var schedule = new UpdateSchedule(1, 2, 4, 8);
+        for (var cascade = 0; cascade < 4; ++cascade)
+            for (var begin = -9; begin < 9; ++begin)
+                Assert.That(Enumerable.Range(begin, schedule.Period(cascade))
+                                .Count(frame => schedule.IsDue(cascade, frame)), Is.EqualTo(1));
+    }
 
-        [TestCase(0, 1)]
-        [TestCase(-5, 1)]
-        [TestCase(3, 2)]
-        [TestCase(100, 64)]
-        [TestCase(int.MaxValue, 64)]
-        public void OtherPeriodsAreRoundedDown(int given, int period) =>
-            Assert.That(new UpdateSchedule(given).Period(0), Is.EqualTo(period));
+    [TestCase(0, 1)]
+    [TestCase(-5, 1)]
+    [TestCase(3, 2)]
+    [TestCase(100, 64)]
+    [TestCase(int.MaxValue, 64)]
+    public void OtherPeriodsAreRoundedDown(int given, int period) =>
+        Assert.That(new UpdateSchedule(given).Period(0), Is.EqualTo(period));
 
-        [TestCase(2)]
-        [TestCase(-1)]
-        [TestCase(int.MaxValue)]
-        public void ACascadeThatItLacksIsAlwaysDue(int cascade)
-        {
-            Assert.That(new UpdateSchedule(1, 2).IsDue(cascade, 7));
-            Assert.That(default(UpdateSchedule).IsDue(cascade, 7));
-        }
+    [TestCase(2)]
+    [TestCase(-1)]
+    [TestCase(int.MaxValue)]
+    public void ACascadeThatItLacksIsAlwaysDue(int cascade)
+    {
+        Assert.That(new UpdateSchedule(1, 2).IsDue(cascade, 7));
+        Assert.That(default(UpdateSchedule).IsDue(cascade, 7));
+    }
 
-        [Test]
-        public void NoMoreThanFourCascadesCount()
-        {
-            Assert.That(new UpdateSchedule(1, 1, 1, 1, 1).Due(0), Is.EqualTo(15));
-            Assert.That(new UpdateSchedule().Due(0), Is.EqualTo(0));
-        }
+    [Test]
+    public void NoMoreThanFourCascadesCount()
+    {
+        Assert.That(new UpdateSchedule(1, 1, 1, 1, 1).Due(0), Is.EqualTo(15));
+        Assert.That(new UpdateSchedule().Due(0), Is.EqualTo(0));
     }
 }

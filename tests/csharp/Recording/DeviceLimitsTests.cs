@@ -1,189 +1,171 @@
-using System.Collections.Generic;
-using System.Linq;
-using NUnit.Framework;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
+namespace Penumbra.Tests;
 
-namespace Penumbra.Tests
+/// <summary>Chains that a device cannot run are named, before anything of them is made.</summary>
+public sealed class DeviceLimitsTests : EngineTests
 {
-    /// <summary>Chains that a device cannot run are named, before anything of them is made.</summary>
-    public sealed class DeviceLimitsTests
+    private GraphPass pass;
+    private List<GraphTexture> textures;
+
+    [SetUp]
+    public void SetUp()
     {
-        private GraphPass pass;
-        private List<GraphTexture> textures;
-
-        [SetUp]
-        public void SetUp()
+        pass = Writing(0);
+        pass.program = "Resolve";
+        textures = new List<GraphTexture>
         {
-            pass = Writing(0);
-            pass.program = "Resolve";
-            textures = new List<GraphTexture>
-            {
-                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
-            };
-        }
+            new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+        };
+    }
 
-        [TearDown]
-        public void TearDown()
+    private ShadowChain Chain(params GraphPass[] before)
+    {
+        var passes = new List<GraphPass>(before) { pass };
+        var graph = new TechniqueGraph
         {
-            SystemInfo.supports3DRenderTextures = SystemInfo.supports2DArrayTextures = true;
-            SystemInfo.supportsMultisampledTextures = 1;
-            SystemInfo.copyTextureSupport = CopyTextureSupport.Basic;
-            SystemInfo.supportedRenderTargetCount = SystemInfo.maxComputeBufferInputsFragment = 8;
-            SystemInfo.Unsupported = null;
-        }
+            name = "graph", textures = textures.ToArray(), passes = passes.ToArray(), visibility = 0,
+            buffers = new[] { new GraphBuffer("a", words: 4), new GraphBuffer("b", words: 4) },
+        };
+        return new ShadowChain(new[] { graph }, null);
+    }
 
-        private ShadowChain Chain(params GraphPass[] before)
+    private static GraphPass Writing(params int[] targets)
+    {
+        var writing = new GraphPass
         {
-            var passes = new List<GraphPass>(before) { pass };
-            var graph = new TechniqueGraph
-            {
-                name = "graph", textures = textures.ToArray(), passes = passes.ToArray(), visibility = 0,
-                buffers = new[] { new GraphBuffer("a", words: 4), new GraphBuffer("b", words: 4) },
-            };
-            return new ShadowChain(new[] { graph }, null);
-        }
+            asset = PenumbraShadows.ShaderFile, program = "Means", writes = new GraphBinding[targets.Length],
+        };
+        for (int i = 0; i < targets.Length; ++i) writing.writes[i] = GraphBinding.Texture(targets[i]);
+        return writing;
+    }
 
-        private static GraphPass Writing(params int[] targets)
-        {
-            var writing = new GraphPass
-            {
-                asset = PenumbraShadows.ShaderFile, program = "Means", writes = new GraphBinding[targets.Length],
-            };
-            for (int i = 0; i < targets.Length; ++i) writing.writes[i] = GraphBinding.Texture(targets[i]);
-            return writing;
-        }
+    private void Add(GraphExtent extent, int depth = 1, int layers = 1, int samples = 1, int mips = 1) =>
+        textures.Add(new GraphTexture("t", extent, GraphicsFormat.R32_SFloat, width: 64, height: 64, depth: depth,
+                                      mips: mips, layers: layers, samples: samples));
 
-        private void Add(GraphExtent extent, int depth = 1, int layers = 1, int samples = 1, int mips = 1) =>
-            textures.Add(new GraphTexture("t", extent, GraphicsFormat.R32_SFloat, width: 64, height: 64, depth: depth,
-                                          mips: mips, layers: layers, samples: samples));
+    [Test]
+    public void ADeviceThatCanDoAllHasNoProblem()
+    {
+        Add(GraphExtent.Fixed, depth: 8);
+        Add(GraphExtent.Tile, samples: 4);
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
+        Assert.That(DeviceLimits.StereoProblem(Chain(Writing(1), Writing(2))), Is.Null);
+    }
 
-        [Test]
-        public void ADeviceThatCanDoAllHasNoProblem()
-        {
-            Add(GraphExtent.Fixed, depth: 8);
-            Add(GraphExtent.Tile, samples: 4);
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
-            Assert.That(DeviceLimits.StereoProblem(Chain(Writing(1), Writing(2))), Is.Null);
-        }
+    [Test]
+    public void Volumes()
+    {
+        Add(GraphExtent.Fixed, depth: 8);
+        SystemInfo.supports3DRenderTextures = false;
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device cannot draw to 3D textures"));
+    }
 
-        [Test]
-        public void Volumes()
-        {
-            Add(GraphExtent.Fixed, depth: 8);
-            SystemInfo.supports3DRenderTextures = false;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device cannot draw to 3D textures"));
-        }
+    [TestCase(GraphExtent.Fixed, 2)]
+    [TestCase(GraphExtent.Tile, 1)]
+    public void Arrays(object extent, int layers)
+    {
+        Add((GraphExtent)extent, layers: layers);
+        SystemInfo.supports2DArrayTextures = false;
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device does not support texture arrays"));
+    }
 
-        [TestCase(GraphExtent.Fixed, 2)]
-        [TestCase(GraphExtent.Tile, 1)]
-        public void Arrays(object extent, int layers)
-        {
-            Add((GraphExtent)extent, layers: layers);
-            SystemInfo.supports2DArrayTextures = false;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device does not support texture arrays"));
-        }
+    [Test]
+    public void Samples()
+    {
+        Add(GraphExtent.Screen, samples: 4);
+        SystemInfo.supportsMultisampledTextures = 0;
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))),
+                    Is.EqualTo("this device cannot read multisampled textures"));
+    }
 
-        [Test]
-        public void Samples()
-        {
-            Add(GraphExtent.Screen, samples: 4);
-            SystemInfo.supportsMultisampledTextures = 0;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1))),
-                        Is.EqualTo("this device cannot read multisampled textures"));
-        }
+    [Test]
+    public void CopiesOfLevels()
+    {
+        Add(GraphExtent.Map, mips: 0);
+        GraphPass mips = Writing(1);
+        mips.program = "Mips";
+        mips.eachMip = true;
+        mips.reads = new[] { GraphBinding.Texture("_Before", 1) };
+        SystemInfo.copyTextureSupport = CopyTextureSupport.None;
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1), mips)),
+                    Is.EqualTo("pass 'Mips' generates mip levels from copies, and this device cannot copy textures"));
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.Null);
+    }
 
-        [Test]
-        public void CopiesOfLevels()
-        {
-            Add(GraphExtent.Map, mips: 0);
-            GraphPass mips = Writing(1);
-            mips.program = "Mips";
-            mips.eachMip = true;
-            mips.reads = new[] { GraphBinding.Texture("_Before", 1) };
-            SystemInfo.copyTextureSupport = CopyTextureSupport.None;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1), mips)),
-                        Is.EqualTo("pass 'Mips' generates mip levels from copies, and this device cannot copy textures"));
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.Null);
-        }
+    [Test]
+    public void Targets()
+    {
+        Add(GraphExtent.Map);
+        Add(GraphExtent.Map);
+        SystemInfo.supportedRenderTargetCount = 1;
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1, 2))),
+                    Is.EqualTo("pass 'Means' draws to 2 textures at once, and this device supports 1"));
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
+    }
 
-        [Test]
-        public void Targets()
-        {
-            Add(GraphExtent.Map);
-            Add(GraphExtent.Map);
-            SystemInfo.supportedRenderTargetCount = 1;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1, 2))),
-                        Is.EqualTo("pass 'Means' draws to 2 textures at once, and this device supports 1"));
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
-        }
+    /// <summary>Many devices of OpenGL ES 3.1 have buffers for kernels alone.</summary>
+    [Test]
+    public void BuffersOfShaders()
+    {
+        pass.reads = new[] { GraphBinding.Buffer("_A", 0), GraphBinding.Buffer("_B", 1) };
+        SystemInfo.maxComputeBufferInputsFragment = 1;
+        Assert.That(DeviceLimits.Problem(Chain()),
+                    Is.EqualTo("pass 'Resolve' reads 2 buffers, and this device's shaders can read 1"));
+    }
 
-        /// <summary>Many devices of OpenGL ES 3.1 have buffers for kernels alone.</summary>
-        [Test]
-        public void BuffersOfShaders()
-        {
-            pass.reads = new[] { GraphBinding.Buffer("_A", 0), GraphBinding.Buffer("_B", 1) };
-            SystemInfo.maxComputeBufferInputsFragment = 1;
-            Assert.That(DeviceLimits.Problem(Chain()),
-                        Is.EqualTo("pass 'Resolve' reads 2 buffers, and this device's shaders can read 1"));
-        }
+    [Test]
+    public void LayersOfBothEyesAtOnce()
+    {
+        Add(GraphExtent.Screen, layers: 3);
+        Assert.That(DeviceLimits.StereoProblem(Chain(Writing(1))), Does.StartWith("a texture of the screen has layers"));
+    }
 
-        [Test]
-        public void LayersOfBothEyesAtOnce()
-        {
-            Add(GraphExtent.Screen, layers: 3);
-            Assert.That(DeviceLimits.StereoProblem(Chain(Writing(1))), Does.StartWith("a texture of the screen has layers"));
-        }
+    [Test]
+    public void KernelsOverBothEyesAtOnce()
+    {
+        Add(GraphExtent.Map);
+        GraphPass kernel = Writing(1);
+        kernel.kind = PassKind.Compute;
+        kernel.groups = GraphGroups.TexelsOf(1);
+        Assert.That(StereoProblem(Chain(kernel)), Is.Null, "over the map");
+        Add(GraphExtent.Screen);
+        GraphPass reading = Writing(1);
+        reading.kind = PassKind.Compute;
+        reading.groups = GraphGroups.TexelsOf(1);
+        reading.reads = new[] { GraphBinding.Texture("_Screen", 2) };
+        ShadowChain chain = Chain(Writing(2), reading);
+        Assert.That(StereoProblem(chain), Does.StartWith("kernel 'Means' uses textures of the screen"));
+        Assert.That(StereoProblem(chain, ChainKeywords.BothEyes), Is.Null);
+    }
 
-        [Test]
-        public void KernelsOverBothEyesAtOnce()
-        {
-            Add(GraphExtent.Map);
-            GraphPass kernel = Writing(1);
-            kernel.kind = PassKind.Compute;
-            kernel.groups = GraphGroups.TexelsOf(1);
-            Assert.That(StereoProblem(Chain(kernel)), Is.Null, "over the map");
-            Add(GraphExtent.Screen);
-            GraphPass reading = Writing(1);
-            reading.kind = PassKind.Compute;
-            reading.groups = GraphGroups.TexelsOf(1);
-            reading.reads = new[] { GraphBinding.Texture("_Screen", 2) };
-            ShadowChain chain = Chain(Writing(2), reading);
-            Assert.That(StereoProblem(chain), Does.StartWith("kernel 'Means' uses textures of the screen"));
-            Assert.That(StereoProblem(chain, ChainKeywords.BothEyes), Is.Null);
-        }
+    private static string StereoProblem(ShadowChain chain, params string[] declared)
+    {
+        var asset = new ProgramAsset(new ComputeShader { KeywordNames = declared.ToList() }, null, ChainKeywords.All,
+                                     chain.Keywords);
+        return DeviceLimits.StereoProblem(chain) ??
+               chain.Steps.Select(step => DeviceLimits.StereoProblem(chain, step, asset))
+                   .FirstOrDefault(problem => problem != null);
+    }
 
-        private static string StereoProblem(ShadowChain chain, params string[] declared)
-        {
-            var asset = new ProgramAsset(new ComputeShader { KeywordNames = declared.ToList() }, null, ChainKeywords.All,
-                                         chain.Keywords);
-            return DeviceLimits.StereoProblem(chain) ??
-                   chain.Steps.Select(step => DeviceLimits.StereoProblem(chain, step, asset))
-                       .FirstOrDefault(problem => problem != null);
-        }
+    /// <summary>Devices whose kernels do not write a channel of 8 bits write one of 32.</summary>
+    [Test]
+    public void AVisibilityOfKernelsHasAnotherFormat()
+    {
+        pass.kind = PassKind.Compute;
+        pass.groups = GraphGroups.TexelsOf(0);
+        SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
+        ShadowChain chain = Chain();
+        Assert.That(DeviceLimits.Problem(chain), Is.Null);
+        Assert.That(DeviceFormats.Of(chain.Slots[0]), Is.EqualTo(GraphicsFormat.R32_SFloat));
+        SystemInfo.Unsupported = null;
+        Assert.That(DeviceFormats.Of(chain.Slots[0]), Is.EqualTo(GraphicsFormat.R8_UNorm));
+    }
 
-        /// <summary>Devices whose kernels do not write a channel of 8 bits write one of 32.</summary>
-        [Test]
-        public void AVisibilityOfKernelsHasAnotherFormat()
-        {
-            pass.kind = PassKind.Compute;
-            pass.groups = GraphGroups.TexelsOf(0);
-            SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
-            ShadowChain chain = Chain();
-            Assert.That(DeviceLimits.Problem(chain), Is.Null);
-            Assert.That(DeviceFormats.Of(chain.Slots[0]), Is.EqualTo(GraphicsFormat.R32_SFloat));
-            SystemInfo.Unsupported = null;
-            Assert.That(DeviceFormats.Of(chain.Slots[0]), Is.EqualTo(GraphicsFormat.R8_UNorm));
-        }
-
-        [Test]
-        public void ALevelsCopyHasTheTexturesFormat()
-        {
-            SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
-            var whole = new ChainTexture(new GraphTexture("t", GraphExtent.Map, GraphicsFormat.R8_UNorm, mips: 0), true,
-                                         false);
-            Assert.That(DeviceFormats.Of(whole.CopyOf(1)), Is.EqualTo(DeviceFormats.Of(whole)));
-        }
+    [Test]
+    public void ALevelsCopyHasTheTexturesFormat()
+    {
+        SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
+        var whole = new ChainTexture(new GraphTexture("t", GraphExtent.Map, GraphicsFormat.R8_UNorm, mips: 0), true,
+                                     false);
+        Assert.That(DeviceFormats.Of(whole.CopyOf(1)), Is.EqualTo(DeviceFormats.Of(whole)));
     }
 }

@@ -1,14 +1,5 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
-using NUnit.Framework;
-using Penumbra.Editor;
-using UnityEditor;
 using UnityEditor.Rendering;
-using UnityEngine;
-using UnityEngine.Rendering;
-using UnityEngine.Rendering.Universal;
 
 namespace UnityEngine.Rendering.Universal
 {
@@ -96,7 +87,7 @@ namespace Penumbra.Tests
             Assert.That(lightData.usePipelineSettings, Is.False);
             Assert.That((light.shadowBias, light.shadowNormalBias), Is.EqualTo((1.5f, 0.0f)));
             Assert.That((asset.shadowDepthBias, asset.shadowNormalBias), Is.EqualTo((1.5f, 1.25f)));
-            Assert.That(PrefabUtility.Recorded, Is.SupersetOf(new Object[] { light, lightData }));
+            Assert.That(PrefabUtility.Recorded, Is.SupersetOf(new UnityEngine.Object[] { light, lightData }));
         }
 
         [Test]

@@ -1,18 +1,15 @@
-using System.IO;
 using System.Runtime.CompilerServices;
-using UnityEngine;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+/// <summary>The package's file of techniques is loaded before any test, as the editor would load it.</summary>
+internal static class LoadedTechniques
 {
-    /// <summary>The package's file of techniques is loaded before any test, as the editor would load it.</summary>
-    internal static class LoadedTechniques
-    {
-        internal static TextAsset File() => new TextAsset(Text());
+    internal static TextAsset File() => new TextAsset(Text());
 
-        internal static string Text() =>
-            System.IO.File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), TechniqueTable.File));
+    internal static string Text() =>
+        System.IO.File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), TechniqueTable.File));
 
-        [ModuleInitializer]
-        internal static void Load() => TechniqueTable.Load(File());
-    }
+    [ModuleInitializer]
+    internal static void Load() => TechniqueTable.Load(File());
 }

@@ -1,358 +1,326 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Reflection;
-using System.Text.Json;
-using NUnit.Framework;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
+namespace Penumbra.Tests;
 
-namespace Penumbra.Tests
+/// <summary>
+/// Techniques whose filters read maps that passes make from the shadow map, and what stands in for them.
+/// </summary>
+public sealed class MapTechniqueTests : FeatureTests
 {
-    /// <summary>
-    /// Techniques whose filters read maps that passes make from the shadow map, and what stands in for them.
-    /// </summary>
-    public sealed class MapTechniqueTests
+    [SetUp]
+    public void SetUp()
     {
-        private PenumbraShadows feature;
-        private FakeUrp urp;
-        private FakeScene scene;
+        feature.Settings.preset = QualityPreset.Custom;
+        feature.Settings.custom.mask = false;
+    }
 
-        [SetUp]
-        public void SetUp()
+    private static IEnumerable<ShadowTechnique> Every() =>
+        Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>();
+
+    private static bool DrawsVisibility(ShadowTechnique technique) =>
+        new ShadowOptions { technique = technique }.DrawsVisibility;
+
+    private static IEnumerable<ShadowTechnique> WithMaps() =>
+        Every().Where(technique => technique.Entry().formats[0].graph != null && !DrawsVisibility(technique));
+
+    private static IEnumerable<ShadowTechnique> WithResolve() =>
+        Every().Where(technique => !DrawsVisibility(technique));
+
+    private FakeDevice.DrawCall Resolve(ShadowTechnique technique, MapFormat format = MapFormat.Bits32)
+    {
+        feature.Settings.custom.technique = technique;
+        feature.Settings.custom.mapFormat = format;
+        Render();
+        Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+        return Draw("Resolve");
+    }
+
+    [TestCaseSource(nameof(WithMaps))]
+    public void TheMapsOfEachCascadeComeBeforeTheFilterThatReadsThem(ShadowTechnique technique)
+    {
+        FakeDevice.DrawCall resolve = Resolve(technique);
+        TechniqueGraph graph = technique.Entry().formats[0].graph;
+        string[] drawn = Passes();
+        Assert.That(drawn.Distinct(), Is.EqualTo(graph.passes.Select(pass => pass.program).Append("Resolve")));
+        Assert.That(drawn.Count(pass => pass == graph.passes[0].program), Is.EqualTo(4), "cascades");
+        Assert.That(resolve.Keywords, Is.EqualTo(new[] { technique.Entry().keyword }));
+        foreach (GraphBinding texture in graph.filterTextures)
         {
-            FakeShader.Install();
-            feature = new PenumbraShadows();
-            feature.Create();
-            feature.Settings.preset = QualityPreset.Custom;
-            feature.Settings.custom.mask = false;
-            urp = new FakeUrp();
-            scene = new FakeScene();
+            Assert.That(resolve.Textures, Contains.Key(texture.property));
+            Assert.That(resolve.Textures[texture.property], Is.Not.EqualTo(resolve.Target));
         }
+        Assert.That(feature.Replaced, Is.Null);
+    }
 
-        [TearDown]
-        public void TearDown()
+    [TestCase(ShadowTechnique.Vsm, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_SFloat)]
+    [TestCase(ShadowTechnique.Esm, GraphicsFormat.R32_SFloat, GraphicsFormat.R16_SFloat)]
+    [TestCase(ShadowTechnique.Evsm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_SFloat)]
+    [TestCase(ShadowTechnique.Msm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_UNorm)]
+    [TestCase(ShadowTechnique.VssmMips, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_UNorm)]
+    public void TheFormatOfTheMapsIsChosen(ShadowTechnique technique, GraphicsFormat of32, GraphicsFormat of16)
+    {
+        ShadowOptions options = PresetFallback.Options(QualityPreset.Medium);
+        options.technique = technique;
+        foreach (MapFormat format in new[] { MapFormat.Bits32, MapFormat.Bits16 })
         {
-            SystemInfo.Unsupported = null;
-            SystemInfo.Unfiltered.Clear();
-            SystemInfo.Device = GraphicsDeviceType.Vulkan;
-            SystemInfo.graphicsShaderLevel = 50;
-            SystemInfo.supportsComputeShaders = SystemInfo.supportsIndirectArgumentsBuffer = true;
-            SystemInfo.maxComputeWorkGroupSize = 1024;
-            feature.Dispose();
+            options.mapFormat = format;
+            ShadowChain chain = ShadowChain.Of(options);
+            ChainTexture map = chain.Slots[chain.Globals.Single().texture.index];
+            Assert.That(map.format, Is.EqualTo(format == MapFormat.Bits32 ? of32 : of16));
+            Assert.That(map.kept, "a cascade that is not drawn anew keeps its tile");
+            Assert.That(map.filtered);
         }
+    }
 
-        private static IEnumerable<ShadowTechnique> Every() =>
-            Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>();
+    [Test]
+    public void WithoutTheFormatOf32BitsThatOf16IsDrawnAsItIsMeasured()
+    {
+        SystemInfo.Unsupported = GraphicsFormat.R32G32_SFloat;
+        var precision = Vector(Resolve(ShadowTechnique.Vsm), "_PenumbraVarianceParameters0");
+        Assert.That(precision.y, Is.EqualTo(0.00048828125f));
+        Assert.That(feature.Replaced, Is.EqualTo("this device cannot draw to textures of R32G32_SFloat"));
+        Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
+    }
 
-        private static bool DrawsVisibility(ShadowTechnique technique) =>
-            new ShadowOptions { technique = technique }.DrawsVisibility;
+    [Test]
+    public void AMapThatIsNotFilteredIsNotRead()
+    {
+        SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
+        Resolve(ShadowTechnique.Vsm);
+        Assert.That(feature.Replaced, Is.EqualTo("this device cannot filter textures of R32G32_SFloat"));
+        Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
+    }
 
-        private static IEnumerable<ShadowTechnique> WithMaps() =>
-            Every().Where(technique => technique.Entry().formats[0].graph != null && !DrawsVisibility(technique));
+    private void ExpectTheFallback(ShadowTechnique technique, string reason)
+    {
+        FakeDevice.DrawCall resolve = Resolve(technique);
+        Assert.That(Passes(), Is.EqualTo(new[] { "Resolve" }));
+        Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_TENT_7X7" }));
+        Assert.That(feature.Replaced, Does.Contain(reason));
+        Assert.That(feature.Asked.technique, Is.EqualTo(technique));
+        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
+    }
 
-        private static IEnumerable<ShadowTechnique> WithResolve() =>
-            Every().Where(technique => !DrawsVisibility(technique));
+    [Test]
+    public void WithoutEitherFormatTheFallbackIsDrawn()
+    {
+        SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
+        SystemInfo.Unfiltered.Add(GraphicsFormat.R16G16_SFloat);
+        ExpectTheFallback(ShadowTechnique.Vsm, "cannot filter textures of R32G32_SFloat");
+    }
 
-        private FakeDevice.DrawCall Resolve(ShadowTechnique technique, MapFormat format = MapFormat.Bits32)
+    [TestCaseSource(nameof(WithMaps))]
+    public void OnOpenGlTheFallbackIsDrawn(ShadowTechnique technique)
+    {
+        SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+        ExpectTheFallback(technique, "OpenGL does not define");
+    }
+
+    [Test]
+    public void WithoutKernelsTheFallbackIsDrawn()
+    {
+        FakeShader.Sums.Kernels[0].IsSupported = false;
+        ExpectTheFallback(ShadowTechnique.Vssm, "cannot run kernel 'SumRows'");
+    }
+
+    [TestCase(ShadowTechnique.SingleLoopMips)]
+    [TestCase(ShadowTechnique.VssmMips)]
+    [TestCase(ShadowTechnique.EvsmMips)]
+    public void BelowTarget45TheFallbackIsDrawn(ShadowTechnique technique)
+    {
+        SystemInfo.graphicsShaderLevel = 35;
+        ExpectTheFallback(technique, "shader model 4.5");
+    }
+
+    [Test]
+    public void TheShaderAsksForTarget45WhereTheTechniqueDoes() =>
+        Assert.That(FakeShader.KeywordsOfTarget45(),
+                    Is.EquivalentTo(Every().Where(technique => technique.Entry().needsTarget45)
+                                        .Select(technique => technique.Entry().keyword).Distinct()));
+
+    // The values are those of no measured technique.
+    private static ShadowOptions Odd() => new ShadowOptions
+    {
+        angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
+        minFilterTexels = 3.5f, lightBleeding = 0.7f, mapBlurTexels = 3.25f, rays = 3, samplesPerRay = 4,
+        discRadiusMetres = 0.75f, filterCells = 4,
+    };
+
+    // The struct of a uniform, with the values of a measured technique.
+    private static Vector4 Packed(string uniform, JsonElement values)
+    {
+        string name = uniform.Substring("_Penumbra".Length, uniform.Length - "_Penumbra".Length - 1);
+        Type type = typeof(ShadowOptions).Assembly.GetType("Penumbra." + name, true);
+        object parameters = Activator.CreateInstance(type);
+        foreach (FieldInfo field in type.GetFields().Where(field => !field.IsStatic))
         {
-            feature.Settings.custom.technique = technique;
-            feature.Settings.custom.mapFormat = format;
-            urp.Render(scene, feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
-            return urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
+            float value = values.GetProperty(field.Name).GetSingle();
+            field.SetValue(parameters, Convert.ChangeType(value, field.FieldType));
         }
+        return (Vector4)type.GetProperty("Vector" + uniform.Last()).GetValue(parameters);
+    }
 
-        [TestCaseSource(nameof(WithMaps))]
-        public void TheMapsOfEachCascadeComeBeforeTheFilterThatReadsThem(ShadowTechnique technique)
+    [TestCase(ShadowTechnique.Vsm, MapFormat.Bits32, "variance-32")]
+    [TestCase(ShadowTechnique.Vsm, MapFormat.Bits16, "variance-16")]
+    [TestCase(ShadowTechnique.Esm, MapFormat.Bits32, "exponential-32")]
+    [TestCase(ShadowTechnique.Esm, MapFormat.Bits16, "exponential-16")]
+    [TestCase(ShadowTechnique.EsmLog, MapFormat.Bits32, "log-exponential-16")]
+    [TestCase(ShadowTechnique.Evsm, MapFormat.Bits32, "exponential-variance-32")]
+    [TestCase(ShadowTechnique.Evsm, MapFormat.Bits16, "exponential-variance-16")]
+    [TestCase(ShadowTechnique.Msm, MapFormat.Bits32, "moments-32")]
+    [TestCase(ShadowTechnique.Msm, MapFormat.Bits16, "moments-16")]
+    [TestCase(ShadowTechnique.SingleLoop, MapFormat.Bits32, "single-loop-32")]
+    [TestCase(ShadowTechnique.SingleLoopMinMax, MapFormat.Bits32, "single-loop-32-minmax")]
+    [TestCase(ShadowTechnique.SingleLoopMips, MapFormat.Bits32, "single-loop-32-mips")]
+    [TestCase(ShadowTechnique.SingleLoopPlanes, MapFormat.Bits32, "single-loop-32-planes")]
+    [TestCase(ShadowTechnique.Vssm, MapFormat.Bits32, "vssm-sat-32")]
+    [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits32, "vssm-mip-32")]
+    [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits16, "vssm-mip-16")]
+    [TestCase(ShadowTechnique.Mssm, MapFormat.Bits32, "mssm-sat-32")]
+    [TestCase(ShadowTechnique.MssmMips, MapFormat.Bits32, "mssm-mip-16")]
+    [TestCase(ShadowTechnique.EvsmMips, MapFormat.Bits32, "evsm-mip")]
+    [TestCase(ShadowTechnique.Smrt, MapFormat.Bits32, "unreal-smrt-7-8")]
+    [TestCase(ShadowTechnique.PcssGodot, MapFormat.Bits32, "godot-pcss-8")]
+    [TestCase(ShadowTechnique.DpcfFilament, MapFormat.Bits32, "filament-dpcf-12")]
+    [TestCase(ShadowTechnique.PcssFilament, MapFormat.Bits32, "filament-pcss-16-16")]
+    [TestCase(ShadowTechnique.CellPcss, MapFormat.Bits32, "cell-pcss")]
+    public void PassesAndFiltersAreToldWhatIsMeasured(ShadowTechnique technique, MapFormat format, string measured)
+    {
+        ShadowOptions options = Odd();
+        options.technique = technique;
+        options.mapFormat = format;
+        technique.Entry().SetMeasured(ref options);
+        Use(options);
+        Render();
+        Assert.That((feature.LastSkip, feature.Replaced), Is.EqualTo((SkipReason.None, (string)null)));
+        var told = new FakeDevice();
+        var commands = new CommandBuffer();
+        foreach (ParameterVector vector in options.Format.parameters) vector.SetGlobal(commands, options);
+        told.Play(commands);
+        Assert.That(told.Uniforms, Is.Not.Empty);
+        JsonElement values = Measured.Named("techniques", measured).GetProperty("values");
+        foreach (string uniform in told.Uniforms.Keys)
         {
-            FakeDevice.DrawCall resolve = Resolve(technique);
-            TechniqueGraph graph = technique.Entry().formats[0].graph;
-            string[] drawn = urp.Device.Draws.Select(draw => draw.Pass).ToArray();
-            Assert.That(drawn.Distinct(), Is.EqualTo(graph.passes.Select(pass => pass.program).Append("Resolve")));
-            Assert.That(drawn.Count(pass => pass == graph.passes[0].program), Is.EqualTo(4), "cascades");
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { technique.Entry().keyword }));
-            foreach (GraphBinding texture in graph.filterTextures)
-            {
-                Assert.That(resolve.Textures, Contains.Key(texture.property));
-                Assert.That(resolve.Textures[texture.property], Is.Not.EqualTo(resolve.Target));
-            }
-            Assert.That(feature.Replaced, Is.Null);
+            Assert.That(told.Uniforms[uniform], Is.EqualTo(Packed(uniform, values)), uniform);
+            Assert.That(urp.Device.Uniforms[uniform], Is.EqualTo(told.Uniforms[uniform]), uniform);
         }
+    }
 
-        [TestCase(ShadowTechnique.Vsm, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_SFloat)]
-        [TestCase(ShadowTechnique.Esm, GraphicsFormat.R32_SFloat, GraphicsFormat.R16_SFloat)]
-        [TestCase(ShadowTechnique.Evsm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_SFloat)]
-        [TestCase(ShadowTechnique.Msm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_UNorm)]
-        [TestCase(ShadowTechnique.VssmMips, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_UNorm)]
-        public void TheFormatOfTheMapsIsChosen(ShadowTechnique technique, GraphicsFormat of32, GraphicsFormat of16)
-        {
-            ShadowOptions options = PresetFallback.Options(QualityPreset.Medium);
-            options.technique = technique;
-            foreach (MapFormat format in new[] { MapFormat.Bits32, MapFormat.Bits16 })
-            {
-                options.mapFormat = format;
-                ShadowChain chain = ShadowChain.Of(options);
-                ChainTexture map = chain.Slots[chain.Globals.Single().texture.index];
-                Assert.That(map.format, Is.EqualTo(format == MapFormat.Bits32 ? of32 : of16));
-                Assert.That(map.kept, "a cascade that is not drawn anew keeps its tile");
-                Assert.That(map.filtered);
-            }
-        }
+    /// <summary>Forward shaders may use a filter without maps whatever the feature's technique is.</summary>
+    [Test]
+    public void FiltersWithoutMapsAreAlwaysTold() =>
+        Assert.That(Resolve(ShadowTechnique.Pcss).Uniforms.Keys,
+                    Is.SupersetOf(new[]
+                    {
+                        "_PenumbraUnrealSmrtParameters0", "_PenumbraGodotPcssParameters0", "_PenumbraFilamentParameters0",
+                        "_PenumbraSingleLoopParameters0",
+                    }));
 
-        [Test]
-        public void WithoutTheFormatOf32BitsThatOf16IsDrawnAsItIsMeasured()
-        {
-            SystemInfo.Unsupported = GraphicsFormat.R32G32_SFloat;
-            var precision = (Vector4)Resolve(ShadowTechnique.Vsm).Uniforms["_PenumbraVarianceParameters0"];
-            Assert.That(precision.y, Is.EqualTo(0.00048828125f));
-            Assert.That(feature.Replaced, Is.EqualTo("this device cannot draw to textures of R32G32_SFloat"));
-            Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
-        }
+    [Test]
+    public void ThePassesThatDrawTheVisibilityHaveNoResolve()
+    {
+        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
+        Render();
+        Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+        Assert.That(feature.Replaced, Is.Null);
+        Assert.That(Passes().Where(pass => pass != "clear").Distinct(),
+                    Is.EqualTo(TechniqueTable.Graph("cell-pcss").passes.Select(pass => pass.program)));
+    }
 
-        [Test]
-        public void AMapThatIsNotFilteredIsNotRead()
-        {
-            SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
-            Resolve(ShadowTechnique.Vsm);
-            Assert.That(feature.Replaced, Is.EqualTo("this device cannot filter textures of R32G32_SFloat"));
-            Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
-        }
+    private void ExpectPcss(string reason)
+    {
+        FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.CellPcss);
+        Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_PCSS" }));
+        Assert.That(feature.Replaced, Does.Contain(reason));
+        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Pcss));
+    }
 
-        private void ExpectTheFallback(ShadowTechnique technique, string reason)
-        {
-            FakeDevice.DrawCall resolve = Resolve(technique);
-            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_TENT_7X7" }));
-            Assert.That(feature.Replaced, Does.Contain(reason));
-            Assert.That(feature.Asked.technique, Is.EqualTo(technique));
-            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
-        }
+    [Test]
+    public void OnOpenGlCellPcssIsPcss()
+    {
+        SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+        ExpectPcss("OpenGL does not define");
+    }
 
-        [Test]
-        public void WithoutEitherFormatTheFallbackIsDrawn()
-        {
-            SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
-            SystemInfo.Unfiltered.Add(GraphicsFormat.R16G16_SFloat);
-            ExpectTheFallback(ShadowTechnique.Vsm, "cannot filter textures of R32G32_SFloat");
-        }
+    [Test]
+    public void WithoutAFormatCellPcssIsPcss()
+    {
+        SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_UInt;
+        ExpectPcss("cannot write textures of R32G32B32A32_UInt");
+    }
 
-        [TestCaseSource(nameof(WithMaps))]
-        public void OnOpenGlTheFallbackIsDrawn(ShadowTechnique technique)
-        {
-            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
-            ExpectTheFallback(technique, "OpenGL does not define");
-        }
+    [Test]
+    public void WithoutKernelsCellPcssIsPcss()
+    {
+        SystemInfo.supportsComputeShaders = false;
+        ExpectPcss("is a compute shader, which this device does not support");
+    }
 
-        [Test]
-        public void WithoutKernelsTheFallbackIsDrawn()
-        {
-            FakeShader.Sums.Kernels[0].IsSupported = false;
-            ExpectTheFallback(ShadowTechnique.Vssm, "cannot run kernel 'SumRows'");
-        }
+    [Test]
+    public void WithoutIndirectDispatchCellPcssIsPcss()
+    {
+        SystemInfo.supportsIndirectArgumentsBuffer = false;
+        ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
+    }
 
-        [TestCase(ShadowTechnique.SingleLoopMips)]
-        [TestCase(ShadowTechnique.VssmMips)]
-        [TestCase(ShadowTechnique.EvsmMips)]
-        public void BelowTarget45TheFallbackIsDrawn(ShadowTechnique technique)
-        {
-            SystemInfo.graphicsShaderLevel = 35;
-            ExpectTheFallback(technique, "shader model 4.5");
-        }
+    /// <summary>Vulkan guarantees groups of 128 threads.</summary>
+    [Test]
+    public void WithSmallThreadGroupsCellPcssIsPcss()
+    {
+        SystemInfo.maxComputeWorkGroupSize = 128;
+        ExpectPcss("has groups of 256 threads, and this device allows 128");
+    }
 
-        [Test]
-        public void TheShaderAsksForTarget45WhereTheTechniqueDoes() =>
-            Assert.That(FakeShader.KeywordsOfTarget45(),
-                        Is.EquivalentTo(Every().Where(technique => technique.Entry().needsTarget45)
-                                            .Select(technique => technique.Entry().keyword).Distinct()));
+    [Test]
+    public void ForBothEyesAtOnceCellPcssIsDrawn()
+    {
+        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
+        scene.Views = 2;
+        Render();
+        Assert.That(feature.Replaced, Is.Null);
+        Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveAlone"));
+    }
 
-        // The values are those of no measured technique.
-        private static ShadowOptions Odd() => new ShadowOptions
-        {
-            angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
-            minFilterTexels = 3.5f, lightBleeding = 0.7f, mapBlurTexels = 3.25f, rays = 3, samplesPerRay = 4,
-            discRadiusMetres = 0.75f, filterCells = 4,
-        };
+    [Test]
+    public void BelowTarget45NeitherCellPcssNorPcssIsDrawnButATent()
+    {
+        SystemInfo.graphicsShaderLevel = 35;
+        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
+        Render();
+        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
+        Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
+    }
 
-        /// <summary>The vectors of the structs of a technique, packed as its manifest has the values.</summary>
-        private static Dictionary<string, Vector4> Measured(string technique, string[] structs)
-        {
-            string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
-            using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
-            JsonElement values = list.RootElement.GetProperty("techniques").EnumerateArray()
-                .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values");
-            var vectors = new Dictionary<string, Vector4>();
-            foreach (string name in structs)
-            {
-                Type type = typeof(VarianceParameters).Assembly.GetType("Penumbra." + name);
-                object parameters = Activator.CreateInstance(type);
-                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public))
-                    field.SetValue(parameters, field.FieldType == typeof(int) ? (int)values.GetProperty(field.Name).GetSingle()
-                                                                              : (object)values.GetProperty(field.Name).GetSingle());
-                for (int i = 0; type.GetProperty("Vector" + i) != null; ++i)
-                    vectors["_Penumbra" + name + i] = (Vector4)type.GetProperty("Vector" + i).GetValue(parameters);
-            }
-            return vectors;
-        }
+    /// <summary>The shader fails to compile for a while, as it does while a file is edited.</summary>
+    [Test]
+    public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
+    {
+        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
+        ComputeShader.Kernel[] kernels = FakeShader.CellPcss.Kernels.ToArray();
+        FakeShader.CellPcss.Kernels.Clear();
+        Render();
+        Assert.That(feature.Replaced, Does.Contain("does not compile"));
+        FakeShader.CellPcss.Kernels.AddRange(kernels);
+        Import("Assets/Lake.png");
+        Render();
+        Assert.That(feature.Replaced, Is.Not.Null, "no shader");
+        Import("Packages/com.penumbra.shadows/Shaders/PenumbraCellPcss.compute");
+        Render();
+        Assert.That(feature.Replaced, Is.Null);
+        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.CellPcss));
+    }
 
-        [TestCase(ShadowTechnique.Vsm, MapFormat.Bits32, "variance-32", "MapBlurParameters", "VarianceParameters")]
-        [TestCase(ShadowTechnique.Vsm, MapFormat.Bits16, "variance-16", "MapBlurParameters", "VarianceParameters")]
-        [TestCase(ShadowTechnique.Esm, MapFormat.Bits32, "exponential-32", "MapBlurParameters", "ExponentialParameters")]
-        [TestCase(ShadowTechnique.Esm, MapFormat.Bits16, "exponential-16", "MapBlurParameters", "ExponentialParameters")]
-        [TestCase(ShadowTechnique.EsmLog, MapFormat.Bits32, "log-exponential-16", "MapBlurParameters", "LogExponentialParameters")]
-        [TestCase(ShadowTechnique.Evsm, MapFormat.Bits32, "exponential-variance-32", "MapBlurParameters",
-                  "ExponentialVarianceParameters")]
-        [TestCase(ShadowTechnique.Evsm, MapFormat.Bits16, "exponential-variance-16", "MapBlurParameters",
-                  "ExponentialVarianceParameters")]
-        [TestCase(ShadowTechnique.Msm, MapFormat.Bits32, "moments-32", "MapBlurParameters", "MomentShadowsParameters")]
-        [TestCase(ShadowTechnique.Msm, MapFormat.Bits16, "moments-16", "MapBlurParameters", "MomentShadowsParameters")]
-        [TestCase(ShadowTechnique.SingleLoop, MapFormat.Bits32, "single-loop-32", "SingleLoopParameters")]
-        [TestCase(ShadowTechnique.SingleLoopMinMax, MapFormat.Bits32, "single-loop-32-minmax", "DepthRangeParameters",
-                  "SingleLoopParameters")]
-        [TestCase(ShadowTechnique.SingleLoopMips, MapFormat.Bits32, "single-loop-32-mips", "SingleLoopParameters")]
-        [TestCase(ShadowTechnique.SingleLoopPlanes, MapFormat.Bits32, "single-loop-32-planes", "SingleLoopParameters")]
-        [TestCase(ShadowTechnique.Vssm, MapFormat.Bits32, "vssm-sat-32", "VssmParameters")]
-        [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits32, "vssm-mip-32", "VssmParameters")]
-        [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits16, "vssm-mip-16", "VssmParameters")]
-        [TestCase(ShadowTechnique.Mssm, MapFormat.Bits32, "mssm-sat-32", "MssmParameters")]
-        [TestCase(ShadowTechnique.MssmMips, MapFormat.Bits32, "mssm-mip-16", "MssmParameters")]
-        [TestCase(ShadowTechnique.EvsmMips, MapFormat.Bits32, "evsm-mip", "ExponentialVarianceParameters")]
-        [TestCase(ShadowTechnique.Smrt, MapFormat.Bits32, "unreal-smrt-7-8", "UnrealSmrtParameters")]
-        [TestCase(ShadowTechnique.PcssGodot, MapFormat.Bits32, "godot-pcss-8", "GodotPcssParameters")]
-        [TestCase(ShadowTechnique.DpcfFilament, MapFormat.Bits32, "filament-dpcf-12", "FilamentParameters")]
-        [TestCase(ShadowTechnique.PcssFilament, MapFormat.Bits32, "filament-pcss-16-16", "FilamentParameters")]
-        public void FiltersAreToldWhatIsMeasured(ShadowTechnique technique, MapFormat format, string entry,
-                                                 params string[] structs)
-        {
-            feature.Settings.custom = Odd();
-            technique.Entry().SetMeasured(ref feature.Settings.custom);
-            FakeDevice.DrawCall resolve = Resolve(technique, format);
-            foreach (KeyValuePair<string, Vector4> vector in Measured(entry, structs))
-                Assert.That(resolve.Uniforms[vector.Key], Is.EqualTo(vector.Value), vector.Key);
-        }
+    // Unity looks for the method by this name and these parameters.
+    private static void Import(string path)
+    {
+        typeof(ShaderImports).GetMethod("OnPostprocessAllAssets", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, new object[] { new[] { path }, new string[0], new string[0], new string[0] });
+    }
 
-        /// <summary>Forward shaders may use a filter without maps whatever the feature's technique is.</summary>
-        [Test]
-        public void FiltersWithoutMapsAreAlwaysTold() =>
-            Assert.That(Resolve(ShadowTechnique.Pcss).Uniforms.Keys,
-                        Is.SupersetOf(new[]
-                        {
-                            "_PenumbraUnrealSmrtParameters0", "_PenumbraGodotPcssParameters0", "_PenumbraFilamentParameters0",
-                            "_PenumbraSingleLoopParameters0",
-                        }));
-
-        [Test]
-        public void ThePassesThatDrawTheVisibilityHaveNoResolve()
-        {
-            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-            urp.Render(scene, feature);
-            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
-            Assert.That(feature.Replaced, Is.Null);
-            Assert.That(urp.Device.Draws.Select(draw => draw.Pass).Where(pass => pass != "clear").Distinct(),
-                        Is.EqualTo(TechniqueTable.Graph("cell-pcss").passes.Select(pass => pass.program)));
-        }
-
-        private void ExpectPcss(string reason)
-        {
-            FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.CellPcss);
-            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_PCSS" }));
-            Assert.That(feature.Replaced, Does.Contain(reason));
-            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Pcss));
-        }
-
-        [Test]
-        public void OnOpenGlCellPcssIsPcss()
-        {
-            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
-            ExpectPcss("OpenGL does not define");
-        }
-
-        [Test]
-        public void WithoutAFormatCellPcssIsPcss()
-        {
-            SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_UInt;
-            ExpectPcss("cannot write textures of R32G32B32A32_UInt");
-        }
-
-        [Test]
-        public void WithoutKernelsCellPcssIsPcss()
-        {
-            SystemInfo.supportsComputeShaders = false;
-            ExpectPcss("is a compute shader, which this device does not support");
-        }
-
-        [Test]
-        public void WithoutIndirectDispatchCellPcssIsPcss()
-        {
-            SystemInfo.supportsIndirectArgumentsBuffer = false;
-            ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
-        }
-
-        /// <summary>Vulkan guarantees groups of 128 threads.</summary>
-        [Test]
-        public void WithSmallThreadGroupsCellPcssIsPcss()
-        {
-            SystemInfo.maxComputeWorkGroupSize = 128;
-            ExpectPcss("has groups of 256 threads, and this device allows 128");
-        }
-
-        [Test]
-        public void ForBothEyesAtOnceCellPcssIsDrawn()
-        {
-            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-            scene.Views = 2;
-            urp.Render(scene, feature);
-            Assert.That(feature.Replaced, Is.Null);
-            Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveAlone"));
-        }
-
-        [Test]
-        public void BelowTarget45NeitherCellPcssNorPcssIsDrawnButATent()
-        {
-            SystemInfo.graphicsShaderLevel = 35;
-            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-            urp.Render(scene, feature);
-            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
-            Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
-        }
-
-        /// <summary>The shader fails to compile for a while, as it does while a file is edited.</summary>
-        [Test]
-        public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
-        {
-            feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-            ComputeShader.Kernel[] kernels = FakeShader.CellPcss.Kernels.ToArray();
-            FakeShader.CellPcss.Kernels.Clear();
-            urp.Render(scene, feature);
-            Assert.That(feature.Replaced, Does.Contain("does not compile"));
-            FakeShader.CellPcss.Kernels.AddRange(kernels);
-            Import("Assets/Lake.png");
-            urp.Render(scene, feature);
-            Assert.That(feature.Replaced, Is.Not.Null, "no shader");
-            Import("Packages/com.penumbra.shadows/Shaders/PenumbraCellPcss.compute");
-            urp.Render(scene, feature);
-            Assert.That(feature.Replaced, Is.Null);
-            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.CellPcss));
-        }
-
-        // Unity looks for the method by this name and these parameters.
-        private static void Import(string path)
-        {
-            System.Reflection.MethodInfo imported = typeof(Penumbra.Editor.ShaderImports).GetMethod(
-                "OnPostprocessAllAssets", System.Reflection.BindingFlags.Static | System.Reflection.BindingFlags.NonPublic);
-            imported.Invoke(null, new object[] { new[] { path }, new string[0], new string[0], new string[0] });
-        }
-
-        [TestCaseSource(nameof(WithResolve))]
-        public void OfTheTechniquesStructsItsOwnValuesWin(ShadowTechnique technique)
-        {
-            feature.Settings.custom.blockerSamples = 5;
-            bool dpcf = technique == ShadowTechnique.DpcfFilament;
-            var filament = (Vector4)Resolve(technique).Uniforms["_PenumbraFilamentParameters0"];
-            Assert.That(filament.x, Is.EqualTo(5.0f));
-            Assert.That(filament.y, Is.EqualTo(dpcf ? 16.0f : feature.Settings.custom.filterSamples));
-        }
+    [TestCaseSource(nameof(WithResolve))]
+    public void OfTheTechniquesStructsItsOwnValuesWin(ShadowTechnique technique)
+    {
+        feature.Settings.custom.blockerSamples = 5;
+        bool dpcf = technique == ShadowTechnique.DpcfFilament;
+        var filament = Vector(Resolve(technique), "_PenumbraFilamentParameters0");
+        Assert.That(filament.x, Is.EqualTo(5.0f));
+        Assert.That(filament.y, Is.EqualTo(dpcf ? 16.0f : feature.Settings.custom.filterSamples));
     }
 }

@@ -1,87 +1,74 @@
-using NUnit.Framework;
-using Penumbra.Editor;
-using UnityEditor;
 using UnityEditor.Rendering;
-using UnityEngine;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+/// <summary>The errors of the editor's compiler in the technique's shaders, by file and line.</summary>
+public sealed class ShaderErrorsTests : FeatureTests
 {
-    /// <summary>The errors of the editor's compiler in the technique's shaders, by file and line.</summary>
-    public sealed class ShaderErrorsTests
+    [SetUp]
+    public void SetUp()
     {
-        private PenumbraShadows feature;
+        AssetDatabase.Assets["Packages/com.penumbra.shadows/" + PenumbraShadows.ShaderFile] =
+            Shader.Find(PenumbraShadows.ShaderName);
+        feature.Settings.preset = QualityPreset.Low;
+    }
 
-        [SetUp]
-        public void SetUp()
+    [TearDown]
+    public void TearDown() => ShaderUtil.Messages.Clear();
+
+    private static ShaderMessage Message(string text, string file, int line,
+                                         ShaderCompilerMessageSeverity severity = ShaderCompilerMessageSeverity.Error) =>
+        new ShaderMessage(text, severity) { file = file, line = line, platform = ShaderCompilerPlatform.D3D };
+
+    private string Errors => FeatureSurroundings.Of(feature).shaderErrors;
+
+    [Test]
+    public void WarningsAreNoErrors()
+    {
+        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
         {
-            AssetDatabase.Assets["Packages/com.penumbra.shadows/" + PenumbraShadows.ShaderFile] = FakeShader.Install();
-            feature = new PenumbraShadows();
-            feature.Create();
-            feature.Settings.preset = QualityPreset.Low;
-        }
+            Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
+        };
+        Assert.That(Errors, Is.Null);
+    }
 
-        [TearDown]
-        public void TearDown()
+    [Test]
+    public void AKernelsErrorHasItsFileAndLine()
+    {
+        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
         {
-            feature.Dispose();
-            ShaderUtil.Messages.Clear();
-            AssetDatabase.Assets.Clear();
-        }
+            Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
+            Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileReceiver.hlsl", 12),
+        };
+        Assert.That(Errors, Is.EqualTo("ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier 'a' (D3D)"));
+    }
 
-        private static ShaderMessage Message(string text, string file, int line,
-                                             ShaderCompilerMessageSeverity severity = ShaderCompilerMessageSeverity.Error) =>
-            new ShaderMessage(text, severity) { file = file, line = line, platform = ShaderCompilerPlatform.D3D };
+    [Test]
+    public void AnErrorOfThePassesIsOfTheAssetIfNoIncludeIsNamed()
+    {
+        ShaderUtil.Messages[Shader.Find(PenumbraShadows.ShaderName)] = new[] { Message("syntax error", "", 7) };
+        Assert.That(Errors, Is.EqualTo(PenumbraShadows.ShaderFile + ", line 7: syntax error (D3D)"));
+    }
 
-        private string Errors => FeatureSurroundings.Of(feature).shaderErrors;
+    [Test]
+    public void ShadersThatTheTechniqueDoesNotUseAreNotAsked()
+    {
+        ShaderUtil.Messages[FakeShader.Sums] = new[] { Message("syntax error", "", 7) };
+        Assert.That(Errors, Is.Null);
+    }
 
-        [Test]
-        public void WarningsAreNoErrors()
+    /// <summary>An error is reported once for each API and keyword set.</summary>
+    [Test]
+    public void OfManyErrorsAFewAreSaidAndEachOnce()
+    {
+        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
         {
-            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
-            {
-                Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
-            };
-            Assert.That(Errors, Is.Null);
-        }
-
-        [Test]
-        public void AKernelsErrorHasItsFileAndLine()
-        {
-            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
-            {
-                Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
-                Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileReceiver.hlsl", 12),
-            };
-            Assert.That(Errors, Is.EqualTo("ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier 'a' (D3D)"));
-        }
-
-        [Test]
-        public void AnErrorOfThePassesIsOfTheAssetIfNoIncludeIsNamed()
-        {
-            ShaderUtil.Messages[Shader.Find(PenumbraShadows.ShaderName)] = new[] { Message("syntax error", "", 7) };
-            Assert.That(Errors, Is.EqualTo(PenumbraShadows.ShaderFile + ", line 7: syntax error (D3D)"));
-        }
-
-        [Test]
-        public void ShadersThatTheTechniqueDoesNotUseAreNotAsked()
-        {
-            ShaderUtil.Messages[FakeShader.Sums] = new[] { Message("syntax error", "", 7) };
-            Assert.That(Errors, Is.Null);
-        }
-
-        /// <summary>An error is reported once for each API and keyword set.</summary>
-        [Test]
-        public void OfManyErrorsAFewAreSaidAndEachOnce()
-        {
-            ShaderUtil.Messages[FakeShader.CellPcss] = new[]
-            {
-                Message("a", "", 1), Message("a", "", 1), Message("b", "", 2), Message("c", "", 3), Message("d", "", 4),
-                Message("e", "", 5),
-            };
-            string[] lines = Errors.Split('\n');
-            Assert.That(lines, Has.Length.EqualTo(4));
-            Assert.That(lines[2], Does.Contain("line 3: c"));
-            Assert.That(lines[3], Is.EqualTo("and 2 more"));
-        }
+            Message("a", "", 1), Message("a", "", 1), Message("b", "", 2), Message("c", "", 3), Message("d", "", 4),
+            Message("e", "", 5),
+        };
+        string[] lines = Errors.Split('\n');
+        Assert.That(lines, Has.Length.EqualTo(4));
+        Assert.That(lines[2], Does.Contain("line 3: c"));
+        Assert.That(lines[3], Is.EqualTo("and 2 more"));
     }
 }

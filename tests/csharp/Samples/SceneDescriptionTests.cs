@@ -9,8 +9,7 @@ namespace Penumbra.Samples.Scenes
     /// <summary>The scenes as data are repeatable, stand on their ground and are in their camera's sight.</summary>
     internal sealed class SceneDescriptionTests
     {
-        private static readonly SampleSceneKind[] kinds =
-            (SampleSceneKind[])Enum.GetValues(typeof(SampleSceneKind));
+        private static readonly SampleSceneKind[] kinds = (SampleSceneKind[])Enum.GetValues(typeof(SampleSceneKind));
 
         private static readonly int[] seeds = { 0, 1, -7, int.MaxValue, int.MinValue };
 
@@ -67,10 +66,8 @@ namespace Penumbra.Samples.Scenes
         }
 
         [Test]
-        public void TheSunStandsAboveTheHorizonAndNotInTheZenith([ValueSource(nameof(kinds))] SampleSceneKind kind)
-        {
+        public void TheSunStandsAboveTheHorizonAndNotInTheZenith([ValueSource(nameof(kinds))] SampleSceneKind kind) =>
             Assert.That(SceneDescription.Of(kind, 1).Sun.elevationDegrees, Is.InRange(20.0f, 70.0f));
-        }
 
         [Test]
         public void SlabsHoverAtTheirGaps()
@@ -126,8 +123,7 @@ namespace Penumbra.Samples.Scenes
         [Test]
         public void CascadesAreFilledFromNearToFarInEqualSteps()
         {
-            List<float> distances =
-                Named(CascadesScene.Describe(), "Block").Select(block => block.centre.z).ToList();
+            List<float> distances = Named(CascadesScene.Describe(), "Block").Select(block => block.centre.z).ToList();
             Assert.That(distances[0], Is.EqualTo(CascadesScene.NearestMetres));
             Assert.That(distances.Last() * CascadesScene.Step, Is.GreaterThan(CascadesScene.FarthestMetres));
             Assert.That(distances.Last(), Is.LessThanOrEqualTo(CascadesScene.FarthestMetres));

@@ -1,9 +1,3 @@
-using System.Text.Json;
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Report;
-
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>
@@ -19,8 +13,7 @@ public sealed class AssemblyCheck
 
     public static AssemblyCheck Run(string root, IReadOnlyList<string> folders, string? version)
     {
-        if (version is not null)
-            UnityVersion.Parse(version);
+        if (version is not null) UnityVersion.Parse(version);
         var package = PackageSources.Read(root);
         var layout = UnityLayout.Find(folders);
         var index = new AssemblyIndex(layout);
@@ -71,8 +64,7 @@ public sealed class AssemblyCheck
             var only = sets.Contains(Sets[0].Name) ? "" : " [player only]";
             (line.Text.StartsWith("error", StringComparison.Ordinal) ? Problems : Notes).Add(place + line.Text + only);
         }
-        if (compiled.Count == 0)
-            Problems.Add("no assembly of the package was compiled");
+        if (compiled.Count == 0) Problems.Add("no assembly of the package was compiled");
         Notes.Add($"{string.Join(", ", compiled)}: {Problems.Count} errors");
     }
 

@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>The assemblies of a layout by name, and what a package's assembly is given of them.</summary>

@@ -13,11 +13,9 @@ public sealed record ManagedFile(string File, string Name)
         {
             using var stream = System.IO.File.OpenRead(file);
             using var image = new PEReader(stream);
-            if (!image.HasMetadata)
-                return null;
+            if (!image.HasMetadata) return null;
             var metadata = image.GetMetadataReader();
-            if (!metadata.IsAssembly)
-                return null;
+            if (!metadata.IsAssembly) return null;
             return new ManagedFile(file, metadata.GetString(metadata.GetAssemblyDefinition().Name));
         }
         catch (BadImageFormatException)

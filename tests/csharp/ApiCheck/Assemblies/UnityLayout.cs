@@ -1,5 +1,3 @@
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>
@@ -83,8 +81,7 @@ public sealed class UnityLayout
     private static string? PlayerModules(string data)
     {
         var engines = Path.Combine(data, "PlaybackEngines");
-        if (!Directory.Exists(engines))
-            return null;
+        if (!Directory.Exists(engines)) return null;
         var search = new EnumerationOptions { RecurseSubdirectories = true, MaxRecursionDepth = 6 };
         return Directory.EnumerateFiles(engines, CoreModule, search)
             .Select(file => Path.GetDirectoryName(file)!).Order(StringComparer.Ordinal).FirstOrDefault();

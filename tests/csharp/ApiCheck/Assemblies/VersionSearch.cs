@@ -1,5 +1,3 @@
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Assemblies;
 
 /// <summary>
@@ -56,8 +54,7 @@ public sealed record VersionSearch(UnityVersion Version, string From)
             if (File.Exists(project) && UnityVersion.Find(File.ReadAllText(project)) is { } version)
                 yield return new VersionSearch(version, project);
         }
-        if (layout.Engine is null)
-            yield break;
+        if (layout.Engine is null) yield break;
         // The Hub installs a version into a folder of its name; on macOS Info.plist names it too.
         for (var at = new DirectoryInfo(Path.GetFullPath(layout.Engine)); at is not null; at = at.Parent)
         {

@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
@@ -18,15 +14,13 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
         findings.Look(Faulty);
         foreach (var error in declarations.GetDeclarationDiagnostics().Where(one => one.Severity == DiagnosticSeverity.Error))
             findings.Add(new(Faulty, Report.Place.Of(error.Location), Faulty, $"{error.Id} {error.GetMessage()}", null));
-        foreach (var type in Declarations.Types(declarations).Where(Access.IsReachable))
-            CompareTop(type);
+        foreach (var type in Declarations.Types(declarations).Where(Access.IsReachable)) CompareTop(type);
     }
 
     private void CompareTop(INamedTypeSymbol declared)
     {
         var origins = Declarations.Origins(declared, generation);
-        if (origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor)
-            return;
+        if (origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor) return;
         findings.Look(Names.Of(declared));
         if (origins.Length == 0)
         {
@@ -43,8 +37,7 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
         }
         if (Find(source, declared) is { } type)
             new TypeMembers(result, findings, generation, parents).Compare(declared, type, origins);
-        else
-            findings.Add(declared, Absent(origins[0].Source, source, declared, out var near), near);
+        else findings.Add(declared, Absent(origins[0].Source, source, declared, out var near), near);
     }
 
     private static INamedTypeSymbol? Find(Compilation source, INamedTypeSymbol declared) =>
@@ -59,8 +52,7 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
         if (near is not null)
             return $"the source of {name} has no such type, that of {near.Locations[0].SourceTree!.FilePath.Split('/')[0]} has";
         near = source.GetSymbolsWithName(declared.Name, SymbolFilter.Type).FirstOrDefault();
-        if (near is not null)
-            return $"the source of {name} has no such type, but {Names.Of(near)}";
+        if (near is not null) return $"the source of {name} has no such type, but {Names.Of(near)}";
         near = Namespace(source, declared) is { } space
             ? Names.Nearest(declared.Name, space.GetTypeMembers(), type => type.Name)
             : null;
@@ -70,8 +62,7 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
     private static INamespaceSymbol? Namespace(Compilation source, INamedTypeSymbol declared)
     {
         INamespaceSymbol? at = source.Assembly.GlobalNamespace;
-        if (declared.ContainingNamespace.IsGlobalNamespace)
-            return at;
+        if (declared.ContainingNamespace.IsGlobalNamespace) return at;
         foreach (var part in declared.ContainingNamespace.ToDisplayString().Split('.'))
             at = at?.GetNamespaceMembers().FirstOrDefault(space => space.Name == part);
         return at;

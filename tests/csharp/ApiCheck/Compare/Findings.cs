@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Report;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
@@ -45,16 +41,14 @@ public sealed class Findings
     public void Add(Problem problem)
     {
         problems.TryAdd(problem, []);
-        if (!problems[problem].Contains(set.Name))
-            problems[problem].Add(set.Name);
+        if (!problems[problem].Contains(set.Name)) problems[problem].Add(set.Name);
     }
 
     /// <summary>Adds a problem of a declared symbol, whose outermost type owns the problem.</summary>
     public void Add(ISymbol declared, string text, ISymbol? real = null, IReadOnlyCollection<string>? preferred = null)
     {
         var owner = declared;
-        while (owner.ContainingType is { } outer)
-            owner = outer;
+        while (owner.ContainingType is { } outer) owner = outer;
         Add(new Problem(Names.Of(owner), Place.Of(declared), Names.Of(declared), text, Place.Of(real, preferred ?? [])));
     }
 }

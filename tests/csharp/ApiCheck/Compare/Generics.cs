@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Type parameters with their constraints and variance.</summary>
@@ -31,16 +29,11 @@ public static class Generics
 
     private static IEnumerable<string> Flags(ITypeParameterSymbol parameter)
     {
-        if (parameter.HasReferenceTypeConstraint)
-            yield return "class";
-        if (parameter.HasUnmanagedTypeConstraint)
-            yield return "unmanaged";
-        else if (parameter.HasValueTypeConstraint)
-            yield return "struct";
-        if (parameter.HasNotNullConstraint)
-            yield return "notnull";
-        if (parameter.HasConstructorConstraint)
-            yield return "new()";
+        if (parameter.HasReferenceTypeConstraint) yield return "class";
+        if (parameter.HasUnmanagedTypeConstraint) yield return "unmanaged";
+        else if (parameter.HasValueTypeConstraint) yield return "struct";
+        if (parameter.HasNotNullConstraint) yield return "notnull";
+        if (parameter.HasConstructorConstraint) yield return "new()";
     }
 
     private static string Word(VarianceKind variance) => variance switch

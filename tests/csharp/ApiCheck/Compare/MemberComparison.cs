@@ -1,6 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Compares two members of the same kind and signature, with one sentence for each difference.</summary>
@@ -10,10 +7,8 @@ public sealed class MemberComparison(TypeMatch match)
     {
         if (Access.Outside(declared) != Access.Outside(real))
             yield return Names.Differ(Names.Of(declared.DeclaredAccessibility), Names.Of(real.DeclaredAccessibility));
-        if (declared.IsStatic != real.IsStatic)
-            yield return Names.Differ(Static(declared), Static(real));
-        if (Overriding(declared, real) is { } overriding)
-            yield return overriding;
+        if (declared.IsStatic != real.IsStatic) yield return Names.Differ(Static(declared), Static(real));
+        if (Overriding(declared, real) is { } overriding) yield return overriding;
         var details = (declared, real) switch
         {
             (IMethodSymbol one, IMethodSymbol other) => Methods(one, other),
@@ -22,8 +17,7 @@ public sealed class MemberComparison(TypeMatch match)
             (IEventSymbol one, IEventSymbol other) => Typed("the event", one.Type, other.Type),
             _ => [],
         };
-        foreach (var detail in details)
-            yield return detail;
+        foreach (var detail in details) yield return detail;
         if (Obsolescence.Of(real) is { IsError: true } mark)
             yield return $"[Obsolete] as an error in the real source: {mark.Message}";
     }
@@ -44,14 +38,11 @@ public sealed class MemberComparison(TypeMatch match)
 
     private static IEnumerable<string> Accessor(string word, IMethodSymbol? declared, IMethodSymbol? real)
     {
-        if (declared is null || !Access.IsReachable(declared) || Declarations.IsOwn(declared))
-            yield break;
-        if (real is null)
-            yield return Names.Differ($"has {word}", "none");
+        if (declared is null || !Access.IsReachable(declared) || Declarations.IsOwn(declared)) yield break;
+        if (real is null) yield return Names.Differ($"has {word}", "none");
         else if (Access.Outside(declared) != Access.Outside(real))
             yield return Names.Differ($"{word} is {Names.Of(declared.DeclaredAccessibility)}", Names.Of(real.DeclaredAccessibility));
-        else if (declared.IsInitOnly != real.IsInitOnly)
-            yield return Names.Differ(Setter(declared), Setter(real));
+        else if (declared.IsInitOnly != real.IsInitOnly) yield return Names.Differ(Setter(declared), Setter(real));
         if (real is not null && Obsolescence.Of(real) is { IsError: true } mark)
             yield return $"{word} is [Obsolete] as an error in the real source: {mark.Message}";
     }
@@ -64,8 +55,7 @@ public sealed class MemberComparison(TypeMatch match)
                 yield return Values(declared, real);
             yield break;
         }
-        foreach (var difference in Typed("the field", declared.Type, real.Type))
-            yield return difference;
+        foreach (var difference in Typed("the field", declared.Type, real.Type)) yield return difference;
         if (declared.IsConst != real.IsConst || declared.IsReadOnly != real.IsReadOnly)
             yield return Names.Differ(Storage(declared), Storage(real));
         else if (declared.IsConst && !Equals(declared.ConstantValue, real.ConstantValue))
@@ -74,10 +64,8 @@ public sealed class MemberComparison(TypeMatch match)
 
     private IEnumerable<string> Returned(ITypeSymbol declared, RefKind declaredBy, ITypeSymbol real, RefKind realBy)
     {
-        if (declaredBy != realBy)
-            yield return Names.Differ($"returns {By(declaredBy)}", By(realBy));
-        if (!match.Same(declared, real))
-            yield return Names.Differ($"is of type {Names.Of(declared)}", Names.Of(real));
+        if (declaredBy != realBy) yield return Names.Differ($"returns {By(declaredBy)}", By(realBy));
+        if (!match.Same(declared, real)) yield return Names.Differ($"is of type {Names.Of(declared)}", Names.Of(real));
     }
 
     private IEnumerable<string> Typed(string what, ITypeSymbol declared, ITypeSymbol real)
@@ -91,10 +79,8 @@ public sealed class MemberComparison(TypeMatch match)
     /// </summary>
     private static string? Overriding(ISymbol declared, ISymbol real)
     {
-        if (declared.ContainingType.TypeKind == TypeKind.Interface)
-            return null;
-        if (declared.IsAbstract != real.IsAbstract)
-            return Names.Differ(Abstract(declared), Abstract(real));
+        if (declared.ContainingType.TypeKind == TypeKind.Interface) return null;
+        if (declared.IsAbstract != real.IsAbstract) return Names.Differ(Abstract(declared), Abstract(real));
         return IsOpen(declared) && !IsOpen(real) ? Names.Differ("can be overridden", "not") : null;
     }
 

@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Members of a real type by name, its own first and then those of the types it derives from.</summary>
@@ -9,25 +7,21 @@ public static class MemberSearch
     public static IReadOnlyList<ISymbol> Find(INamedTypeSymbol type, string name)
     {
         var own = type.GetMembers(name);
-        if (own.Any(Access.IsReachable) || name == WellKnownMemberNames.InstanceConstructorName)
-            return own;
+        if (own.Any(Access.IsReachable) || name == WellKnownMemberNames.InstanceConstructorName) return own;
         foreach (var other in Above(type))
         {
             var members = other.GetMembers(name);
-            if (members.Any(Access.IsReachable))
-                return members;
+            if (members.Any(Access.IsReachable)) return members;
         }
         return own;
     }
 
     public static IEnumerable<INamedTypeSymbol> Above(INamedTypeSymbol type)
     {
-        for (var at = type.BaseType; at is not null; at = at.BaseType)
-            yield return at;
+        for (var at = type.BaseType; at is not null; at = at.BaseType) yield return at;
         if (type.TypeKind == TypeKind.Interface)
         {
-            foreach (var other in type.AllInterfaces)
-                yield return other;
+            foreach (var other in type.AllInterfaces) yield return other;
         }
     }
 

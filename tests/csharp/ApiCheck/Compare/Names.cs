@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Writes symbols for messages, and finds which name is nearest to a misspelt one.</summary>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Microsoft.CodeAnalysis;
 
 namespace Penumbra.ApiCheck.Compare;
 
@@ -23,12 +22,9 @@ public static class Parameters
                 yield return Names.Differ($"{which} is {Names.Of(one.Type)}", Names.Of(other.Type));
             if (one.RefKind != other.RefKind)
                 yield return Names.Differ($"{which} is passed {Passed(one.RefKind)}", Passed(other.RefKind));
-            if (one.Name != other.Name)
-                yield return $"{which} is named {other.Name} in the real source";
-            if (one.IsParams != other.IsParams)
-                yield return Names.Differ($"{which} is {Role(one)}", Role(other));
-            if (Default(one) != Default(other))
-                yield return Names.Differ($"{which} is {Default(one)}", Default(other));
+            if (one.Name != other.Name) yield return $"{which} is named {other.Name} in the real source";
+            if (one.IsParams != other.IsParams) yield return Names.Differ($"{which} is {Role(one)}", Role(other));
+            if (Default(one) != Default(other)) yield return Names.Differ($"{which} is {Default(one)}", Default(other));
         }
     }
 
@@ -46,8 +42,7 @@ public static class Parameters
     private static string Default(IParameterSymbol parameter) =>
         parameter.HasExplicitDefaultValue ? "optional with " + Value(parameter.ExplicitDefaultValue) : "required";
 
-    private static string Role(IParameterSymbol parameter) =>
-        parameter.IsParams ? "a params array" : "a plain array";
+    private static string Role(IParameterSymbol parameter) => parameter.IsParams ? "a params array" : "a plain array";
 
     private static string Passed(RefKind kind) => kind switch
     {

@@ -1,6 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
@@ -34,12 +31,10 @@ public static class Signature
         yield return Of(declared) + ReadFrom(declared, generation);
         foreach (var member in declared.GetMembers().Where(IsCompared))
         {
-            if (member is not INamedTypeSymbol nested)
-                yield return Of(member) + ReadFrom(member, generation);
+            if (member is not INamedTypeSymbol nested) yield return Of(member) + ReadFrom(member, generation);
             else
             {
-                foreach (var inner in AllOf(nested, generation))
-                    yield return inner;
+                foreach (var inner in AllOf(nested, generation)) yield return inner;
             }
         }
     }
@@ -55,8 +50,7 @@ public static class Signature
     private static string Of(ISymbol symbol)
     {
         var text = symbol.ToDisplayString(Everything);
-        if (symbol is not INamedTypeSymbol type)
-            return text;
+        if (symbol is not INamedTypeSymbol type) return text;
         var above = new[] { type.BaseType }.Concat(type.Interfaces).OfType<INamedTypeSymbol>()
             .Where(other => other.SpecialType is not SpecialType.System_Object and not SpecialType.System_ValueType
                 and not SpecialType.System_Enum)

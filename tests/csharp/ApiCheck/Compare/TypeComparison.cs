@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Compares two types of the same name, their members apart, with one sentence for each difference.</summary>
@@ -17,14 +15,12 @@ public sealed class TypeComparison(TypeMatch match)
         var differences = Modifiers(declared, real)
             .Concat(Generics.Differences(declared.TypeParameters, real.TypeParameters, match))
             .Concat(Inheritance(declared, real)).Concat(Attribute(declared, real));
-        foreach (var difference in differences)
-            yield return difference;
+        foreach (var difference in differences) yield return difference;
         if (declared.EnumUnderlyingType is { } one && real.EnumUnderlyingType is { } other && !match.Same(one, other))
             yield return Names.Differ($"its values are {Names.Of(one)}", Names.Of(other));
         if (declared.DelegateInvokeMethod is { } call && real.DelegateInvokeMethod is { } realCall)
         {
-            foreach (var difference in new MemberComparison(match).Methods(call, realCall))
-                yield return difference;
+            foreach (var difference in new MemberComparison(match).Methods(call, realCall)) yield return difference;
         }
         if (Obsolescence.Of(real) is { IsError: true } mark)
             yield return $"[Obsolete] as an error in the real source: {mark.Message}";
@@ -40,12 +36,10 @@ public sealed class TypeComparison(TypeMatch match)
         {
             if (member is IMethodSymbol { AssociatedSymbol: not null } || !Access.IsReachable(member) || member.IsStatic)
                 continue;
-            if (member.IsAbstract && !overridden.Contains(member.OriginalDefinition))
-                yield return member;
+            if (member.IsAbstract && !overridden.Contains(member.OriginalDefinition)) yield return member;
             ISymbol? below = (member as IMethodSymbol)?.OverriddenMethod;
             below ??= (member as IPropertySymbol)?.OverriddenProperty;
-            if (below is not null)
-                overridden.Add(below.OriginalDefinition);
+            if (below is not null) overridden.Add(below.OriginalDefinition);
         }
     }
 
@@ -100,20 +94,17 @@ public sealed class TypeComparison(TypeMatch match)
     /// <summary>The problem of an attribute, which must not be allowed here where the real one is not.</summary>
     private static IEnumerable<string> Attribute(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
-        if (Usage(declared) is not { } one || Usage(real) is not { } other)
-            yield break;
+        if (Usage(declared) is not { } one || Usage(real) is not { } other) yield break;
         if ((one.Targets & ~other.Targets) != 0)
             yield return Names.Differ($"may stand on {one.Targets}", $"on {other.Targets}");
-        if (one.Often && !other.Often)
-            yield return Names.Differ("may stand on one thing several times", "not");
+        if (one.Often && !other.Often) yield return Names.Differ("may stand on one thing several times", "not");
     }
 
     /// <summary>The usage of an attribute: without AttributeUsage it has that of the class it derives from.</summary>
     private static (AttributeTargets Targets, bool Often)? Usage(INamedTypeSymbol type)
     {
         var line = MemberSearch.Above(type).Prepend(type).ToArray();
-        if (!line.Any(parent => parent.ToDisplayString() == "System.Attribute"))
-            return null;
+        if (!line.Any(parent => parent.ToDisplayString() == "System.Attribute")) return null;
         var usage = line.SelectMany(parent => parent.GetAttributes())
             .First(attribute => attribute.AttributeClass?.ToDisplayString() == "System.AttributeUsageAttribute");
         var often = usage.NamedArguments.Any(argument => argument is { Key: "AllowMultiple", Value.Value: true });

@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
@@ -34,8 +32,7 @@ public sealed class TypeMatch
     {
         declared = declared.TupleUnderlyingType ?? declared;
         real = real.TupleUnderlyingType ?? real;
-        if (declared.MetadataName != real.MetadataName)
-            return false;
+        if (declared.MetadataName != real.MetadataName) return false;
         var sameHome = (declared.ContainingType, real.ContainingType) switch
         {
             (null, null) => declared.ContainingNamespace.ToDisplayString() == real.ContainingNamespace.ToDisplayString(),
@@ -52,8 +49,7 @@ public sealed class TypeMatch
     private bool SameByName(ITypeSymbol declared, IErrorTypeSymbol real)
     {
         // Where a name means several types, as the text stands, one of them is meant.
-        if (real.CandidateSymbols.OfType<ITypeSymbol>().Any(candidate => Same(declared, candidate)))
-            return true;
+        if (real.CandidateSymbols.OfType<ITypeSymbol>().Any(candidate => Same(declared, candidate))) return true;
         if (declared is not INamedTypeSymbol named || named.MetadataName != real.MetadataName || !SameArguments(named, real))
             return false;
         ByName.Add(Names.Of(declared));

@@ -1,6 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Penumbra.ApiCheck.Sources;
-
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Compares one declared type with the real one, with its members and nested types.</summary>
@@ -19,8 +16,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         foreach (var difference in comparison.Differences(declared, real))
             findings.Add(declared, difference, real, files);
         Note(declared, real);
-        if (declared.TypeKind != real.TypeKind || declared.TypeKind == TypeKind.Delegate)
-            return;
+        if (declared.TypeKind != real.TypeKind || declared.TypeKind == TypeKind.Delegate) return;
         foreach (var missing in parents.Contains(declared) ? TypeComparison.Required(real) : [])
         {
             if (!comparison.Has(declared, missing))
@@ -28,8 +24,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         }
         if (TypeComparison.Construction(declared, real) is { } construction)
             findings.Add(declared, construction, real, files);
-        foreach (var member in declared.GetMembers().Where(Signature.IsCompared))
-            CompareMember(member, real, origins);
+        foreach (var member in declared.GetMembers().Where(Signature.IsCompared)) CompareMember(member, real, origins);
         result.ByName.UnionWith(match.ByName);
     }
 
@@ -41,8 +36,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         {
             if (type.GetTypeMembers(nested.Name, nested.Arity).FirstOrDefault() is { } other)
                 Compare(nested, other, read);
-            else
-                findings.Add(declared, Absent(declared, type, out var near), near ?? type);
+            else findings.Add(declared, Absent(declared, type, out var near), near ?? type);
             return;
         }
 
@@ -58,8 +52,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         Note(declared, real);
         if (!SymbolEqualityComparer.Default.Equals(real.ContainingType.OriginalDefinition, type.OriginalDefinition))
             result.Inherited.Add(Names.Of(declared) + " of " + Names.Of(real.ContainingType));
-        else
-            CheckPlace(declared, real, read);
+        else CheckPlace(declared, real, read);
     }
 
     /// <summary>The real member of the same kind and parameters.</summary>
@@ -76,10 +69,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
     private string Unmatched(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ISymbol> candidates, out ISymbol? near)
     {
         near = candidates.FirstOrDefault(Access.IsReachable) ?? candidates.FirstOrDefault();
-        if (near is null)
-            return Absent(declared, type, out near);
-        if (near.Kind != declared.Kind)
-            return Names.Differ(Kind(declared), Kind(near));
+        if (near is null) return Absent(declared, type, out near);
+        if (near.Kind != declared.Kind) return Names.Differ(Kind(declared), Kind(near));
         var likely = candidates.OfType<IMethodSymbol>().Where(Access.IsReachable).ToArray();
         if (declared is IMethodSymbol { MethodKind: not MethodKind.Conversion } method && likely is [var only] &&
             only.Arity == method.Arity)
@@ -107,8 +98,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
 
     private void Note(ISymbol declared, ISymbol real)
     {
-        if (Obsolescence.Of(real) is { IsError: false })
-            result.Obsolete.Add(Names.Of(declared));
+        if (Obsolescence.Of(real) is { IsError: false }) result.Obsolete.Add(Names.Of(declared));
     }
 
     private static string[] Files(IEnumerable<ReadFrom> origins) =>

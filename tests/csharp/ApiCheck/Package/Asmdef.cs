@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>
@@ -23,14 +21,11 @@ public sealed record Asmdef(string File, string Name)
     public static Asmdef Read(string file) => JsonFile.Read(file, root =>
     {
         var name = Text(root, "name");
-        if (name.Length == 0)
-            throw CheckException.Usage($"{file}:1:1: the assembly has no name: add \"name\"");
+        if (name.Length == 0) throw CheckException.Usage($"{file}:1:1: the assembly has no name: add \"name\"");
         return new Asmdef(file, name)
         {
-            References = Texts(root, "references"),
-            DefineConstraints = Texts(root, "defineConstraints"),
-            IncludePlatforms = Texts(root, "includePlatforms"),
-            ExcludePlatforms = Texts(root, "excludePlatforms"),
+            References = Texts(root, "references"), DefineConstraints = Texts(root, "defineConstraints"),
+            IncludePlatforms = Texts(root, "includePlatforms"), ExcludePlatforms = Texts(root, "excludePlatforms"),
             VersionDefines = Defines(file, root),
             AllowsUnsafeCode = root.TryGetProperty("allowUnsafeCode", out var allowed) && allowed.ValueKind == JsonValueKind.True,
         };
@@ -47,8 +42,7 @@ public sealed record Asmdef(string File, string Name)
 
     private static IReadOnlyList<VersionDefine> Defines(string file, JsonElement root)
     {
-        if (!root.TryGetProperty("versionDefines", out var list))
-            return [];
+        if (!root.TryGetProperty("versionDefines", out var list)) return [];
         return list.EnumerateArray().Select(entry =>
         {
             var expression = Text(entry, "expression");

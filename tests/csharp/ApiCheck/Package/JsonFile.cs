@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>A JSON file that others wrote: what is wrong with it is told with its place.</summary>

@@ -1,6 +1,4 @@
 using System.Collections.Immutable;
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 
 namespace Penumbra.ApiCheck.Package;
 
@@ -24,8 +22,7 @@ public sealed class PackageBuild(PackageSources sources, PackageVersions version
             var symbols = set.Symbols(versions.Unity).Concat(versions.Symbols(assembly, set)).Concat(Symbols).ToHashSet();
             if (Reason(assembly, symbols) is { } reason)
             {
-                if (reason.Length > 0)
-                    LeftOut.Add(reason);
+                if (reason.Length > 0) LeftOut.Add(reason);
                 continue;
             }
             var own = assembly.References.Where(compiled.ContainsKey)
@@ -50,8 +47,7 @@ public sealed class PackageBuild(PackageSources sources, PackageVersions version
     /// </summary>
     private string? Reason(Asmdef assembly, IReadOnlySet<string> symbols)
     {
-        if (assembly.IsEditorOnly && !set.IsEditor)
-            return "";
+        if (assembly.IsEditorOnly && !set.IsEditor) return "";
         if (set.IsEditor && assembly.ExcludePlatforms.Contains("Editor"))
             return $"{assembly.Name} is not compiled for the editor: excludePlatforms";
         return assembly.UnmetConstraint(symbols) is { } constraint

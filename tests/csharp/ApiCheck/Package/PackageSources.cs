@@ -1,6 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>
@@ -60,17 +57,14 @@ public sealed class PackageSources
         var open = new HashSet<Asmdef>();
         void Add(Asmdef assembly)
         {
-            if (ordered.Contains(assembly))
-                return;
+            if (ordered.Contains(assembly)) return;
             if (!open.Add(assembly))
                 throw CheckException.Usage($"{assembly.File}:1:1: {assembly.Name} refers to itself through its references");
-            foreach (var other in assemblies.Where(other => assembly.References.Contains(other.Name)))
-                Add(other);
+            foreach (var other in assemblies.Where(other => assembly.References.Contains(other.Name))) Add(other);
             ordered.Add(assembly);
         }
 
-        foreach (var assembly in assemblies)
-            Add(assembly);
+        foreach (var assembly in assemblies) Add(assembly);
         return ordered;
     }
 }
@@ -80,16 +74,13 @@ public static class ShippedFiles
 {
     public static IEnumerable<string> Below(string folder)
     {
-        foreach (var file in Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal))
-            yield return file;
+        foreach (var file in Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal)) yield return file;
         foreach (var inner in Directory.EnumerateDirectories(folder).Order(StringComparer.Ordinal))
         {
             var name = Path.GetFileName(inner);
             // A link may lead back to a folder above.
-            if (name.EndsWith('~') || name.StartsWith('.') || new DirectoryInfo(inner).LinkTarget is not null)
-                continue;
-            foreach (var file in Below(inner))
-                yield return file;
+            if (name.EndsWith('~') || name.StartsWith('.') || new DirectoryInfo(inner).LinkTarget is not null) continue;
+            foreach (var file in Below(inner)) yield return file;
         }
     }
 }

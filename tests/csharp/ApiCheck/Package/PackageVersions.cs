@@ -14,11 +14,9 @@ public sealed record PackageVersions(UnityVersion Unity, IReadOnlyDictionary<str
         // Each release of Unity since 2021.2 comes with one version of the pipeline: 2022.3 with 14.0, 6000.N with
         // 17.N.
         var pipeline = unity.Major >= 6000 ? $"17.{unity.Minor}.0" : unity.Minor >= 3 ? "14.0.0" : "13.0.0";
-        if (unity.Major == 2023)
-            pipeline = $"{14 + unity.Minor}.0.0";
+        if (unity.Major == 2023) pipeline = $"{14 + unity.Minor}.0.0";
         var packages = new Dictionary<string, string> { [Core] = pipeline, [Universal] = pipeline };
-        foreach (var (name, version) in known ?? new Dictionary<string, string>())
-            packages[name] = version;
+        foreach (var (name, version) in known ?? new Dictionary<string, string>()) packages[name] = version;
         return new PackageVersions(unity, packages);
     }
 
@@ -31,10 +29,8 @@ public sealed record PackageVersions(UnityVersion Unity, IReadOnlyDictionary<str
 
     private string? VersionOf(string package, SymbolSet set)
     {
-        if (package == "Unity")
-            return Unity.Text;
-        if (Packages.TryGetValue(package, out var version))
-            return version;
+        if (package == "Unity") return Unity.Text;
+        if (Packages.TryGetValue(package, out var version)) return version;
         return set.HasModule(package) ? "1.0.0" : null;
     }
 }

@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>

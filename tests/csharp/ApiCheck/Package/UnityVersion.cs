@@ -26,8 +26,7 @@ public sealed partial record UnityVersion(int Major, int Minor, int Patch, strin
     public static UnityVersion? Find(string text)
     {
         var match = Pattern().Match(text);
-        if (!match.Success)
-            return null;
+        if (!match.Success) return null;
         int Number(string group) => match.Groups[group].Success
             ? int.Parse(match.Groups[group].Value, CultureInfo.InvariantCulture)
             : 0;

@@ -12,17 +12,14 @@ public sealed partial class VersionRange
     private readonly Version? low, high;
     private readonly bool lowIn, highIn;
 
-    private VersionRange(Version? low, bool lowIn, Version? high, bool highIn)
-    {
+    private VersionRange(Version? low, bool lowIn, Version? high, bool highIn) =>
         (this.low, this.lowIn, this.high, this.highIn) = (low, lowIn, high, highIn);
-    }
 
     /// <summary>Parses a range; null where the expression is none.</summary>
     public static VersionRange? Parse(string expression)
     {
         var text = expression.Replace(" ", "");
-        if (text.Length == 0)
-            return new VersionRange(null, true, null, true);
+        if (text.Length == 0) return new VersionRange(null, true, null, true);
         if (text[0] is not ('[' or '('))
             return Number(text) is { } least ? new VersionRange(least, true, null, true) : null;
         if (text[^1] is not (']' or ')'))
@@ -36,8 +33,7 @@ public sealed partial class VersionRange
 
     public bool Holds(string version)
     {
-        if (Number(version) is not { } number)
-            return false;
+        if (Number(version) is not { } number) return false;
         var above = low is null || number > low || (lowIn && number == low);
         var below = high is null || number < high || (highIn && number == high);
         return above && below;
@@ -50,8 +46,7 @@ public sealed partial class VersionRange
     private static Version? Number(string text)
     {
         var match = Pattern().Match(text);
-        if (!match.Success)
-            return null;
+        if (!match.Success) return null;
         int Part(int group) => match.Groups[group].Success
             ? int.Parse(match.Groups[group].Value, CultureInfo.InvariantCulture)
             : 0;

@@ -43,10 +43,8 @@ public static class Page
     private static void Listed(StringBuilder text, string title, IEnumerable<string> lines)
     {
         var all = lines.ToArray();
-        if (all.Length == 0)
-            return;
+        if (all.Length == 0) return;
         text.Append('\n').Append(title).Append("\n\n");
-        foreach (var line in all)
-            text.Append("- ").Append(line.Replace("<", "\\<").Replace("|", "\\|")).Append('\n');
+        foreach (var line in all) text.Append("- ").Append(line.Replace("<", "\\<").Replace("|", "\\|")).Append('\n');
     }
 }

@@ -1,5 +1,3 @@
-using Microsoft.CodeAnalysis;
-
 namespace Penumbra.ApiCheck.Report;
 
 /// <summary>A place in a file, line and column counted from one.</summary>

@@ -1,11 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
-using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
-using Penumbra.ApiCheck.Compare;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Report;
 
@@ -38,8 +34,7 @@ public sealed record SourceReport
 
     private static readonly JsonSerializerOptions Form = new()
     {
-        PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
-        DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
+        PropertyNamingPolicy = JsonNamingPolicy.CamelCase, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
         Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
     };
 
@@ -106,10 +101,8 @@ public sealed record SourceReport
         var sets = SymbolSet.All.Select(set => set.Name).Where(type.Sets.Contains).ToArray();
         return new CheckedType(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type.Members))
         {
-            Only = sets.Length == SymbolSet.All.Count ? null : sets,
-            Inherited = NullIfEmpty(type.Inherited),
-            ByName = NullIfEmpty(type.ByName),
-            Obsolete = NullIfEmpty(type.Obsolete),
+            Only = sets.Length == SymbolSet.All.Count ? null : sets, Inherited = NullIfEmpty(type.Inherited),
+            ByName = NullIfEmpty(type.ByName), Obsolete = NullIfEmpty(type.Obsolete),
         };
     }
 

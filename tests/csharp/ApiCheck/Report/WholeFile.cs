@@ -6,8 +6,7 @@ public static class WholeFile
     public static void Write(string file, string text)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(file))!;
-        if (!Directory.Exists(folder))
-            throw CheckException.Usage($"{file}: the folder {folder} does not exist");
+        if (!Directory.Exists(folder)) throw CheckException.Usage($"{file}: the folder {folder} does not exist");
         var beside = Path.Combine(folder, $".{Path.GetFileName(file)}.{Environment.ProcessId}");
         try
         {

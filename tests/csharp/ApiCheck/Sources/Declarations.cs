@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>
@@ -53,8 +49,7 @@ public sealed class Declarations
     {
         for (var at = symbol; at is not null && at is not INamespaceSymbol; at = at.ContainingSymbol)
         {
-            if (at.GetAttributes().Any(attribute => Is(attribute, OwnBehaviourName)))
-                return true;
+            if (at.GetAttributes().Any(attribute => Is(attribute, OwnBehaviourName))) return true;
         }
         var space = symbol.ContainingNamespace?.ToDisplayString() ?? "";
         return space == OwnNamespace || space.StartsWith(OwnNamespace + ".", StringComparison.Ordinal);

@@ -1,9 +1,4 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
-using Penumbra.ApiCheck.Compare;
-using Penumbra.ApiCheck.Package;
-using Penumbra.ApiCheck.Report;
 
 namespace Penumbra.ApiCheck.Sources;
 
@@ -66,8 +61,7 @@ public sealed class OwnUse(PackageSources package, PackageVersions versions, Fin
 
     private static bool IsEditors(INamedTypeSymbol type)
     {
-        if (type.ContainingType is { } outer)
-            return IsEditors(outer);
+        if (type.ContainingType is { } outer) return IsEditors(outer);
         var origins = Declarations.Origins(type).ToArray();
         return origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path));
     }

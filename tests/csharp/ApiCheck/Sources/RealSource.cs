@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>

@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>
@@ -13,8 +9,7 @@ public sealed class RealWorld(IReadOnlyList<RealSource> sources, PackageVersions
     // The names under which the engine lets the pipelines see its internals, which name lookup needs.
     private static readonly Dictionary<string, string> AssemblyNames = new()
     {
-        [SourceFolder.Engine] = "UnityEngine",
-        [SourceFolder.Core] = "Unity.RenderPipelines.Core.Runtime",
+        [SourceFolder.Engine] = "UnityEngine", [SourceFolder.Core] = "Unity.RenderPipelines.Core.Runtime",
         [SourceFolder.Universal] = "Unity.RenderPipelines.Universal.Runtime",
     };
 
@@ -34,8 +29,7 @@ public sealed class RealWorld(IReadOnlyList<RealSource> sources, PackageVersions
                 compilation = CSharpCompilation.Create(AssemblyNames[name], source.Trees(set, versions),
                     below.Append(Profile.Reference),
                     new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: true));
-                if (name == SourceFolder.Engine && !source.IsConditional)
-                    shared[name] = compilation;
+                if (name == SourceFolder.Engine && !source.IsConditional) shared[name] = compilation;
             }
             compiled[name] = compilation;
         }

@@ -1,6 +1,3 @@
-using Penumbra.ApiCheck.Compare;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>The request of a check against real sources.</summary>

@@ -1,6 +1,3 @@
-using System.Text.Json;
-using Penumbra.ApiCheck.Package;
-
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>A folder with the C# of the engine, of core or of URP, and the version it says it has.</summary>
@@ -18,11 +15,9 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
     public static string? Recognise(string folder)
     {
         string[] engine = [Path.Combine(folder, "Runtime", "Export"), Path.Combine(folder, "Editor", "Mono")];
-        if (engine.All(Directory.Exists))
-            return Engine;
+        if (engine.All(Directory.Exists)) return Engine;
         var name = PackageField(folder, "name");
-        if (name == PackageVersions.Core || HasAssembly(folder, "Unity.RenderPipelines.Core.Runtime"))
-            return Core;
+        if (name == PackageVersions.Core || HasAssembly(folder, "Unity.RenderPipelines.Core.Runtime")) return Core;
         if (name == PackageVersions.Universal || HasAssembly(folder, "Unity.RenderPipelines.Universal.Runtime"))
             return Universal;
         return null;
@@ -31,8 +26,7 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
     /// <param name="given">The version that the command names for a folder that does not say its own.</param>
     public static SourceFolder Open(string source, string folder, string? given)
     {
-        if (!Directory.Exists(folder))
-            throw CheckException.Usage($"{folder}: there is no such folder");
+        if (!Directory.Exists(folder)) throw CheckException.Usage($"{folder}: there is no such folder");
         var (found, from) = source == Engine ? EngineVersion(folder) : (PackageField(folder, "version"), "package.json");
         if (found is not null && given is not null && found != given)
             throw CheckException.Usage($"{folder} says in {from} that it is {found}, the command says {given}");
@@ -65,8 +59,7 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
     private static string? PackageField(string folder, string field)
     {
         var file = Path.Combine(folder, "package.json");
-        if (!File.Exists(file))
-            return null;
+        if (!File.Exists(file)) return null;
         return JsonFile.Read(file, root =>
             root.TryGetProperty(field, out var value) && value.ValueKind == JsonValueKind.String ? value.GetString() : null);
     }

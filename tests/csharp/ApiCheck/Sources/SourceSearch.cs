@@ -17,8 +17,7 @@ public static class SourceSearch
         var found = named.ToDictionary(entry => entry.Key, entry => entry.Value);
         foreach (var folder in folders)
         {
-            if (!Directory.Exists(folder))
-                throw CheckException.Usage($"{folder}: there is no such folder");
+            if (!Directory.Exists(folder)) throw CheckException.Usage($"{folder}: there is no such folder");
             var inside = Search(folder, Depth).ToArray();
             if (inside.Length == 0)
                 throw CheckException.Usage(
@@ -38,8 +37,7 @@ public static class SourceSearch
 
     private static IEnumerable<(string Source, string Root)> Search(string folder, int depth)
     {
-        if (SourceFolder.Recognise(folder) is { } source)
-            return [(source, folder)];
+        if (SourceFolder.Recognise(folder) is { } source) return [(source, folder)];
         return depth == 0
             ? []
             : Directory.EnumerateDirectories(folder).Order(StringComparer.Ordinal).SelectMany(inner => Search(inner, depth - 1));

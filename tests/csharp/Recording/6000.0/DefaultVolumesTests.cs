@@ -1,55 +1,45 @@
 using System.Collections.ObjectModel;
-using NUnit.Framework;
-using UnityEngine;
-using UnityEngine.Rendering;
 
-namespace Penumbra.Tests
+namespace Penumbra.Tests;
+
+/// <summary>What the URP asset's Volume profile overrides holds where no Volume of the scene does.</summary>
+public sealed class DefaultVolumesTests : FeatureTests
 {
-    /// <summary>What the URP asset's Volume profile overrides holds where no Volume of the scene does.</summary>
-    public sealed class DefaultVolumesTests
+    [TearDown]
+    public void RemoveTheProfiles()
     {
-        [TearDown]
-        public void TearDown()
-        {
-            VolumeManager.instance.qualityDefaultProfile = null;
-            VolumeManager.instance.customDefaultProfiles = null;
-        }
+        VolumeManager.instance.qualityDefaultProfile = null;
+        VolumeManager.instance.customDefaultProfiles = null;
+    }
 
-        private static VolumeProfile Profile(int filterSamples, bool active = true)
-        {
-            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
-            volume.active = active;
-            volume.filterSamples.overrideState = true;
-            volume.filterSamples.value = filterSamples;
-            var profile = ScriptableObject.CreateInstance<VolumeProfile>();
-            profile.components.Add(volume);
-            return profile;
-        }
+    private static VolumeProfile Profile(int filterSamples, bool active = true)
+    {
+        var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+        volume.active = active;
+        volume.filterSamples.Set(filterSamples);
+        var profile = ScriptableObject.CreateInstance<VolumeProfile>();
+        profile.components.Add(volume);
+        return profile;
+    }
 
-        private static int Samples() => DefaultVolumes.Over(ShadowPresets.Options(QualityPreset.High)).filterSamples;
+    private static int Samples() => DefaultVolumes.Over(ShadowPresets.Options(QualityPreset.High)).filterSamples;
 
-        [Test]
-        public void TheAssetsProfileThenTheScripts()
-        {
-            Assert.That(Samples(), Is.EqualTo(ShadowPresets.Options(QualityPreset.High).filterSamples));
-            VolumeManager.instance.qualityDefaultProfile = Profile(5);
-            Assert.That(Samples(), Is.EqualTo(5));
-            VolumeManager.instance.customDefaultProfiles =
-                new ReadOnlyCollection<VolumeProfile>(new[] { Profile(6), null, Profile(7), Profile(8, active: false) });
-            Assert.That(Samples(), Is.EqualTo(7));
-        }
+    [Test]
+    public void TheAssetsProfileThenTheScripts()
+    {
+        Assert.That(Samples(), Is.EqualTo(ShadowPresets.Options(QualityPreset.High).filterSamples));
+        VolumeManager.instance.qualityDefaultProfile = Profile(5);
+        Assert.That(Samples(), Is.EqualTo(5));
+        VolumeManager.instance.customDefaultProfiles =
+            new ReadOnlyCollection<VolumeProfile>(new[] { Profile(6), null, Profile(7), Profile(8, active: false) });
+        Assert.That(Samples(), Is.EqualTo(7));
+    }
 
-        [Test]
-        public void AFrameHasThem()
-        {
-            FakeShader.Install();
-            var feature = new PenumbraShadows();
-            feature.Create();
-            VolumeManager.instance.qualityDefaultProfile = Profile(5);
-            var urp = new FakeUrp();
-            urp.Render(new FakeScene(), feature);
-            feature.Dispose();
-            Assert.That(((Vector4)urp.Device.Draws[0].Uniforms["_PenumbraPcssAngularParameters0"]).y, Is.EqualTo(5.0f));
-        }
+    [Test]
+    public void AFrameHasThem()
+    {
+        VolumeManager.instance.qualityDefaultProfile = Profile(5);
+        Render();
+        Assert.That(Vector(urp.Device.Draws[0], "_PenumbraPcssAngularParameters0").y, Is.EqualTo(5.0f));
     }
 }

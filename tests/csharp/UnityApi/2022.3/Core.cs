@@ -1,6 +1,3 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
@@ -50,7 +47,5 @@ namespace UnityEditor.Rendering
     }
 
     [ReadFrom(At.Core14, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
-    public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData>
-    {
-    }
+    public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData> { }
 }

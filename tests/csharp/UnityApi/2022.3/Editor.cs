@@ -1,7 +1,4 @@
-using Penumbra.UnityApi;
+namespace UnityEditor.Rendering;
 
-namespace UnityEditor.Rendering
-{
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
-    public enum ShaderCompilerPlatform { None = 0, D3D = 4, GLES3x = 9, OpenGLCore = 15, Vulkan = 18 }
-}
+[ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+public enum ShaderCompilerPlatform { None = 0, D3D = 4, GLES3x = 9, OpenGLCore = 15, Vulkan = 18 }

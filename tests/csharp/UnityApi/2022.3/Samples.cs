@@ -1,6 +1,3 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEditor
 {
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Selection.bindings.cs")]
@@ -20,10 +17,7 @@ namespace UnityEngine.Rendering
         public ShadowSplitData splitData { get; set; }
 
         public ShadowDrawingSettings(CullingResults cullingResults, int lightIndex,
-                                     BatchCullingProjectionType projectionType)
-        {
-            splitData = default;
-        }
+                                     BatchCullingProjectionType projectionType) => splitData = default;
 
         public bool Equals(ShadowDrawingSettings other) => Split == other.Split;
     }

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Runtime.CompilerServices;
-using Penumbra.UnityApi;
 
 namespace UnityEngine.Experimental.Rendering
 {
@@ -34,9 +31,7 @@ namespace UnityEngine.Rendering
     }
 
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/IRenderPipelineGraphicsSettings.cs")]
-    public interface IRenderPipelineGraphicsSettings
-    {
-    }
+    public interface IRenderPipelineGraphicsSettings { }
 
     public sealed partial class GraphicsSettings
     {
@@ -108,13 +103,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
 {
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     [Flags]
-    public enum AccessFlags
-    {
-        None = 0,
-        Read = 1 << 0,
-        Write = 1 << 1,
-        ReadWrite = Read | Write,
-    }
+    public enum AccessFlags { None = 0, Read = 1 << 0, Write = 1 << 1, ReadWrite = Read | Write }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraphResourceTexture.cs")]
     public struct TextureHandle
@@ -276,22 +265,15 @@ namespace UnityEngine.Rendering.RenderGraphModule
                                                                  ProfilingSampler sampler,
                                                                  [CallerFilePath] string file = "",
                                                                  [CallerLineNumber] int line = 0)
-            where PassData : class, new()
-        {
-            return Add(passName, isRaster: false, out passData);
-        }
+            where PassData : class, new() => Add(passName, isRaster: false, out passData);
 
         public IRasterRenderGraphBuilder AddRasterRenderPass<PassData>(string passName, out PassData passData,
                                                                        ProfilingSampler sampler,
                                                                        [CallerFilePath] string file = "",
                                                                        [CallerLineNumber] int line = 0)
-            where PassData : class, new()
-        {
-            return Add(passName, isRaster: true, out passData);
-        }
+            where PassData : class, new() => Add(passName, isRaster: true, out passData);
 
-        private Pass Add<PassData>(string passName, bool isRaster, out PassData passData)
-            where PassData : class, new()
+        private Pass Add<PassData>(string passName, bool isRaster, out PassData passData) where PassData : class, new()
         {
             DataPass<PassData> pass = DataPass<PassData>.Take();
             pass.Name = passName;
@@ -323,9 +305,7 @@ namespace UnityEditor.Rendering
     }
 
     [ReadFrom(At.Core17, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
-    public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData>
-    {
-    }
+    public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData> { }
 
     public partial class VolumeComponentEditor
     {

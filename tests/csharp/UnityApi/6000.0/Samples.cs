@@ -1,5 +1,3 @@
-using System;
-using Penumbra.UnityApi;
 using Unity.Collections;
 
 namespace UnityEditor
@@ -31,9 +29,7 @@ namespace UnityEngine.Rendering
 {
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
     public abstract partial class RenderPipelineAsset<TRenderPipeline> : RenderPipelineAsset
-        where TRenderPipeline : RenderPipeline
-    {
-    }
+        where TRenderPipeline : RenderPipeline { }
 
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     public struct LightShadowCasterCullingInfo

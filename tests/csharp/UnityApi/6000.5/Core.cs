@@ -1,15 +1,12 @@
-using Penumbra.UnityApi;
+namespace UnityEngine.Rendering.RenderGraphModule;
 
-namespace UnityEngine.Rendering.RenderGraphModule
+[ReadFrom(At.Core175, "core", "Runtime/RenderGraph/RenderGraphResourceTexture.cs")]
+public enum TextureUVOrigin { BottomLeft = 0, TopLeft = 1 }
+
+public partial struct RasterGraphContext
 {
-    [ReadFrom(At.Core175, "core", "Runtime/RenderGraph/RenderGraphResourceTexture.cs")]
-    public enum TextureUVOrigin { BottomLeft = 0, TopLeft = 1 }
+    [OwnBehaviour] public static TextureUVOrigin BackBuffer { get; set; }
 
-    public partial struct RasterGraphContext
-    {
-        [OwnBehaviour] public static TextureUVOrigin BackBuffer { get; set; }
-
-        public TextureUVOrigin GetTextureUVOrigin(in TextureHandle textureHandle) =>
-            textureHandle.Handle.What == "back buffer" ? BackBuffer : TextureUVOrigin.BottomLeft;
-    }
+    public TextureUVOrigin GetTextureUVOrigin(in TextureHandle textureHandle) =>
+        textureHandle.Handle.What == "back buffer" ? BackBuffer : TextureUVOrigin.BottomLeft;
 }

@@ -25,7 +25,5 @@ namespace Penumbra.UnityApi
     /// Marks what is ours, not Unity's: a test looks at it or changes it. The package must not use it.
     /// </summary>
     [AttributeUsage(AttributeTargets.All, Inherited = false)]
-    public sealed class OwnBehaviourAttribute : Attribute
-    {
-    }
+    public sealed class OwnBehaviourAttribute : Attribute { }
 }

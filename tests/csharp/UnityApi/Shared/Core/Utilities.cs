@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
-
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Core14, "core", "Runtime/Common/CommonStructs.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Common/CommonStructs.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Common/CommonStructs.cs")]
     [Flags]
     public enum ClearFlag { None = 0, Color = 1 << 0 }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Textures/RTHandle.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Textures/RTHandle.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Textures/RTHandle.cs")]
     public class RTHandle
     {
         [OwnBehaviour] public RTHandle() { }
@@ -26,8 +20,7 @@ namespace UnityEngine.Rendering
             new RenderTargetIdentifier { What = handle.What };
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Utilities/CoreUtils.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Utilities/CoreUtils.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Utilities/CoreUtils.cs")]
     public static class CoreUtils
     {
         /// <summary>The scene views whose light bulb is off.</summary>
@@ -47,14 +40,12 @@ namespace UnityEngine.Rendering
                                            int miplevel = 0, CubemapFace cubemapFace = CubemapFace.Unknown,
                                            int depthSlice = -1)
         {
-            if (CommandBuffer.Silent) return;
-            Recorded.Target(cmd, buffer.What, miplevel, depthSlice, loadAction);
-            if (clearFlag != ClearFlag.None) Recorded.Clear(cmd, clearColor);
+            cmd.Target(buffer.What, miplevel, depthSlice, loadAction);
+            if (clearFlag != ClearFlag.None) cmd.Record(static (device, colour) => device.Clear(colour), clearColor);
         }
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Common/CommandBufferPool.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Common/CommandBufferPool.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Common/CommandBufferPool.cs")]
     public static class CommandBufferPool
     {
         private static readonly Stack<CommandBuffer> free = new Stack<CommandBuffer>();
@@ -68,15 +59,13 @@ namespace UnityEngine.Rendering
         }
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Debugging/ProfilingScope.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
     public class ProfilingSampler
     {
         public ProfilingSampler(string name) { }
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Debugging/ProfilingScope.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
     public struct ProfilingScope : IDisposable
     {
         public ProfilingScope(CommandBuffer cmd, ProfilingSampler sampler) { }
@@ -89,8 +78,7 @@ namespace UnityEngine.Experimental.Rendering
 {
     using UnityEngine.Rendering;
 
-    [ReadFrom(At.Core14, "core", "Runtime/XR/XRPass.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/XR/XRPass.cs")]
+    [ReadFrom(At.Core, "core", "Runtime/XR/XRPass.cs")]
     public class XRPass
     {
         [OwnBehaviour] public int Views { get; set; }
@@ -106,7 +94,8 @@ namespace UnityEngine.Experimental.Rendering
 
         private void Set(CommandBuffer commands, bool on)
         {
-            if (singlePassEnabled && !CommandBuffer.Silent) Recorded.Keyword(commands, "STEREO_INSTANCING_ON", on);
+            if (!singlePassEnabled) return;
+            commands.Record(static (device, value) => device.SetKeyword("STEREO_INSTANCING_ON", value), on);
         }
     }
 }

@@ -1,137 +1,120 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
+namespace UnityEngine.Rendering;
 
-namespace UnityEngine.Rendering
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeComponent.cs")]
+public partial class VolumeComponent : ScriptableObject
 {
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeComponent.cs")]
-    public partial class VolumeComponent : ScriptableObject
-    {
-        public bool active = true;
-    }
+    public bool active = true;
+}
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public abstract class VolumeParameter
-    {
-        public virtual bool overrideState { get; set; }
-    }
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public abstract class VolumeParameter
+{
+    public virtual bool overrideState { get; set; }
+}
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class VolumeParameter<T> : VolumeParameter
-    {
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class VolumeParameter<T> : VolumeParameter
+{
 #if UNITY_6000_0_OR_NEWER
-        protected VolumeParameter(T value, bool overrideState = false)
+    protected VolumeParameter(T value, bool overrideState = false)
 #else
-        protected VolumeParameter(T value, bool overrideState)
+    protected VolumeParameter(T value, bool overrideState)
 #endif
-        {
-            this.value = value;
-            this.overrideState = overrideState;
-        }
-
-        public virtual T value { get; set; }
+    {
+        this.value = value;
+        this.overrideState = overrideState;
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class BoolParameter : VolumeParameter<bool>
+    public virtual T value { get; set; }
+}
+
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class BoolParameter : VolumeParameter<bool>
+{
+    public BoolParameter(bool value, bool overrideState = false) : base(value, overrideState) { }
+}
+
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class IntParameter : VolumeParameter<int>
+{
+    public IntParameter(int value, bool overrideState = false) : base(value, overrideState) { }
+}
+
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class ClampedIntParameter : IntParameter
+{
+    public int min;
+    public int max;
+
+    public ClampedIntParameter(int value, int min, int max, bool overrideState = false) : base(value, overrideState)
     {
-        public BoolParameter(bool value, bool overrideState = false) : base(value, overrideState) { }
+        this.min = min;
+        this.max = max;
     }
+}
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class IntParameter : VolumeParameter<int>
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class FloatParameter : VolumeParameter<float>
+{
+    public FloatParameter(float value, bool overrideState = false) : base(value, overrideState) { }
+}
+
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
+public class ClampedFloatParameter : FloatParameter
+{
+    public float min;
+    public float max;
+
+    public ClampedFloatParameter(float value, float min, float max, bool overrideState = false)
+        : base(value, overrideState)
     {
-        public IntParameter(int value, bool overrideState = false) : base(value, overrideState) { }
+        this.min = min;
+        this.max = max;
     }
+}
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class ClampedIntParameter : IntParameter
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeProfile.cs")]
+public sealed partial class VolumeProfile : ScriptableObject
+{
+    public List<VolumeComponent> components = new List<VolumeComponent>();
+
+    public bool TryGet<T>(out T component) where T : VolumeComponent
     {
-        public int min;
-        public int max;
-
-        public ClampedIntParameter(int value, int min, int max, bool overrideState = false)
-            : base(value, overrideState)
-        {
-            this.min = min;
-            this.max = max;
-        }
+        component = null;
+        foreach (VolumeComponent one in components) component = component ?? one as T;
+        return component != null;
     }
+}
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class FloatParameter : VolumeParameter<float>
-    {
-        public FloatParameter(float value, bool overrideState = false) : base(value, overrideState) { }
-    }
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeStack.cs")]
+public sealed class VolumeStack : IDisposable
+{
+    [OwnBehaviour] public VolumeStack() { }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
-    public class ClampedFloatParameter : FloatParameter
-    {
-        public float min;
-        public float max;
+    [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } =
+        new Dictionary<Type, VolumeComponent>();
 
-        public ClampedFloatParameter(float value, float min, float max, bool overrideState = false)
-            : base(value, overrideState)
-        {
-            this.min = min;
-            this.max = max;
-        }
-    }
+    public T GetComponent<T>() where T : VolumeComponent =>
+        Components.TryGetValue(typeof(T), out VolumeComponent found) ? (T)found : null;
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeProfile.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeProfile.cs")]
-    public sealed partial class VolumeProfile : ScriptableObject
-    {
-        public List<VolumeComponent> components = new List<VolumeComponent>();
+    public void Dispose() { }
+}
 
-        public bool TryGet<T>(out T component) where T : VolumeComponent
-        {
-            component = null;
-            foreach (VolumeComponent one in components) component = component ?? one as T;
-            return component != null;
-        }
-    }
+[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeManager.cs")]
+public sealed partial class VolumeManager
+{
+    private VolumeManager() { }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeStack.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeStack.cs")]
-    public sealed class VolumeStack : IDisposable
-    {
-        [OwnBehaviour] public VolumeStack() { }
+    public static VolumeManager instance { get; } = new VolumeManager();
 
-        [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } =
-            new Dictionary<Type, VolumeComponent>();
-
-        public T GetComponent<T>() where T : VolumeComponent =>
-            Components.TryGetValue(typeof(T), out VolumeComponent found) ? (T)found : null;
-
-        public void Dispose() { }
-    }
-
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeManager.cs")]
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeManager.cs")]
-    public sealed partial class VolumeManager
-    {
-        private VolumeManager() { }
-
-        public static VolumeManager instance { get; } = new VolumeManager();
-
-        public VolumeStack stack { get; set; } = new VolumeStack();
+    public VolumeStack stack { get; set; } = new VolumeStack();
 
 #if UNITY_6000_0_OR_NEWER
-        public VolumeProfile qualityDefaultProfile { get; [OwnBehaviour] set; }
-        public System.Collections.ObjectModel.ReadOnlyCollection<VolumeProfile> customDefaultProfiles
-        {
-            get;
-            [OwnBehaviour] set;
-        }
-#endif
+    public VolumeProfile qualityDefaultProfile { get; [OwnBehaviour] set; }
+    public System.Collections.ObjectModel.ReadOnlyCollection<VolumeProfile> customDefaultProfiles
+    {
+        get;
+        [OwnBehaviour] set;
     }
+#endif
 }

@@ -1,12 +1,9 @@
-using System;
-using Penumbra.UnityApi;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUIContent.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUIContent.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIContent.cs")]
     public class GUIContent
     {
         public GUIContent(string text, string tooltip)
@@ -19,21 +16,15 @@ namespace UnityEngine
         public string tooltip { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUIStyle.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUIStyle.cs")]
-    public sealed partial class GUIStyle
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIStyle.cs")] public sealed partial class GUIStyle { }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
     public sealed class GUILayoutOption
     {
         private GUILayoutOption() { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUILayout.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayout.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
     {
         /// <summary>The text of the button that is pressed; null for none.</summary>
@@ -52,16 +43,14 @@ namespace UnityEditor
         public CustomEditor(Type inspectedType) { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/MenuItem.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/MenuItem.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/MenuItem.cs")]
     [AttributeUsage(AttributeTargets.Method)]
     public sealed class MenuItem : Attribute
     {
         public MenuItem(string itemName) { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Inspector/Editor.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Inspector/Editor.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Inspector/Editor.cs")]
     public partial class Editor : ScriptableObject
     {
         public Object target { get; set; }
@@ -70,14 +59,12 @@ namespace UnityEditor
         public virtual void OnInspectorGUI() { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
     [ReadFrom(At.Unity65, "engine", "Editor/Mono/BuildPipeline/Settings/BuildOptions.bindings.cs")]
     [Flags]
     public enum BuildOptions { None = 0, Development = 1 << 0 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
     public partial class EditorUserBuildSettings : Object
     {
         private EditorUserBuildSettings() { }
@@ -85,8 +72,7 @@ namespace UnityEditor
         public static bool development { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorApplication.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorApplication.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorApplication.cs")]
     public sealed partial class EditorApplication
     {
         public static event Action projectChanged;
@@ -96,8 +82,7 @@ namespace UnityEditor
         [OwnBehaviour] public static void ChangeProject() => projectChanged?.Invoke();
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorWindow.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorWindow.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorWindow.cs")]
     public partial class EditorWindow : ScriptableObject
     {
         [OwnBehaviour] public static EditorWindow Shown { get; set; }
@@ -111,8 +96,7 @@ namespace UnityEditor
         public void Repaint() { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Settings/SettingsService.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Settings/SettingsService.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Settings/SettingsService.cs")]
     public static class SettingsService
     {
         [OwnBehaviour] public static string Opened { get; set; }
@@ -124,8 +108,7 @@ namespace UnityEditor
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
     public sealed partial class PrefabUtility
     {
         [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Recorded { get; } =
@@ -134,12 +117,10 @@ namespace UnityEditor
         public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
     public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUILayout.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUILayout.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
     {
         [OwnBehaviour] public static System.Collections.Generic.List<string> Boxes { get; } =
@@ -158,16 +139,14 @@ namespace UnityEditor
                                          params GUILayoutOption[] options) => false;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
     public sealed class EditorStyles
     {
         public static GUIStyle boldLabel => null;
         public static GUIStyle wordWrappedLabel => null;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
     public partial class EditorUtility
     {
         [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Dirty { get; } =
@@ -180,8 +159,7 @@ namespace UnityEditor
         public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
     public sealed partial class AssetDatabase
     {
         public static string GetAssetPath(Object assetObject)
@@ -224,19 +202,13 @@ namespace UnityEditor
         public static bool CopyAsset(string path, string newPath) => false;
         public static string GenerateUniqueAssetPath(string path) => path;
 
-        [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
-        [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
+        [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
         public static string[] FindAssets(string filter) => new string[0];
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPostprocessor.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPostprocessor.cs")]
-    public partial class AssetPostprocessor
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPostprocessor.cs")] public partial class AssetPostprocessor { }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
     public struct ShaderMessage
     {
         public ShaderMessage(string msg, Rendering.ShaderCompilerMessageSeverity sev = Rendering.ShaderCompilerMessageSeverity.Error)
@@ -255,8 +227,7 @@ namespace UnityEditor
         public Rendering.ShaderCompilerMessageSeverity severity { get; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
     public sealed partial class ShaderUtil
     {
         /// <summary>The compiler's messages, by shader.</summary>
@@ -269,10 +240,8 @@ namespace UnityEditor
         private static ShaderMessage[] MessagesOf(Object shader) =>
             Messages.TryGetValue(shader, out ShaderMessage[] messages) ? messages : new ShaderMessage[0];
 
-        public static void SetAsyncCompilation(UnityEngine.Rendering.CommandBuffer cmd, bool allow)
-        {
-            if (!UnityEngine.Rendering.CommandBuffer.Silent) UnityEngine.Rendering.Recorded.AsyncCompilation(cmd, allow);
-        }
+        public static void SetAsyncCompilation(UnityEngine.Rendering.CommandBuffer cmd, bool allow) =>
+            cmd.Record(static (device, value) => device.CompilesAsynchronously = value, allow);
 
         public static void RestoreAsyncCompilation(UnityEngine.Rendering.CommandBuffer cmd) => SetAsyncCompilation(cmd, true);
     }
@@ -280,15 +249,13 @@ namespace UnityEditor
 
 namespace UnityEditor.Build.Reporting
 {
-    [ReadFrom(At.Unity2022, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
     public struct BuildSummary
     {
         public BuildOptions options { get; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
     public sealed partial class BuildReport : Object
     {
         private BuildReport() { }
@@ -299,37 +266,32 @@ namespace UnityEditor.Build.Reporting
 
 namespace UnityEditor.Build
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessBuildWithReport : IOrderedCallback
     {
         void OnPreprocessBuild(Reporting.BuildReport report);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPostprocessBuildWithReport : IOrderedCallback
     {
         void OnPostprocessBuild(Reporting.BuildReport report);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IOrderedCallback
     {
         int callbackOrder { get; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessShaders : IOrderedCallback
     {
         void OnProcessShader(Shader shader, Rendering.ShaderSnippetData snippet,
                              System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessComputeShaders : IOrderedCallback
     {
         void OnProcessComputeShader(ComputeShader shader, string kernelName,
@@ -339,19 +301,16 @@ namespace UnityEditor.Build
 
 namespace UnityEditor.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public struct ShaderSnippetData
     {
         public string passName => "";
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public enum ShaderCompilerMessageSeverity { Error, Warning }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public struct ShaderCompilerData
     {
         public UnityEngine.Rendering.ShaderKeywordSet shaderKeywordSet;
@@ -361,8 +320,7 @@ namespace UnityEditor.Rendering
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
     public partial struct ShaderKeyword
     {
         [OwnBehaviour] public string Name { get; }
@@ -372,8 +330,7 @@ namespace UnityEngine.Rendering
         public ShaderKeyword(ComputeShader shader, string keywordName) { Name = keywordName; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
     public struct ShaderKeywordSet
     {
         [OwnBehaviour] public System.Collections.Generic.HashSet<string> Enabled { get; set; }

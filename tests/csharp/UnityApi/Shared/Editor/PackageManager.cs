@@ -1,19 +1,16 @@
 using System.Reflection;
-using Penumbra.UnityApi;
 
-namespace UnityEditor.PackageManager
+namespace UnityEditor.PackageManager;
+
+[ReadFrom(At.Engine, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
+public sealed partial class PackageInfo
 {
-    [ReadFrom(At.Unity2022, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
-    public sealed partial class PackageInfo
-    {
-        /// <summary>The place where the package that every assembly belongs to is said to be; null for none.</summary>
-        [OwnBehaviour] public static string Installed { get; set; }
+    /// <summary>The place where the package that every assembly belongs to is said to be; null for none.</summary>
+    [OwnBehaviour] public static string Installed { get; set; }
 
-        internal PackageInfo() { }
+    internal PackageInfo() { }
 
-        public string resolvedPath => Installed;
+    public string resolvedPath => Installed;
 
-        public static PackageInfo FindForAssembly(Assembly assembly) => Installed == null ? null : new PackageInfo();
-    }
+    public static PackageInfo FindForAssembly(Assembly assembly) => Installed == null ? null : new PackageInfo();
 }

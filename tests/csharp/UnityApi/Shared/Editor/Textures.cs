@@ -1,11 +1,9 @@
-using System.Collections.Generic;
-using Penumbra.UnityApi;
+using Object = UnityEngine.Object;
 using UnityEngine;
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
     public partial class AssetImporter : Object
     {
         [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new Dictionary<string, AssetImporter>();
@@ -19,8 +17,7 @@ namespace UnityEditor
         public void SaveAndReimport() => ++Imports;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
     public sealed partial class TextureImporter : AssetImporter
     {
         /// <summary>The settings of the default platform.</summary>
@@ -42,8 +39,7 @@ namespace UnityEditor
         public void SetPlatformTextureSettings(TextureImporterPlatformSettings platformSettings) => Settings = platformSettings;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
     public sealed partial class TextureImporterPlatformSettings
     {
         public int maxTextureSize { get; set; } = 2048;
@@ -51,35 +47,28 @@ namespace UnityEditor
         public TextureImporterCompression textureCompression { get; set; } = TextureImporterCompression.Compressed;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterType { Default = 0, Sprite = 8 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterShape { Texture2D = 1 << 0, Texture3D = 1 << 3 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterAlphaSource { None = 0, FromInput = 1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterFormat { R16 = 9, RGBA64 = 74 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterNPOTScale { None = 0, ToNearest = 1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterCompression { Uncompressed = 0, Compressed = 1 }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
     public partial class TextAsset : Object
     {
         public TextAsset(string text) { this.text = text; }
@@ -87,8 +76,7 @@ namespace UnityEngine
         public string text { get; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
     public static class JsonUtility
     {
         /// <summary>Reads public fields by their names, and skips other keys, as Unity's does.</summary>

@@ -1,38 +1,33 @@
-using Penumbra.UnityApi;
 using UnityEngine;
 
-namespace UnityEditor.Rendering
+namespace UnityEditor.Rendering;
+
+[ReadFrom(At.Core, "core", "Editor/CoreEditorUtils.cs")]
+public static class CoreEditorUtils
 {
-    [ReadFrom(At.Core14, "core", "Editor/CoreEditorUtils.cs")]
-    [ReadFrom(At.Core17, "core", "Editor/CoreEditorUtils.cs")]
-    public static class CoreEditorUtils
+    /// <summary>The messages that were drawn; tests press their buttons.</summary>
+    [OwnBehaviour] public static System.Collections.Generic.List<(string message, string button, System.Action action)> Boxes
     {
-        /// <summary>The messages that were drawn; tests press their buttons.</summary>
-        [OwnBehaviour] public static System.Collections.Generic.List<(string message, string button, System.Action action)> Boxes
-        {
-            get;
-        } = new System.Collections.Generic.List<(string, string, System.Action)>();
+        get;
+    } = new System.Collections.Generic.List<(string, string, System.Action)>();
 
-        public static void DrawFixMeBox(string message, MessageType messageType, string buttonLabel, System.Action action) =>
-            Boxes.Add((message, buttonLabel, action));
-    }
+    public static void DrawFixMeBox(string message, MessageType messageType, string buttonLabel, System.Action action) =>
+        Boxes.Add((message, buttonLabel, action));
+}
 
-    [ReadFrom(At.Core14, "core", "Editor/Volume/SerializedDataParameter.cs")]
-    [ReadFrom(At.Core17, "core", "Editor/Volume/SerializedDataParameter.cs")]
-    public sealed class SerializedDataParameter
-    {
-        internal SerializedDataParameter() { }
-    }
+[ReadFrom(At.Core, "core", "Editor/Volume/SerializedDataParameter.cs")]
+public sealed class SerializedDataParameter
+{
+    internal SerializedDataParameter() { }
+}
 
-    [ReadFrom(At.Core14, "core", "Editor/Volume/VolumeComponentEditor.cs")]
-    [ReadFrom(At.Core17, "core", "Editor/Volume/VolumeComponentEditor.cs")]
-    public partial class VolumeComponentEditor : Editor
-    {
-        public virtual void OnEnable() { }
-        public override void OnInspectorGUI() { }
-        public virtual GUIContent GetDisplayTitle() => new GUIContent(GetType().Name, "");
+[ReadFrom(At.Core, "core", "Editor/Volume/VolumeComponentEditor.cs")]
+public partial class VolumeComponentEditor : Editor
+{
+    public virtual void OnEnable() { }
+    public override void OnInspectorGUI() { }
+    public virtual GUIContent GetDisplayTitle() => new GUIContent(GetType().Name, "");
 
-        protected SerializedDataParameter Unpack(SerializedProperty property) => new SerializedDataParameter();
-        protected bool PropertyField(SerializedDataParameter property, GUIContent title) => false;
-    }
+    protected SerializedDataParameter Unpack(SerializedProperty property) => new SerializedDataParameter();
+    protected bool PropertyField(SerializedDataParameter property, GUIContent title) => false;
 }

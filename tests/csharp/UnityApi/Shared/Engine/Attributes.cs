@@ -1,24 +1,14 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Serialization/Serialization.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Serialization/Serialization.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Serialization/Serialization.cs")]
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed partial class SerializeField : Attribute
-    {
-    }
+    public sealed partial class SerializeField : Attribute { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
-    public abstract class PropertyAttribute : Attribute
-    {
-    }
+    public abstract class PropertyAttribute : Attribute { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.All)]
     public class TooltipAttribute : PropertyAttribute
     {
@@ -27,8 +17,7 @@ namespace UnityEngine
         public TooltipAttribute(string tooltip) { this.tooltip = tooltip; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public class InspectorNameAttribute : PropertyAttribute
     {
@@ -37,8 +26,7 @@ namespace UnityEngine
         public InspectorNameAttribute(string displayName) { this.displayName = displayName; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class HelpURLAttribute : Attribute
     {
@@ -53,8 +41,7 @@ namespace UnityEngine
 #endif
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class RangeAttribute : PropertyAttribute
     {
@@ -71,38 +58,30 @@ namespace UnityEngine
 
 namespace UnityEngine.Scripting
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
     [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/PreserveAttribute.cs")]
     [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum |
                     AttributeTargets.Constructor | AttributeTargets.Method | AttributeTargets.Property |
                     AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface |
                     AttributeTargets.Delegate)]
-    public class PreserveAttribute : Attribute
-    {
-    }
+    public class PreserveAttribute : Attribute { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
     [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/RequireDerivedAttribute.cs")]
     [AttributeUsage(AttributeTargets.Class)]
-    public class RequireDerivedAttribute : Attribute
-    {
-    }
+    public class RequireDerivedAttribute : Attribute { }
 }
 
 namespace UnityEditor.ShaderKeywordFilter
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
     public class FilterAttribute : Attribute
     {
         internal FilterAttribute() { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
     public class SelectIfAttribute : FilterAttribute
     {

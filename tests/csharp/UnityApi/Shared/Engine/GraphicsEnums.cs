@@ -1,92 +1,61 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [Flags]
     public enum CameraType { Game = 1, SceneView = 2, Preview = 4, VR = 8, Reflection = 16 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum LightShadows { None = 0, Hard = 1, Soft = 2 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum MeshTopology { Triangles = 0 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum FilterMode { Point = 0, Bilinear = 1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum TextureWrapMode { Repeat = 0, Clamp = 1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum CubemapFace { Unknown = -1 }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")] public enum CubemapFace { Unknown = -1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderTextureFormat { Depth = 1, Shadowmap = 3 }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferLoadAction { Load = 0, Clear = 1, DontCare = 2 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferStoreAction { Store = 0, DontCare = 3 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum TextureDimension { Tex2D = 2, Tex3D = 3, Tex2DArray = 5 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum CopyTextureSupport { None = 0, Basic = 1 << 0 }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum VRTextureUsage { None, OneEye, TwoEyes }
 }
 
 namespace UnityEngine.Experimental.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum TextureCreationFlags { None = 0 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum GraphicsFormat
     {
-        None = 0,
-        R8_UNorm = 5,
-        R8G8_UNorm = 6,
-        R16_UNorm = 21,
-        R16G16_UNorm = 22,
-        R16G16B16A16_UNorm = 24,
-        R32_UInt = 37,
-        R32G32B32A32_UInt = 40,
-        R16_SFloat = 45,
-        R16G16_SFloat = 46,
-        R16G16B16A16_SFloat = 48,
-        R32_SFloat = 49,
-        R32G32_SFloat = 50,
-        R32G32B32A32_SFloat = 52,
-        B8G8R8A8_UNorm = 59,
-        D16_UNorm = 90,
+        None = 0, R8_UNorm = 5, R8G8_UNorm = 6, R16_UNorm = 21, R16G16_UNorm = 22, R16G16B16A16_UNorm = 24,
+        R32_UInt = 37, R32G32B32A32_UInt = 40, R16_SFloat = 45, R16G16_SFloat = 46, R16G16B16A16_SFloat = 48,
+        R32_SFloat = 49, R32G32_SFloat = 50, R32G32B32A32_SFloat = 52, B8G8R8A8_UNorm = 59, D16_UNorm = 90,
         D32_SFloat = 93,
     }
 }

@@ -1,48 +1,35 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Geometry/Bounds.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Geometry/Bounds.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Bounds.cs")]
     public partial struct Bounds : IEquatable<Bounds>
     {
         public bool Equals(Bounds other) => true;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
     public sealed partial class Camera : Behaviour
     {
         public bool allowDynamicResolution { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Geometry/Plane.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Geometry/Plane.cs")]
-    public partial struct Plane
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Plane.cs")] public partial struct Plane { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
     public sealed partial class Light : Behaviour
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public LightShadows shadows { get; set; }
         public float shadowBias { get; set; }
         public float shadowNormalBias { get; set; }
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public float shadowStrength { get; set; } = 1.0f;
 
         public LightBakingOutput bakingOutput { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
     public struct LightBakingOutput
     {
@@ -50,21 +37,17 @@ namespace UnityEngine
         public MixedLightingMode mixedLightingMode;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum LightmapBakeType { Mixed = 1, Baked = 2, Realtime = 4 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum MixedLightingMode { IndirectOnly = 0, Subtractive = 1, Shadowmask = 2 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum ShadowmaskMode { Shadowmask = 0, DistanceShadowmask = 1 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
     public sealed partial class QualitySettings : Object
     {
         private QualitySettings() { }
@@ -72,16 +55,14 @@ namespace UnityEngine
         public static ShadowmaskMode shadowmaskMode { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
     public static class ScalableBufferManager
     {
         public static float widthScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
         public static float heightScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
     public sealed partial class GL
     {
         public static bool wireframe { get; set; }
@@ -107,8 +88,7 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
     public sealed partial class RenderSettings : Object
     {
         private RenderSettings() { }
@@ -116,8 +96,7 @@ namespace UnityEngine
         public static Light sun { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
     public sealed partial class SystemInfo
     {
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
@@ -150,8 +129,7 @@ namespace UnityEngine
             new System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat>();
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Time/Time.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Time/Time.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Time/Time.bindings.cs")]
     public class Time
     {
         public static int frameCount { get; [OwnBehaviour] set; }
@@ -161,14 +139,10 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
-    public abstract partial class RenderPipelineAsset : ScriptableObject
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
+    public abstract partial class RenderPipelineAsset : ScriptableObject { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
     public sealed partial class GraphicsSettings : Object
     {
         private GraphicsSettings() { }
@@ -176,8 +150,7 @@ namespace UnityEngine.Rendering
         public static RenderPipelineAsset currentRenderPipeline { get; [OwnBehaviour] set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
     public partial struct CullingResults : IEquatable<CullingResults>
     {
         [OwnBehaviour] public bool HasCasters { get; set; }
@@ -194,8 +167,7 @@ namespace UnityEngine.Rendering
         public bool Equals(CullingResults other) => HasCasters == other.HasCasters;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
     public struct VisibleLight : IEquatable<VisibleLight>
     {
         [OwnBehaviour] public Light Source { get; set; }
@@ -205,8 +177,7 @@ namespace UnityEngine.Rendering
         public bool Equals(VisibleLight other) => ReferenceEquals(Source, other.Source);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
     public partial struct ScriptableRenderContext : IEquatable<ScriptableRenderContext>
     {
         [OwnBehaviour] public FakeDevice Device { get; set; }
@@ -216,8 +187,7 @@ namespace UnityEngine.Rendering
         public bool Equals(ScriptableRenderContext other) => Device == other.Device;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
     public static partial class RenderPipelineManager
     {
         public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
@@ -235,8 +205,7 @@ namespace UnityEngine.Rendering
 
 namespace Unity.Collections
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
     public partial struct NativeArray<T> : IEquatable<NativeArray<T>> where T : struct
     {
         [OwnBehaviour] public T[] Items { get; set; }

@@ -1,12 +1,8 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
 using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.bindings.cs")]
     public sealed partial class Shader : Object
     {
         private static readonly List<string> properties = new List<string>();
@@ -30,17 +26,14 @@ namespace UnityEngine
 
         [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new Dictionary<string, object>();
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Vector4 GetGlobalVector(string name) =>
             Globals.TryGetValue(name, out object value) ? (Vector4)value : default;
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Vector4 GetGlobalVector(int nameID) => GetGlobalVector(PropertyName(nameID));
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Matrix4x4[] GetGlobalMatrixArray(string name) =>
             Globals.TryGetValue(name, out object value) ? (Matrix4x4[])value : null;
 
@@ -53,8 +46,7 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
     public sealed partial class ComputeShader : Object
     {
         [OwnBehaviour]
@@ -90,8 +82,7 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
     public sealed partial class GraphicsBuffer : IDisposable
     {
         [Flags]
@@ -116,8 +107,7 @@ namespace UnityEngine
         public void Dispose() => Release();
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
     public partial class Material : Object
     {
         public Material(Shader shader) { this.shader = shader; }
@@ -127,17 +117,13 @@ namespace UnityEngine
         public int FindPass(string passName) => shader.PassNames.IndexOf(passName);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/MaterialPropertyBlock.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/MaterialPropertyBlock.bindings.cs")]
-    public sealed partial class MaterialPropertyBlock
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/MaterialPropertyBlock.bindings.cs")]
+    public sealed partial class MaterialPropertyBlock { }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/GlobalKeyword.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/GlobalKeyword.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/GlobalKeyword.bindings.cs")]
     public readonly struct GlobalKeyword
     {
         public string name { get; }
@@ -147,8 +133,7 @@ namespace UnityEngine.Rendering
         public static GlobalKeyword Create(string name) => new GlobalKeyword(name);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/LocalKeyword.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/LocalKeyword.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/LocalKeyword.bindings.cs")]
     public readonly struct LocalKeyword : IEquatable<LocalKeyword>
     {
         public string name { get; }
@@ -161,8 +146,7 @@ namespace UnityEngine.Rendering
         public bool Equals(LocalKeyword rhs) => name == rhs.name;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
     public readonly struct LocalKeywordSpace : IEquatable<LocalKeywordSpace>
     {
         private readonly List<string> declared;

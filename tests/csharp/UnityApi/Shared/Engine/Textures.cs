@@ -1,11 +1,8 @@
-using System;
-using Penumbra.UnityApi;
 using UnityEngine.Experimental.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class Texture : Object
     {
         internal Texture() { }
@@ -14,8 +11,7 @@ namespace UnityEngine
         public virtual int height { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public sealed partial class Texture2D : Texture
     {
         private static readonly Texture2D black = new Texture2D { name = "black" };
@@ -25,18 +21,14 @@ namespace UnityEngine
         [OwnBehaviour] public Texture2D() { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.cs")]
     public sealed partial class Texture2DArray : Texture
     {
-        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags)
-        {
+        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags) =>
             name = "array of " + depth;
-        }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class RenderTexture : Texture
     {
         [OwnBehaviour] public RenderTexture() { }
@@ -50,8 +42,7 @@ namespace UnityEngine
         public bool IsCreated() => !Lost;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.cs")]
     public struct RenderTextureDescriptor
     {
         public int width { get; set; }
@@ -84,8 +75,7 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public partial struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     {
         [OwnBehaviour] public string What { get; set; }

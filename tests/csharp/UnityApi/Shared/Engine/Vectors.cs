@@ -1,10 +1,6 @@
-using System;
-using Penumbra.UnityApi;
-
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector2.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector2.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector2.cs")]
     public struct Vector2 : IEquatable<Vector2>
     {
         public float x;
@@ -18,8 +14,7 @@ namespace UnityEngine
         public bool Equals(Vector2 other) => x == other.x && y == other.y;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector3.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector3.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector3.cs")]
     public partial struct Vector3 : IEquatable<Vector3>
     {
         public float x;
@@ -34,8 +29,7 @@ namespace UnityEngine
         public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector3Int.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector3Int.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector3Int.cs")]
     public struct Vector3Int : IEquatable<Vector3Int>
     {
         public int x { get; set; }
@@ -47,8 +41,7 @@ namespace UnityEngine
         public bool Equals(Vector3Int other) => x == other.x && y == other.y && z == other.z;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector4.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector4.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector4.cs")]
     public struct Vector4 : IEquatable<Vector4>
     {
         public float x;
@@ -62,15 +55,13 @@ namespace UnityEngine
 
         public bool Equals(Vector4 other) => x == other.x && y == other.y && z == other.z && w == other.w;
 
-        [OwnBehaviour]
-        public override string ToString() => $"({x}, {y}, {z}, {w})";
+        [OwnBehaviour] public override string ToString() => $"({x}, {y}, {z}, {w})";
     }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Color.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Color.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Color.cs")]
     public struct Color : IEquatable<Color>
     {
         public float r;

@@ -1,14 +1,11 @@
-using Penumbra.UnityApi;
 using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum CameraClearFlags { Skybox = 1, Color = 2, SolidColor = 2, Depth = 3, Nothing = 4 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum LightType { Spot = 0, Directional = 1, Point = 2 }
 
     public sealed partial class Camera
@@ -37,16 +34,13 @@ namespace UnityEngine
 
     public sealed partial class Shader
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalVector(int nameID, Vector4 value) => Globals[PropertyName(nameID)] = value;
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals[PropertyName(nameID)] = values;
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Shader.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Shader.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalTexture(int nameID, Texture value) => Globals[PropertyName(nameID)] = value;
     }
 }
@@ -63,8 +57,7 @@ namespace UnityEngine.Rendering.Universal
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
     public partial class Undo
     {
         public static void RegisterCreatedObjectUndo(UnityEngine.Object objectToUndo, string name) { }

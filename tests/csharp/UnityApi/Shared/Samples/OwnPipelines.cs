@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
 using Unity.Collections;
 
 namespace UnityEngine.Rendering
@@ -10,8 +7,7 @@ namespace UnityEngine.Rendering
         protected abstract RenderPipeline CreatePipeline();
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
     public abstract class RenderPipeline
     {
 #if UNITY_6000_1_OR_NEWER
@@ -38,8 +34,7 @@ namespace UnityEngine.Rendering
         public static bool lightsUseLinearIntensity { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     public struct ScriptableCullingParameters : IEquatable<ScriptableCullingParameters>
     {
         public float shadowDistance { get; set; }
@@ -53,13 +48,11 @@ namespace UnityEngine.Rendering
         public bool Equals(ScriptableCullingParameters other) => shadowDistance == other.shadowDistance;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     [Flags]
     public enum CullingOptions { None = 0, ForceEvenIfCameraIsNotActive = 1 << 0 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
     public struct ShadowSplitData : IEquatable<ShadowSplitData>
     {
         public Vector4 cullingSphere { get; set; }
@@ -71,8 +64,7 @@ namespace UnityEngine.Rendering
         public bool Equals(ShadowSplitData other) => cullingSphere.Equals(other.cullingSphere);
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
     public enum BatchCullingProjectionType { Unknown = 0, Perspective = 1, Orthographic = 2 }
 
     public partial struct CullingResults
@@ -104,8 +96,7 @@ namespace UnityEngine.Rendering
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
     public struct ShaderTagId : IEquatable<ShaderTagId>
     {
         public ShaderTagId(string name) { this.name = name; }
@@ -115,23 +106,17 @@ namespace UnityEngine.Rendering
         public bool Equals(ShaderTagId other) => name == other.name;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
     [Flags]
     public enum SortingCriteria
     {
-        SortingLayer = 1 << 0,
-        RenderQueue = 1 << 1,
-        QuantizedFrontToBack = 1 << 3,
-        OptimizeStateChanges = 1 << 4,
-        CanvasOrder = 1 << 5,
-        BackToFront = 1 << 2,
+        SortingLayer = 1 << 0, RenderQueue = 1 << 1, QuantizedFrontToBack = 1 << 3, OptimizeStateChanges = 1 << 4,
+        CanvasOrder = 1 << 5, BackToFront = 1 << 2,
         CommonTransparent = SortingLayer | RenderQueue | BackToFront | OptimizeStateChanges,
         CommonOpaque = SortingLayer | RenderQueue | QuantizedFrontToBack | OptimizeStateChanges | CanvasOrder,
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
     public struct SortingSettings : IEquatable<SortingSettings>
     {
         public SortingSettings(Camera camera) { criteria = default; }
@@ -141,8 +126,7 @@ namespace UnityEngine.Rendering
         public bool Equals(SortingSettings other) => criteria == other.criteria;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
     public struct DrawingSettings : IEquatable<DrawingSettings>
     {
         [OwnBehaviour] public string Pass { get; private set; }
@@ -166,8 +150,7 @@ namespace UnityEngine.Rendering
         public bool Equals(DrawingSettings other) => Pass == other.Pass;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
     public struct RenderQueueRange : IEquatable<RenderQueueRange>
     {
         public static RenderQueueRange all => default;
@@ -177,8 +160,7 @@ namespace UnityEngine.Rendering
         public bool Equals(RenderQueueRange other) => true;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
     public struct FilteringSettings : IEquatable<FilteringSettings>
     {
         public FilteringSettings(RenderQueueRange? renderQueueRange = null, int layerMask = ~0,
@@ -187,15 +169,13 @@ namespace UnityEngine.Rendering
         public bool Equals(FilteringSettings other) => true;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
     public struct RendererList
     {
         [OwnBehaviour] public string What { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
     public struct RendererListParams : IEquatable<RendererListParams>
     {
         [OwnBehaviour] public string Pass { get; }
@@ -213,8 +193,7 @@ namespace UnityEngine.Rendering
 
     public partial struct ScriptableRenderContext
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
         public static void EmitWorldGeometryForSceneView(Camera cullingCamera) { }
 
         public CullingResults Cull(ref ScriptableCullingParameters parameters)
@@ -249,51 +228,40 @@ namespace UnityEngine.Rendering
 
         public void GetTemporaryRT(int nameID, int width, int height, int depthBuffer, FilterMode filter,
                                    RenderTextureFormat format) =>
-            Recorded.Texture(this, nameID, width + " x " + height);
+            Texture(nameID, width + " x " + height);
 
-        public void ReleaseTemporaryRT(int nameID) => Recorded.Texture(this, nameID, null);
+        public void ReleaseTemporaryRT(int nameID) => Texture(nameID, null);
 
         public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
-                                    RenderBufferStoreAction storeAction) => Recorded.Target(this, rt.What);
+                                    RenderBufferStoreAction storeAction) => Target(rt.What);
 
-        public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor)
-        {
-            if (!Silent) Recorded.Clear(this, (clearDepth ? "depth" : "") + (clearColor ? "colour" : ""));
-        }
+        /// <summary>Clears as part of drawing are told to the device, not as a draw.</summary>
+        public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) =>
+            Record(static (device, what) => device.Uniforms["cleared"] = what,
+                   clearDepth ? clearColor ? "depthcolour" : "depth" : clearColor ? "colour" : "");
 
-        public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj)
-        {
-            if (!Silent) Recorded.View(this, view, proj);
-        }
+        public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) =>
+            Record(static (device, told) => device.Uniforms["view"] = told, (view, proj));
 
-        public void SetGlobalVectorArray(int nameID, Vector4[] values) =>
-            Recorded.Uniform(this, nameID, values.Clone());
+        public void SetGlobalVectorArray(int nameID, Vector4[] values) => Uniform(nameID, values.Clone());
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-        public void DrawRendererList(RendererList rendererList)
-        {
-            if (!Silent) Recorded.Draw(this, rendererList.What, 0);
-        }
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void DrawRendererList(RendererList rendererList) =>
+            Record(static (device, what) => device.Draw(what, 0), rendererList.What);
     }
 }
 
 namespace Unity.Collections
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
     public enum Allocator { Temp = 2 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
     public enum NativeArrayOptions { UninitializedMemory = 0, ClearMemory = 1 }
 
     public partial struct NativeArray<T>
     {
-        public NativeArray(int length, Allocator allocator,
-                           NativeArrayOptions options = NativeArrayOptions.ClearMemory)
-        {
+        public NativeArray(int length, Allocator allocator, NativeArrayOptions options = NativeArrayOptions.ClearMemory) =>
             Items = new T[length];
-        }
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
 using UnityEngine.Rendering;
 
 namespace UnityEngine
@@ -17,8 +14,7 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
     [Flags]
     public enum HideFlags { None = 0, HideInHierarchy = 1, HideAndDontSave = 61 }
 
@@ -30,14 +26,10 @@ namespace UnityEngine
         public GameObject gameObject => Owner;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
-    public class MonoBehaviour : Behaviour
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
+    public class MonoBehaviour : Behaviour { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
     public sealed partial class GameObject : Object
     {
         [OwnBehaviour] public List<Component> Components { get; } = new List<Component>();
@@ -86,19 +78,16 @@ namespace UnityEngine
         public void SetParent(Transform parent, bool worldPositionStays) => Above = parent;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/BaseClass.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/BaseClass.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/BaseClass.cs")]
     public enum PrimitiveType { Sphere = 0, Capsule = 1, Cylinder = 2, Cube = 3, Plane = 4, Quad = 5 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     public sealed partial class MeshFilter : Component
     {
         public Mesh sharedMesh { get; set; }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
     public partial class Renderer : Component
     {
         public Material sharedMaterial { get; set; }
@@ -106,33 +95,22 @@ namespace UnityEngine
         public bool receiveShadows { get; set; } = true;
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
-    public partial class MeshRenderer : Renderer
-    {
-    }
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    public partial class MeshRenderer : Renderer { }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.cs")]
     public sealed partial class Mesh : Object
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        public Mesh() { }
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public Mesh() { }
 
         [OwnBehaviour] public bool Readable { get; set; } = true;
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        public bool isReadable => Readable;
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public bool isReadable => Readable;
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public IndexFormat indexFormat { get; set; }
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
-        public Bounds bounds { get; set; }
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public Bounds bounds { get; set; }
         public Vector3[] vertices { get; set; } = new Vector3[0];
         public int[] triangles { get; set; } = new int[0];
 
@@ -156,17 +134,14 @@ namespace UnityEngine
 
     public partial class Material
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Material.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.cs")]
         public void SetColor(string name, Color value) { }
 
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Material.cs")]
+        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.cs")]
         public void SetFloat(string name, float value) { }
     }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Application/Application.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Application/Application.bindings.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Application/Application.bindings.cs")]
     public partial class Application
     {
         public static bool isPlaying { get; [OwnBehaviour] set; }
@@ -175,18 +150,14 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum ShadowCastingMode { Off = 0, On = 1, TwoSided = 2, ShadowsOnly = 3 }
 
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum IndexFormat { UInt16 = 0, UInt32 = 1 }
 }
 
 namespace UnityEngine.Rendering.Universal
 {
-    public partial class UniversalAdditionalLightData : MonoBehaviour
-    {
-    }
+    public partial class UniversalAdditionalLightData : MonoBehaviour { }
 }

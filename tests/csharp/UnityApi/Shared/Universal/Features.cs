@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
-using Penumbra.UnityApi;
-
 namespace UnityEngine.Rendering.Universal
 {
-    [ReadFrom(At.Universal14, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class DisallowMultipleRendererFeature : Attribute
     {
@@ -14,8 +9,7 @@ namespace UnityEngine.Rendering.Universal
         public DisallowMultipleRendererFeature(string customTitle = null) { this.customTitle = customTitle; }
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererFeature.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRendererFeature.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRendererFeature.cs")]
     public abstract class ScriptableRendererFeature : ScriptableObject, IDisposable
     {
         public bool isActive { get; private set; } = true;
@@ -31,8 +25,7 @@ namespace UnityEngine.Rendering.Universal
         protected virtual void Dispose(bool disposing) { }
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRenderer.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRenderer.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRenderer.cs")]
     public abstract partial class ScriptableRenderer : IDisposable
     {
         [OwnBehaviour] protected ScriptableRenderer() { }
@@ -43,67 +36,53 @@ namespace UnityEngine.Rendering.Universal
         public void Dispose() { }
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [Flags]
     public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0, Normal = 1 << 1, Color = 1 << 2 }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     public enum RenderPassEvent
     {
-        AfterRenderingPrePasses = 200,
-        BeforeRenderingGbuffer = 210,
-        AfterRenderingGbuffer = 220,
-        BeforeRenderingTransparents = 450,
-        AfterRenderingTransparents = 500,
-        BeforeRenderingPostProcessing = 550,
+        AfterRenderingPrePasses = 200, BeforeRenderingGbuffer = 210, AfterRenderingGbuffer = 220,
+        BeforeRenderingTransparents = 450, AfterRenderingTransparents = 500, BeforeRenderingPostProcessing = 550,
     }
 }
 
 namespace UnityEngine.Rendering.Universal
 {
-    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererData.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRendererData.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRendererData.cs")]
     public abstract partial class ScriptableRendererData : ScriptableObject
     {
         public List<ScriptableRendererFeature> rendererFeatures { get; } = new List<ScriptableRendererFeature>();
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
     public enum CameraRenderType { Base, Overlay }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRenderer.cs")]
     public enum RenderingMode { Forward = 0, Deferred = 1, ForwardPlus = 2 }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRenderer.cs")]
     public enum DepthPrimingMode { Disabled = 0, Auto = 1, Forced = 2 }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRendererData.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererData.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRendererData.cs")]
     public partial class UniversalRendererData : ScriptableRendererData
     {
         public RenderingMode renderingMode { get; set; }
         public DepthPrimingMode depthPrimingMode { get; set; }
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalAdditionalLightData.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalAdditionalLightData.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/UniversalAdditionalLightData.cs")]
     public partial class UniversalAdditionalLightData
     {
         public bool usePipelineSettings { get; set; }
         public SoftShadowQuality softShadowQuality { get; set; }
     }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public enum SoftShadowQuality { UsePipelineSettings, Low, Medium, High }
 
-    [ReadFrom(At.Universal14, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
-    [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    [ReadFrom(At.Universal, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public partial class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
         // Unity serializes this field.
