@@ -9,8 +9,8 @@
 
 #include "as_identifier.h"
 #include "fxc/at_hand.h"
-#include "resolve/drawn_scenes.h"
 #include "resolve/compiler.h"
+#include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
 #include "resolve/ground_at_random.h"
 #include "shaders/bytecode_module.h"

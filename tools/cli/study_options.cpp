@@ -258,7 +258,8 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
   add("--reference-samples", options.reference_samples, "N",
       "Rays per pixel of the reference, a power of two")
       ->check(within(reference::fewest_samples, reference::most_samples));
-  add("--seed", options.seed, "N", "Seed of the reference's random numbers")->check(within(0.0, 0x1p53));
+  add("--seed", options.seed, "N", "Seed of the reference's random numbers")
+      ->check(within(0.0, 4294967295.0));
   add_jobs(command, options.jobs)->group("Study");
   add_worker_limits(command, options.worker, "one model, picture or shader");
   for (const char* limit : {"--time-limit", "--memory-limit"}) command.get_option(limit)->group("Study");

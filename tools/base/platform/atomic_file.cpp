@@ -56,9 +56,10 @@ bool flush_to_disk(std::FILE* stream) {
 [[noreturn]] void fail(const std::filesystem::path& file, int reason) {
   const bool full = reason == ENOSPC;
   throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
-                   reason == EFBIG ? "raise the limit on the size of files (ulimit -f); the file was not changed"
-                   : full          ? "free some space or choose another folder; the file was not changed"
-                                   : "check the folder and its permissions; the file was not changed");
+                   reason == EFBIG
+                       ? "raise the limit on the size of files (ulimit -f); the file was not changed"
+                   : full ? "free some space or choose another folder; the file was not changed"
+                          : "check the folder and its permissions; the file was not changed");
 }
 
 #ifdef _WIN32

@@ -53,8 +53,8 @@ std::uint64_t trim_cache(const std::filesystem::path& directory, std::span<const
 void trim_cache_when_due(const std::filesystem::path& directory, std::span<const std::string_view> kinds,
                          std::uint64_t limit, std::uint64_t written);
 
-// Returns the home folder of the system's list of users, whatever HOME says; empty for a user whom it does not
-// list, and on Windows.
+// Returns the home folder of the system's list of users, whatever HOME says; empty for a user whom it does
+// not list, and on Windows.
 std::filesystem::path listed_home();
 
 // Returns $PENUMBRA_CACHE, else $XDG_CACHE_HOME/penumbra or ~/.cache/penumbra, and a folder of the name

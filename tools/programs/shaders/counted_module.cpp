@@ -33,8 +33,8 @@ bool ends_the_invocation(spv::Op op) {
 }
 
 bool tells_the_source(spv::Op op) {
-  return hlsl::is_one_of(op, {spv::OpLine, spv::OpNoLine, spv::OpSource, spv::OpSourceContinued, spv::OpString,
-                        spv::OpModuleProcessed});
+  return hlsl::is_one_of(op, {spv::OpLine, spv::OpNoLine, spv::OpSource, spv::OpSourceContinued,
+                              spv::OpString, spv::OpModuleProcessed});
 }
 
 bool ends_a_block(spv::Op op) {

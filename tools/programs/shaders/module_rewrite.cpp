@@ -17,7 +17,7 @@ void append(SpirvModule& to, spv::Op op, const ModuleRewrite::Words& operands) {
 
 bool is_annotation(spv::Op op) {
   return hlsl::is_one_of(op, {spv::OpDecorate, spv::OpMemberDecorate, spv::OpDecorateString,
-                        spv::OpMemberDecorateString, spv::OpDecorateId});
+                              spv::OpMemberDecorateString, spv::OpDecorateId});
 }
 
 bool is_type(spv::Op op) {
@@ -26,8 +26,8 @@ bool is_type(spv::Op op) {
 
 // Returns whether type() takes this kind of type: a module may have each of them once.
 bool is_there_once(spv::Op op) {
-  return hlsl::is_one_of(op, {spv::OpTypeVoid, spv::OpTypeBool, spv::OpTypeInt, spv::OpTypeFloat, spv::OpTypeVector,
-                        spv::OpTypePointer, spv::OpTypeFunction});
+  return hlsl::is_one_of(op, {spv::OpTypeVoid, spv::OpTypeBool, spv::OpTypeInt, spv::OpTypeFloat,
+                              spv::OpTypeVector, spv::OpTypePointer, spv::OpTypeFunction});
 }
 
 }  // namespace

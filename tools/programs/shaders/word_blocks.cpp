@@ -102,8 +102,8 @@ bool is_chain(spirv::Words one) {
 // Returns whether the instruction takes a pointer and is not one that reads and writes.
 bool passes_pointers(spv::Op op) {
   return (op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor) ||
-         hlsl::is_one_of(op, {spv::OpCopyMemory, spv::OpCopyObject, spv::OpFunctionCall, spv::OpPhi, spv::OpSelect,
-                        spv::OpPtrAccessChain});
+         hlsl::is_one_of(op, {spv::OpCopyMemory, spv::OpCopyObject, spv::OpFunctionCall, spv::OpPhi,
+                              spv::OpSelect, spv::OpPtrAccessChain});
 }
 
 struct Block {

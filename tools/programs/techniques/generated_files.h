@@ -13,8 +13,8 @@ namespace penumbra::techniques {
 std::vector<EmittedFile> generated_files(const TechniqueList& list);
 
 // Throws InputError with the file and its line where the HLSL of a parameter struct was made of an earlier
-// manifest: its fields would have one another's values. A file that does not exist, or that somebody wrote, is
-// left alone.
+// manifest: its fields would have one another's values. A file that does not exist, or that somebody wrote,
+// is left alone.
 void refuse_outdated_parameters(const TechniqueList& list);
 
 // The programs that each quality preset keeps of the renderer feature's shader in a player: its chain's
