@@ -15,6 +15,8 @@ namespace penumbra::project {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 bool has_extension(const fs::path& file, std::string_view extension) {
   return equal_ignoring_case(file.extension().string(), extension);
 }
@@ -281,8 +283,6 @@ class Reached {
 };
 
 }  // namespace
-
-namespace fs = std::filesystem;
 
 void require_shader_file(const fs::path& file) {
   std::error_code ignored;
