@@ -53,7 +53,7 @@ Inputs in(std::vector<Range> ranges) {
   };
 }
 
-// What the second makes follows what the first makes, and is drawn before it.
+// The numbers that the second makes follow those of the first, and are drawn before them.
 Inputs joined(Inputs first, Inputs second) {
   return [first = std::move(first), second = std::move(second)](Random& random) {
     const Case last = second(random);

@@ -1,4 +1,4 @@
-// What the InputError says that a call throws.
+// The function returns the text of the InputError that a call throws.
 #pragma once
 
 #include <gmock/gmock.h>

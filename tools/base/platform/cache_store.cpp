@@ -42,8 +42,6 @@ fs::path user_folder() {
   return is_there ? home / ".cache" / "penumbra" : fs::path();
 }
 
-namespace fs = std::filesystem;
-
 constexpr std::string_view title = "penumbra cache 1 ";
 constexpr std::string_view part_extension = ".part";
 constexpr std::size_t hash_size = content_hash_digits;

@@ -424,8 +424,6 @@ EngineRun UnitRun::take() const {
   return run;
 }
 
-namespace fs = std::filesystem;
-
 // The engine has no cache without a folder.
 EngineOptions with_cache_folder(EngineOptions options) {
   if (!options.cache.empty() && !platform::make_cache_folder(options.cache)) options.cache.clear();

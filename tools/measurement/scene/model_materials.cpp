@@ -249,8 +249,6 @@ ModelMaterials read_model_materials(const aiScene& scene, const fs::path& file) 
   return Reader(scene, file).read();
 }
 
-namespace fs = std::filesystem;
-
 std::optional<fs::path> in_model_folder(const fs::path& path, const fs::path& model) {
   std::error_code error;
   const fs::path folder = fs::canonical(model.has_parent_path() ? model.parent_path() : fs::path("."), error);

@@ -136,7 +136,7 @@ std::optional<double> shimmer_of(const std::vector<std::vector<float>>& frames, 
 
 // The seam between cascades: the change of a technique's error where neighbouring pixels read different ones.
 //
-// From one cascade to the next the texels' size changes, and with it a filter's error. The eye sees a change
+// The texels' size changes from one cascade to the next, and with it a filter's error. The eye sees a change
 // along a line, not noise: so changes are first averaged along the border, in blocks of kSeamBlock pixels.
 inline constexpr int kSeamBlock = 16;  // pixels, each way
 inline constexpr int kSeamPairs = 8;   // fewest pairs of a block

@@ -95,7 +95,7 @@ class TokenText {
   // Inserts the same with the line of the token `place`, for text that is moved.
   void insert_from(std::size_t place, std::size_t before, std::string_view hlsl);
   // Inserts the same at line 0, for functions that have no place in the source: glslang gives their
-  // instructions none, and a rule finds that of the call (lint/gradients.cpp).
+  // instructions none, and a rule finds that of the call (lint/divergent_operations.cpp).
   void insert_without_line(std::size_t before, std::string_view hlsl);
   void erase(std::size_t first, std::size_t count) { replace(first, count, {}); }
   void apply();  // all of them at once

@@ -178,8 +178,6 @@ class UniformStructs {
   const std::set<std::string_view> carriers_;
 };
 
-using Kind = hlsl::Declaration::Kind;
-
 struct Uniform {
   Declarator declarator;
   std::size_t insert_before = 0;  // the token after the declaration it stands in

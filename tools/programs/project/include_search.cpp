@@ -216,8 +216,6 @@ std::string missing_editor_message(std::string_view name, const fs::path& cginc)
 
 }  // namespace
 
-namespace fs = std::filesystem;
-
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, const fs::path& includer) {
   const std::string header = normalised(asked);
   if (header.empty()) {

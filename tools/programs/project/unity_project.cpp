@@ -305,8 +305,6 @@ std::map<std::string, PackageRoot> embedded_packages(const fs::path& packages, c
 
 }  // namespace
 
-namespace fs = std::filesystem;
-
 UnityProject read_project(const fs::path& directory, const std::vector<PackageRoot>& given) {
   check_is_project(directory);
   UnityProject project;

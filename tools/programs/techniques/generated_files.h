@@ -7,9 +7,9 @@
 
 namespace penumbra::techniques {
 
-// Of every list: each parameter struct as HLSL beside its manifest, the structs as C#, and the graphs as a
-// table. Of a package with the renderer feature's shader also the feature's tables, and what tests and pages
-// read, where the package has a folder for it. Throws InputError as the functions that make the texts do.
+// Every list gives each parameter struct as HLSL beside its manifest, the structs as C#, and the graphs as a
+// table. A package with the renderer feature's shader gives the feature's tables, too, and what tests and
+// pages read, where it has a folder for that. Throws InputError as the functions that make the texts do.
 std::vector<EmittedFile> generated_files(const TechniqueList& list);
 
 // Throws InputError with the file and its line where the HLSL of a parameter struct was made of an earlier

@@ -85,8 +85,6 @@ Json cases(const ParameterStruct& parameters) {
   return all;
 }
 
-using Json = nlohmann::ordered_json;
-
 Json of(const GraphTexture& texture) {
   Json json{{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
             {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},

@@ -45,7 +45,7 @@ bool samples_implicitly(spv::Op op) {
   }
 }
 
-std::vector<std::string> functions() {
+std::vector<std::string> sampling_functions() {
   return {"Sample", "ddx", "ddy", "fwidth", "tex2D", "texCUBE", "tex1D", "tex3D", "tex2Dbias", "tex2Dproj"};
 }
 
@@ -71,7 +71,7 @@ hlsl::Diagnostic in_loop(const LintedCode& linted, const spirv::Function& functi
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
   const spirv::Place place = gradient.place;
   hlsl::Diagnostic finding =
-      finding_at(linted, "gradient-in-varying-loop", place, functions(),
+      finding_at(linted, "gradient-in-varying-loop", place, sampling_functions(),
                  "derivatives are taken in divergent control flow: the loop's number of iterations "
                  "differs between pixels, by the condition" +
                      place_of_condition(linted, function, branch, place) +
@@ -87,7 +87,7 @@ hlsl::Diagnostic under_condition(const LintedCode& linted, const spirv::Function
   const bool derivative = is_derivative(gradient.instruction.op);
   const spirv::Place place = gradient.place;
   return finding_at(
-      linted, "divergent-derivative", place, functions(),
+      linted, "divergent-derivative", place, sampling_functions(),
       std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
           " where only some pixels of a quad may be active, by the condition" +
           place_of_condition(linted, function, branch, place) +
