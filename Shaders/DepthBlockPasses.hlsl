@@ -18,7 +18,7 @@
 
 int _PenumbraMip;
 TEXTURE2D(_PenumbraSourcePlanes);
-TYPED_TEXTURE2D(uint4, _PenumbraSourceSpreads);
+Texture2D<uint4> _PenumbraSourceSpreads;
 
 struct BlockTargets
 {

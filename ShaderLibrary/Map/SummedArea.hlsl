@@ -75,13 +75,13 @@ float AreaOf(TexelBox texels)
 }
 
 // The sum of the texels that lie in the tile above and left of `corner`.
-uint4 SumBefore(TYPED_TEXTURE2D(uint4, sums), int2 corner, int2 tileLow)
+uint4 SumBefore(Texture2D<uint4> sums, int2 corner, int2 tileLow)
 {
     const uint4 sum = LOAD_TEXTURE2D(sums, max(corner - 1, tileLow));
     return corner.x > tileLow.x && corner.y > tileLow.y ? sum : uint4(0, 0, 0, 0);
 }
 
-uint4 SumOfTexels(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow)
+uint4 SumOfTexels(Texture2D<uint4> sums, TexelBox box, int2 tileLow)
 {
     return SumBefore(sums, box.high, tileLow) - SumBefore(sums, int2(box.high.x, box.low.y), tileLow) -
            SumBefore(sums, int2(box.low.x, box.high.y), tileLow) + SumBefore(sums, box.low, tileLow);
@@ -94,7 +94,7 @@ float4 CentredSum(uint4 sum, uint middle, int texels)
 }
 
 // The mean of (value - middle).
-float4 MeanOfTexels(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, uint middle)
+float4 MeanOfTexels(Texture2D<uint4> sums, TexelBox box, int2 tileLow, uint middle)
 {
     const int2 size = box.high - box.low;
     return CentredSum(SumOfTexels(sums, box, tileLow), middle, size.x * size.y) / AreaOf(box);
@@ -123,7 +123,7 @@ struct SumRow
     uint4 at[4];
 };
 
-SumRow SumsBefore(TYPED_TEXTURE2D(uint4, sums), int4 x, int y, int2 tileLow)
+SumRow SumsBefore(Texture2D<uint4> sums, int4 x, int y, int2 tileLow)
 {
     SumRow row;
     row.at[0] = SumBefore(sums, int2(x.x, y), tileLow);
@@ -145,7 +145,7 @@ float4 CentredBand(SumRow above, SumRow below, int4 x, float3 shares, int height
 }
 
 // The mean of (value - middle); texels at the box's edges count by the share of them that lies in the box.
-float4 MeanOfBox(TYPED_TEXTURE2D(uint4, sums), MapBox box, TileBounds bounds, uint middle)
+float4 MeanOfBox(Texture2D<uint4> sums, MapBox box, TileBounds bounds, uint middle)
 {
     const int2 tileLow = int2(bounds.minimum);
     const BoxCells x = CellsOf(box.low.x, box.high.x, bounds.maximum.x);

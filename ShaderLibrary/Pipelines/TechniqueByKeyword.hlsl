@@ -231,12 +231,12 @@ TEXTURE2D(_PenumbraDepthRangesTexture);
 #elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 #elif defined(PENUMBRA_USES_VSSM)
-TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);
+Texture2D<uint4> _PenumbraSumsTexture;
 #elif defined(PENUMBRA_USES_VSSM_MIPS)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_MSSM)
-TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);
+Texture2D<uint4> _PenumbraSumsTexture;
 #elif defined(PENUMBRA_USES_MSSM_MIPS)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
@@ -245,9 +245,9 @@ SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_CELL_PCSS)
 TEXTURE2D(_PenumbraDepthPlanesTexture);
-TYPED_TEXTURE2D(uint4, _PenumbraDepthSpreadsTexture);
+Texture2D<uint4> _PenumbraDepthSpreadsTexture;
 TEXTURE2D(_PenumbraCoarsePlanesTexture);
-TYPED_TEXTURE2D(uint4, _PenumbraCoarseSpreadsTexture);
+Texture2D<uint4> _PenumbraCoarseSpreadsTexture;
 #endif
 
 #include "../Filters/Pcss/Parameters/PcssClassicParameters.hlsl"

@@ -60,11 +60,9 @@
 
 #endif
 
-// Unity's core package has these from version 17 on, but not all of those for multisampled textures.
-#if !defined(TYPED_TEXTURE2D)
-#define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
-#endif
-
+// Unity's core package has not all of these for multisampled textures. Textures of integers are declared as
+// Texture2D<uint4>: the core package's TYPED_TEXTURE2D, from version 17 on, is an error on OpenGL wherever
+// SHADER_AVAILABLE_RANDOMWRITE is not defined.
 #if defined(UNITY_STEREO_INSTANCING_ENABLED) || defined(UNITY_STEREO_MULTIVIEW_ENABLED)
 #if !defined(TEXTURE2D_X_MSAA)
 #define TEXTURE2D_X_MSAA(type, textureName) Texture2DMSArray<type> textureName

@@ -112,8 +112,8 @@ RingSearch SearchOfPart(RingSearch search, uint part)
 }
 
 // The threads of a part compute the visibility of its receiver. Threads that are not active get 1.
-float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                           TYPED_TEXTURE2D(uint4, coarseSpreads), bool active, ShadowTile tile, uint thread)
+float RingVisibilityByPart(TEXTURE2D_PARAM(shadowMap, sampler_point), Texture2D<uint4> depthSpreads,
+                           Texture2D<uint4> coarseSpreads, bool active, ShadowTile tile, uint thread)
 {
     const uint part = thread / PART_LANES;
     QuadShare share;

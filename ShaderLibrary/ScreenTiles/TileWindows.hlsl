@@ -152,8 +152,8 @@ WindowBounds BoundWindow(uint cluster, float filterCells)
 }
 
 // Threads of a group that nobody joined read nothing.
-void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, spreads),
-                 TYPED_TEXTURE2D(uint4, coarseSpreads), float2 texelSize, WindowBounds bounds, uint thread)
+void LoadWindows(TEXTURE2D_PARAM(shadowMap, sampler_point), Texture2D<uint4> spreads,
+                 Texture2D<uint4> coarseSpreads, float2 texelSize, WindowBounds bounds, uint thread)
 {
     const bool any = bounds.high.x >= bounds.low.x;
     const DepthWindow texels = WindowOf(bounds, 0);

@@ -110,7 +110,7 @@ TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
   ASSERT_NE(at, std::string::npos);
   text = emit_keywords_hlsl(read(text.replace(at, filter.size(), R"("graph": "rings")")));
   EXPECT_THAT(text, HasSubstr("TEXTURE2D(_PenumbraNearestOfAllTexelsTexture);\n"
-                              "TYPED_TEXTURE2D(uint4, _PenumbraFarthestOfAllTexelsTexture);\n"));
+                              "Texture2D<uint4> _PenumbraFarthestOfAllTexelsTexture;\n"));
   EXPECT_THAT(text, HasSubstr("    return FilterRing(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
                               "sampler_point,\n"
                               "                      _PenumbraNearestOfAllTexelsTexture, "

@@ -607,7 +607,7 @@ TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {
   const auto declared = [](const std::string& technique) {
     return emit_technique_call(library(), library().find(technique)).declarations;
   };
-  EXPECT_THAT(declared("vssm-sat-32"), HasSubstr("TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);\n"));
+  EXPECT_THAT(declared("vssm-sat-32"), HasSubstr("Texture2D<uint4> _PenumbraSumsTexture;\n"));
   EXPECT_THAT(declared("vssm-mip-32"), testing::StartsWith("TEXTURE2D(_PenumbraMomentsTexture);\n"));
 }
 

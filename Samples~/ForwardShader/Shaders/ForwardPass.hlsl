@@ -93,24 +93,26 @@ half3 AdditionalLights(InputData inputData, BRDFData brdf, float2 pixel)
 {
     half3 colour = half3(0.0, 0.0, 0.0);
 #if defined(_ADDITIONAL_LIGHTS) || SAMPLE_USES_CLUSTERS
+    // InputData has the normal as float3, and half has 16 bits on some devices.
+    const half3 normalWS = half3(inputData.normalWS);
 #if SAMPLE_USES_CLUSTERS
     // Directional lights are in no cluster.
     UNITY_LOOP
     for (uint i = 0u; i < min(uint(URP_FP_DIRECTIONAL_LIGHTS_COUNT), uint(MAX_VISIBLE_LIGHTS)); ++i)
     {
         const Light light = GetAdditionalLight(i, inputData.positionWS);
-        colour += LightingPhysicallyBased(brdf, light, inputData.normalWS, inputData.viewDirectionWS);
+        colour += LightingPhysicallyBased(brdf, light, normalWS, inputData.viewDirectionWS);
     }
 #endif
     const uint lightCount = GetAdditionalLightsCount();
     LIGHT_LOOP_BEGIN(lightCount)
         Light light = GetAdditionalLight(lightIndex, inputData.positionWS);
         UNITY_BRANCH
-        if (light.distanceAttenuation > 0.0 && dot(inputData.normalWS, light.direction) > 0.0)
+        if (light.distanceAttenuation > 0.0 && dot(normalWS, light.direction) > 0.0)
         {
             light.shadowAttenuation = SpotLightVisibility(lightIndex, inputData, pixel);
         }
-        colour += LightingPhysicallyBased(brdf, light, inputData.normalWS, inputData.viewDirectionWS);
+        colour += LightingPhysicallyBased(brdf, light, normalWS, inputData.viewDirectionWS);
     LIGHT_LOOP_END
 #endif
     return colour;
@@ -130,13 +132,13 @@ half4 ForwardFragment(Varyings input) : SV_Target
 {
     UNITY_SETUP_INSTANCE_ID(input);
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
-    const half3 albedo = (SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor).rgb;
+    const half3 albedo = half3((SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor).rgb);
     half alpha = half(1.0);
     BRDFData brdf;
     InitializeBRDFData(albedo, _Metallic, half3(0.0, 0.0, 0.0), _Smoothness, alpha, brdf);
 
     const InputData inputData = LightingInput(input);
-    const half3 normalWS = inputData.normalWS;
+    const half3 normalWS = half3(inputData.normalWS);
     const half3 viewWS = inputData.viewDirectionWS;
     half3 colour = GlobalIllumination(brdf, SampleSH(normalWS), half(1.0), inputData.positionWS, normalWS, viewWS);
 

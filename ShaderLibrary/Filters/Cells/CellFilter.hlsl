@@ -24,7 +24,7 @@
 #include "CellSums.hlsl"
 
 // The spreads of the four cells of a level, from 1, that one block of the level above contains.
-uint4 SpreadsOfLevel(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads), int2 block, int level)
+uint4 SpreadsOfLevel(Texture2D<uint4> depthSpreads, Texture2D<uint4> coarseSpreads, int2 block, int level)
 {
     uint4 spreads;
     UNITY_BRANCH
@@ -75,7 +75,7 @@ RingSearch SearchRingTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), RingSearc
 }
 
 // Searches the cells of the rings beyond, for which the search knows the ground.
-RingSearch SearchRingCells(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D(uint4, coarseSpreads),
+RingSearch SearchRingCells(Texture2D<uint4> depthSpreads, Texture2D<uint4> coarseSpreads,
                            RingSearch found, QuadShare share, float radius, QuadReceiver receiver, ConeScales scales)
 {
     RingSearch search = found;
@@ -110,8 +110,8 @@ RingSearch SearchRingCells(TYPED_TEXTURE2D(uint4, depthSpreads), TYPED_TEXTURE2D
 }
 
 // The lit and the blocked area of the disc's cells.
-float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                   TYPED_TEXTURE2D(uint4, coarseSpreads), RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
+float2 SumRingDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), Texture2D<uint4> depthSpreads,
+                   Texture2D<uint4> coarseSpreads, RingPenumbra penumbra, QuadShare share, QuadReceiver receiver)
 {
     float2 sums = float2(0.0, 0.0);
     const int level = DiscLevel(penumbra.radius, kRingCells);
@@ -152,8 +152,8 @@ float2 SumRingBlock(TEXTURE2D_PARAM(shadowMap, sampler_point), RingPenumbra penu
 }
 
 // No blocker's penumbra is wider than radius, texels.
-float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(uint4, depthSpreads),
-                     TYPED_TEXTURE2D(uint4, coarseSpreads), float radius, QuadReceiver receiver, ConeScales scales)
+float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), Texture2D<uint4> depthSpreads,
+                     Texture2D<uint4> coarseSpreads, float radius, QuadReceiver receiver, ConeScales scales)
 {
     const RingSearch nearby = SearchRingTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), BeginSearch(scales),
                                                AllQuads(), radius, receiver, scales);
@@ -177,8 +177,8 @@ float RingVisibility(TEXTURE2D_PARAM(shadowMap, sampler_point), TYPED_TEXTURE2D(
 }
 
 float FilterDepthRings(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
-                       TEXTURE2D(depthPlanes), TYPED_TEXTURE2D(uint4, depthSpreads), TEXTURE2D(coarsePlanes),
-                       TYPED_TEXTURE2D(uint4, coarseSpreads), ShadowReceiver receiver, ShadowTile tile,
+                       TEXTURE2D(depthPlanes), Texture2D<uint4> depthSpreads, TEXTURE2D(coarsePlanes),
+                       Texture2D<uint4> coarseSpreads, ShadowReceiver receiver, ShadowTile tile,
                        PcssAngularParameters parameters)
 {
     const RingReach reach = RingReachOf(receiver, tile, parameters);

@@ -28,7 +28,7 @@ float MomentDepth(PlaneReceiver plane, MapBox box)
     return 2.0 * DepthAt(plane, MiddleOf(box));
 }
 
-float FilterMssmSums(TYPED_TEXTURE2D(uint4, sums), ShadowReceiver receiver, ShadowTile tile, MssmParameters parameters)
+float FilterMssmSums(Texture2D<uint4> sums, ShadowReceiver receiver, ShadowTile tile, MssmParameters parameters)
 {
     const PlaneReceiver plane = PlaneReceiverOf(receiver, tile);
     const TileBounds bounds = BoundsInTexels(tile);

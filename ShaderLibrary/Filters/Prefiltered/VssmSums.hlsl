@@ -61,7 +61,7 @@ int4 CellEdges(int low, int high)
 
 // Chebyshev's bound holds only where the mean lies before the receiver. Each of 3 x 3 cells is judged by itself; those
 // whose mean lies behind count as lit.
-DividedArea Divide(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, PlaneReceiver plane, float smallest)
+DividedArea Divide(Texture2D<uint4> sums, TexelBox box, int2 tileLow, PlaneReceiver plane, float smallest)
 {
     const int4 x = CellEdges(box.low.x, box.high.x);
     const int4 y = CellEdges(box.low.y, box.high.y);
@@ -100,7 +100,7 @@ DividedArea Divide(TYPED_TEXTURE2D(uint4, sums), TexelBox box, int2 tileLow, Pla
     return divided;
 }
 
-BlockerShare SearchVariance(TYPED_TEXTURE2D(uint4, sums), PlaneReceiver plane, TileBounds bounds, float radius,
+BlockerShare SearchVariance(Texture2D<uint4> sums, PlaneReceiver plane, TileBounds bounds, float radius,
                             float smallest)
 {
     const float reach = min(radius * kBoxOfDisc, kLargestDepthReach);
@@ -114,7 +114,7 @@ BlockerShare SearchVariance(TYPED_TEXTURE2D(uint4, sums), PlaneReceiver plane, T
     return blockers;
 }
 
-float FilterVssmSums(TYPED_TEXTURE2D(uint4, sums), ShadowReceiver receiver, ShadowTile tile, VssmParameters parameters)
+float FilterVssmSums(Texture2D<uint4> sums, ShadowReceiver receiver, ShadowTile tile, VssmParameters parameters)
 {
     const PlaneReceiver plane = PlaneReceiverOf(receiver, tile);
     const TileBounds bounds = BoundsInTexels(tile);

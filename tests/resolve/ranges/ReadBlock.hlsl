@@ -18,8 +18,8 @@ float HalfOfCell(uint4 cells, int half)
     return float((cells[half >> 1] >> (16 * (half & 1))) & 0xFFFFu);
 }
 // The first level is a texture of its own.
-float ReadBlock(TEXTURE2D(planes), TYPED_TEXTURE2D(uint4, spreads), TEXTURE2D(coarsePlanes),
-                TYPED_TEXTURE2D(uint4, coarseSpreads), ShadowReceiver receiver, ShadowTile tile,
+float ReadBlock(TEXTURE2D(planes), Texture2D<uint4> spreads, TEXTURE2D(coarsePlanes),
+                Texture2D<uint4> coarseSpreads, ShadowReceiver receiver, ShadowTile tile,
                 ReadBlockParameters parameters)
 {
     const int2 block = BlockOf(receiver, tile, parameters.level);

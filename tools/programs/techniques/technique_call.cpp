@@ -112,7 +112,7 @@ std::string argument_name(const std::string& texture) {
 std::string declaration_of(const GraphTexture& texture) {
   const std::string texel = integer_texel(texture);
   const std::string name = argument_name(texture.name);
-  return texel.empty() ? "TEXTURE2D(" + name + ");\n" : "TYPED_TEXTURE2D(" + texel + ", " + name + ");\n";
+  return texel.empty() ? "TEXTURE2D(" + name + ");\n" : "Texture2D<" + texel + "> " + name + ";\n";
 }
 
 TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique) {
