@@ -17,6 +17,7 @@
 // widest; at the default, 100 m of penumbra, it is the filter itself that sees no farther.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -78,12 +79,29 @@ struct TileReceivers {
   }
 };
 
-// A point of the disc; each seed has another set.
-glm::dvec2 disc_point(int ray, std::uint64_t seed) {
-  const glm::dvec2 square = reference::scrambled_sobol(static_cast<std::uint32_t>(ray), seed);
-  if (ray >= kRaysToTheEdge) return reference::concentric_disc(square);
-  const double angle = 2.0 * M_PI * (ray + square.x) / kRaysToTheEdge;
-  return {std::cos(angle), std::sin(angle)};
+using DiscPoints = std::array<glm::dvec2, kRays>;
+
+DiscPoints disc_points(std::uint64_t seed) {
+  DiscPoints points;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const glm::dvec2 square = reference::scrambled_sobol(static_cast<std::uint32_t>(ray), seed);
+    const double angle = 2.0 * M_PI * (ray + square.x) / kRaysToTheEdge;
+    points.at(static_cast<std::size_t>(ray)) = ray < kRaysToTheEdge
+                                                   ? glm::dvec2(std::cos(angle), std::sin(angle))
+                                                   : reference::concentric_disc(square);
+  }
+  return points;
+}
+
+// Each seed has one of kSets sets of points: scrambling them takes longer than tracing the rays.
+const DiscPoints& kept_disc_points(std::uint64_t seed) {
+  constexpr std::size_t kSets = 1024;
+  static const std::vector<DiscPoints> sets = [] {
+    std::vector<DiscPoints> made;
+    for (std::size_t set = 0; set < kSets; ++set) made.push_back(disc_points(set));
+    return made;
+  }();
+  return sets[seed % kSets];
 }
 
 class Classified : public testing::TestWithParam<bool> {
@@ -206,12 +224,11 @@ class Classified : public testing::TestWithParam<bool> {
     const bool proved = highest > 0.0 && map.all_block(receiver, highest);
     if (proved && seed % kProvedOfOneTried != 0) return "";
     ++counts.tried;
-    for (int ray = 0; ray < kRays; ++ray) {
-      const glm::dvec2 point = disc_point(ray, seed);
-      if (!map.ray_is_blocked(receiver, point, map.highest_above(receiver)))
+    const double above = map.highest_above(receiver);
+    for (const glm::dvec2& point : kept_disc_points(seed / kProvedOfOneTried))
+      if (!map.ray_is_blocked(receiver, point, above))
         return "is called dark although a ray to (" + std::to_string(point.x) + ", " +
                std::to_string(point.y) + ") of the disc passes" + (proved ? ", against the proof" : "");
-    }
     return "";
   }
 
@@ -372,8 +389,9 @@ TEST_P(Classified, RaysMeetWhatTheFormulaOfColumnsSays) {
                        {GetParam() ? slope : -slope, 0.0});
       const double in_cone = map.highest_in_cone(receiver);
       const bool all_block = in_cone > 0.0 && map.all_block(receiver, in_cone);
+      const DiscPoints& points = kept_disc_points(static_cast<std::uint64_t>(i));
       for (int ray = 0; ray < kRays; ++ray) {
-        const glm::dvec2 point = disc_point(ray, static_cast<std::uint64_t>(i));
+        const glm::dvec2 point = points.at(static_cast<std::size_t>(ray));
         MapReceiver from_zero = receiver;
         from_zero.height += GetParam() ? 0.0 : 1.0;
         const bool expected = columns.meet(from_zero, point.x * per_height);

@@ -151,7 +151,8 @@ class FrontEnds : public testing::TestWithParam<std::string> {
     const scene::Frame& frame = drawn(name, 3, true);
     const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
     const CameraImage camera = camera_image(frame);
-    return runner.run(on_device, &camera, {.noise_seeds = 1, .timing_repeats = 0});
+    // The modules that count are FXC's and glslang's with the same additions: the driver compiles no others.
+    return runner.run(on_device, &camera, {.noise_seeds = 0, .timing_repeats = 0});
   }
 };
 

@@ -519,7 +519,7 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   GraphResult result;
   fit_to(frame.atlas().format());
   Run plain(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::as_shipped);
-  const int seeds = graph_.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
+  const int seeds = graph_.source.uses_noise ? options.noise_seeds : std::min(1, options.noise_seeds);
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
     const std::vector<double> times = plain.run(options.first_seed + seed);
@@ -532,12 +532,18 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
        std::chrono::steady_clock::now() - start < warm_up;)
     plain.run(0);
   while (timed()) add_times(plain.run(0), result);
-  result.masked_out = plain.masked_out();
-  result.unset_uniforms.assign(plain.unset_uniforms().begin(), plain.unset_uniforms().end());
+  const auto add_facts = [&result](const Run& run) {
+    result.masked_out = run.masked_out();
+    result.unset_uniforms.assign(run.unset_uniforms().begin(), run.unset_uniforms().end());
+  };
+  if (seeds > 0) add_facts(plain);
   if (!options.count_fetches) return result;
   Run counted(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::counting);
   counted.run(0);
   counted.add_counts(result);
+  if (seeds > 0) return result;
+  result.visibility.push_back(counted.visibility());
+  add_facts(counted);
   return result;
 }
 

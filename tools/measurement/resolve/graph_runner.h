@@ -18,7 +18,9 @@
 namespace penumbra::resolve {
 
 struct RunOptions {
-  int noise_seeds = 16;  // visibility images; graphs without noise are run once
+  // Visibility images; graphs without noise are run once. With 0 the modules that count draw the one image,
+  // of seed 0, and the shipped ones, which the driver then need not compile, do not run.
+  int noise_seeds = 16;
   int first_seed = 0;
   int timing_repeats = 5;  // runs whose times are kept: those of the seeds but the first, then further ones
   // Seconds of runs before the timed ones, whose times are not kept, until a GPU that was idle runs at its
