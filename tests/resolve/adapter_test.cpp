@@ -69,7 +69,7 @@ class AdapterTest : public testing::Test {
   static GraphResult run(const ShadowShader& shader, const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
     return GraphRunner(test_device(), compile(shader))
-        .run(on_device, {.noise_seeds = 1, .timing_repeats = 0});
+        .run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
   }
 
   void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) const {

@@ -22,8 +22,7 @@ std::vector<float> visibility(const scene::Frame& frame, scene::CascadeBlend ble
     *runner = std::make_unique<GraphRunner>(
         test_device(), compile(technique_shader(list, list.find("tent-5-plane"), Taps::as_listed, true)));
   return (*runner)
-      ->run(FrameOnDevice(test_device(), blended),
-            {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
+      ->run(FrameOnDevice(test_device(), blended), {.noise_seeds = 1, .timing_repeats = 0})
       .visibility.front();
 }
 

@@ -137,18 +137,18 @@ class CasterPass : public testing::TestWithParam<bool> {
   scene::Frame frame_ = frame_of(scene_, reversed_z_);
   const CastersOnDevice casters_{test_device(), scene_};
 
-  GraphResult run(const scene::Frame& frame) const {
+  GraphResult run(const scene::Frame& frame, const RunOptions& options = kOnce) const {
     const techniques::TechniqueList list = techniques::read_technique_list(added("Layers.technique.json"));
     GraphRunner runner(test_device(),
                        compile(technique_graph(list, list.find("layers"), Taps::as_listed, reversed_z_)));
-    return runner.run(FrameOnDevice(test_device(), frame, &casters_), kOnce);
+    return runner.run(FrameOnDevice(test_device(), frame, &casters_), options);
   }
 };
 
 TEST_P(CasterPass, BlendsEverySurfaceWithAlphaTest) {
   const double far = reversed_z_ ? 0.001 : 0.999;
   place_receivers(frame_, [far](int, int) { return far; });
-  const GraphResult result = run(frame_);
+  const GraphResult result = run(frame_, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
   const Rays rays(scene_, frame_);
   int unclear = 0, covered = 0, most = 0;
   double all = 0.0, counted = 0.0;

@@ -305,7 +305,6 @@ TEST_P(CellPcss, DrawsBothEyesAtOnceAsEachAlone) {
     return chain("cell-pcss").run(on_device, &eye, kCellPcssOnce).visibility[0];
   };
   RunOptions options = kCellPcssOnce;
-  options.count_fetches = false;
   options.second_eye = &right;
   const std::vector<float> both = runner.run(on_device, &left, options).visibility[0];
   std::vector<float> expected = alone(left);

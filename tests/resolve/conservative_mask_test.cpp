@@ -18,7 +18,7 @@ using testing_frames::FrameSetup;
 using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
-constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class ConservativeMask : public testing::TestWithParam<bool> {
  protected:

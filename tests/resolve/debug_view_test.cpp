@@ -18,7 +18,7 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr double kShadeOfLight = 0.4;  // share of a colour that is left where all light is blocked
 
 using Colours = std::vector<glm::vec3>;

@@ -50,8 +50,7 @@ class DepthBlockMaps : public testing::TestWithParam<bool> {
     GraphRunner& runner = runners.of(
         graph, GetParam(), [&] { return technique_graph(list, technique, Taps::as_listed, GetParam()); });
     runner.set_parameters(parameter_uniforms(list, technique));
-    GraphResult result =
-        runner.run(frame, nullptr, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false});
+    GraphResult result = runner.run(frame, nullptr, {.noise_seeds = 1, .timing_repeats = 0});
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return std::move(result.visibility.front());
   }

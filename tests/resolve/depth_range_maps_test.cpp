@@ -20,7 +20,7 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 techniques::TechniqueList test_graphs() {
   return techniques::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests" / "resolve" /

@@ -15,7 +15,7 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kRingsOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+constexpr RunOptions kRingsOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 class DepthRingFilter : public testing::TestWithParam<bool> {
  protected:

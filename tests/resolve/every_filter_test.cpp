@@ -215,8 +215,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
     all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));
     all.merge(parameters);
     pass.set_parameters(all);
-    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
-        .visibility.front();
+    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
   }
 
   std::vector<float> visibility(const FrameSetup& setup, const TexelDepth& map,

@@ -64,8 +64,7 @@ class EverySpotFilter : public testing::TestWithParam<Case> {
     all.merge(more);
     pass.set_parameters(all);
     const FrameOnDevice on_device(test_device(), frame);
-    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
-        .visibility.front();
+    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
   }
 
   std::vector<float> visibility(const SpotSetup& setup, const TexelDepth& map,

@@ -218,8 +218,8 @@ TEST_P(FilteredMaps, GiveTheLightOfTheBlurredDepths) {
   const techniques::TechniqueList& list = library_techniques();
   const techniques::Technique& technique = list.find(GetParam().technique);
   GraphRunner runner(test_device(), compile(technique_graph(list, technique)));
-  const GraphResult result =
-      runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
+  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame),
+                                        {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
 
   const FilteredMap map{frame.atlas, frame.cascades.tile_resolution, technique, GetParam()};
   const glm::dvec4 tile = frame.cascades.cascades[3].offset_scale;

@@ -10,7 +10,7 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kForwardOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kForwardOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class ForwardFilter : public testing::TestWithParam<bool> {
  protected:

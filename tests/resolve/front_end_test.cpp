@@ -152,7 +152,7 @@ class FrontEnds : public testing::TestWithParam<std::string> {
     const FrameOnDevice on_device(test_device(), frame, &casters, &inputs);
     const CameraImage camera = camera_image(frame);
     // The modules that count are FXC's and glslang's with the same additions: the driver compiles no others.
-    return runner.run(on_device, &camera, {.noise_seeds = 0, .timing_repeats = 0});
+    return runner.run(on_device, &camera, {.noise_seeds = 0, .timing_repeats = 0, .count_fetches = true});
   }
 };
 

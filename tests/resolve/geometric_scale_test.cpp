@@ -161,8 +161,7 @@ TEST_F(GeometricScale, PenumbraWidthIsTwiceTanHalfTimesTheGap) {
       UniformValues scales;
       scales.set("_PenumbraTileScales", std::span<const glm::vec4>(tile_scales(edge.frame, radial_factor)));
       pass.set_parameters(scales);
-      const RunOptions once{
-          .noise_seeds = 1, .first_seed = index, .timing_repeats = 0, .count_fetches = false};
+      const RunOptions once{.noise_seeds = 1, .first_seed = index, .timing_repeats = 0};
       return measured_width(pass.run(frame, once).visibility.front(), edge.spacing);
     };
     const double tolerance = std::max(edge.texel, 0.03 * edge.expected_width);

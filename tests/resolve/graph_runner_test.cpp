@@ -20,7 +20,7 @@ using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 float depth_of(double u, double v, int tile) {
   return static_cast<float>(0.1 + 0.2 * u * u + 0.3 * v * u + 0.1 * tile);
@@ -200,7 +200,7 @@ TEST(GraphRunner, TimesRunsAfterTheWarmUp) {
       setup, depth_of, std::vector<testing_frames::TilePoint>(64, {0.5, 0.5, 0.5}), 8);
   const FrameOnDevice on_device(test_device(), frame);
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find("pcss-angular-24-16"))));
-  RunOptions options{.noise_seeds = 3, .timing_repeats = 2, .count_fetches = false};
+  RunOptions options{.noise_seeds = 3, .timing_repeats = 2};
   const GraphResult plain = runner.run(on_device, options);
   const auto seconds_of = [&](const RunOptions& chosen, GraphResult& result) {
     const auto start = std::chrono::steady_clock::now();

@@ -85,7 +85,7 @@ scene::Frame half_plane(const FrameSetup& setup, double metres_above, const std:
 GraphResult run(const Adapter& hdrp, const scene::Frame& frame, int seeds = 1) {
   const FrameOnDevice on_device(test_device(), frame);
   return GraphRunner(test_device(), compile(adapter_shader(hdrp)))
-      .run(on_device, {.noise_seeds = seeds, .timing_repeats = 0});
+      .run(on_device, {.noise_seeds = seeds, .timing_repeats = 0, .count_fetches = true});
 }
 
 TEST(HdrpAdapter, LitIsOneAndShadowedIsZeroInEveryCascadeAndFetchesAreCounted) {

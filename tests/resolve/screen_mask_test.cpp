@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kBlock = 4;
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 struct Case {
   std::string scene;
@@ -217,8 +218,8 @@ TEST_P(ScreenMask, WidensByTheReachOfThePenumbra) {
 
 TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
   for (const char* name : {"screen-tent-5", "screen-pcss-angular-24-16"}) {
-    const GraphResult whole = chain(name).run(on_device_, &camera_, kOnce);
-    const GraphResult masked = chain(std::string(name) + "-masked").run(on_device_, &camera_, kOnce);
+    const GraphResult whole = chain(name).run(on_device_, &camera_, kCountedOnce);
+    const GraphResult masked = chain(std::string(name) + "-masked").run(on_device_, &camera_, kCountedOnce);
     const std::vector<float> taps = rows_from_top(single_taps(), camera_.width, GetParam().rows);
     int apart = 0;
     int outside = 0;
@@ -245,7 +246,7 @@ TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
 
 // There is half a fetch for the taps, and for each blur there are its depths and at most two reads a step.
 TEST_P(ScreenMask, CostsLittle) {
-  const GraphResult result = chain("screen-tent-5-masked").run(on_device_, &camera_, kOnce);
+  const GraphResult result = chain("screen-tent-5-masked").run(on_device_, &camera_, kCountedOnce);
   const double share =
       double(blocks(camera_.width)) * blocks(camera_.height) / (camera_.width * camera_.height);
   ASSERT_EQ(result.passes.size(), 4u);

@@ -60,7 +60,7 @@ GraphResult drawn_with_volumes(const scene::Scene& scene, const scene::Frame& fr
                                              Taps::as_listed, frame.settings.shadows.reversed_z)));
   const CameraImage camera = camera_image(frame, rows);
   return runner.run(FrameOnDevice(test_device(), frame, &casters), &camera,
-                    {.noise_seeds = 1, .timing_repeats = 0});
+                    {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
 }
 
 // Whether rays from a dense grid between the four surroundings agree. The five rays of a pixel may miss

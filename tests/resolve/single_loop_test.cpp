@@ -24,7 +24,7 @@ using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
 constexpr int kColumns = 32;
-constexpr RunOptions kCounted{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kCounted{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class SingleLoop : public testing::TestWithParam<bool> {
  protected:

@@ -337,8 +337,8 @@ TEST(SoftShadows, FetchByWhatTheyFind) {
       const std::vector<testing_frames::TilePoint> receivers(64, {0.4, 0.6, 0.5});
       const scene::Frame frame = testing_frames::make_frame(
           setup, [wall](double, double, int) { return wall ? 1.0f : 0.0f; }, receivers, 8);
-      const GraphResult result =
-          runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
+      const GraphResult result = runner.run(FrameOnDevice(test_device(), frame),
+                                            {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
       EXPECT_THAT(result.fetches, testing::Each(wall ? cost.dark : cost.lit)) << cost.technique;
       EXPECT_THAT(result.visibility[0], testing::Each(testing::FloatNear(wall ? 0.0f : 1.0f, 1e-6F)))
           << cost.technique;
@@ -373,8 +373,7 @@ TEST(SoftShadows, LearnNothingFromOutsideTheTileWithTheWidestKernels) {
             },
             receivers, kColumns);
         const GraphResult result =
-            runner.run(FrameOnDevice(test_device(), frame),
-                       {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false});
+            runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
         if (before.empty()) before = result.visibility[0];
         for (std::size_t i = 0; i < before.size(); ++i)
           ASSERT_EQ(result.visibility[0][i], before[i])

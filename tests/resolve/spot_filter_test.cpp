@@ -158,8 +158,7 @@ std::vector<float> told(const SpotSetup& setup, const FrameOnDevice& frame, cons
   ShadowGraph graph = filter_graph(shader);
   graph.parameters.merge(slice_uniforms(setup));
   GraphRunner runner(test_device(), compile(graph));
-  return runner.run(frame, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
-      .visibility.front();
+  return runner.run(frame, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
 }
 
 // Boards, poles and a rough ground are at many heights, and receivers everywhere on a slanted plane; the sums
@@ -195,8 +194,7 @@ TEST_P(SpotFilter, IsWhatItsDescriptionSays) {
   graph.parameters.merge(slice_uniforms(at));
   GraphRunner runner(test_device(), compile(graph));
   const std::vector<float> seen =
-      runner.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
-          .visibility.front();
+      runner.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
 
   testing_spot::Filter filter({0.3, 9.0, 0.5 / shadow.uv_per_tangent, 0.15}, {24, 16, 1.25, 100.0}, n,
                               GetParam(), texel);

@@ -16,6 +16,7 @@ namespace {
 using Digits = std::array<std::uint32_t, 4>;
 using Sums = std::vector<Digits>;
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 // The depths are multiples of 2^-12, whose digits and squares no rounding touches.
 double exact_depth(double u, double v, int tile) {
@@ -155,7 +156,7 @@ TEST(SummedAreas, GiveTheMeansOfBoxes) {
           "kDepthDigitMiddle))[" +
           std::to_string(which) + "];\n";
       GraphRunner runner(test_device(), compile(probe_graph("vssm-sat-32", body)));
-      const GraphResult result = runner.run(on_device, kOnce);
+      const GraphResult result = runner.run(on_device, kCountedOnce);
       for (int i = 0; i < int(result.visibility[0].size()); ++i) {
         const double x = i % columns * 3 + 2.75, y = i / columns * 3 + 2.375;
         const double left = std::max(x - reach, 0.0), right = std::min(x + reach, double(tile.side));
@@ -196,7 +197,7 @@ TEST(SummedAreas, GiveTheMeansOfWholeTexelsInFourFetches) {
         "int2(bounds.minimum), "
         "kDepthDigitMiddle)).x;\n";
     GraphRunner runner(test_device(), compile(probe_graph("vssm-sat-32", body)));
-    const GraphResult result = runner.run(on_device, kOnce);
+    const GraphResult result = runner.run(on_device, kCountedOnce);
     for (int i = 0; i < int(result.visibility[0].size()); ++i) {
       const int x = i % columns * 3 + 2, y = i / columns * 3 + 2;
       double sum = 0.0;
@@ -224,7 +225,7 @@ TEST(MapLevels, AreMeansOfTheirTilesTexels) {
                             "    const float2 texels = TexelCoordinates(receiver.shadowCoord.xy, tile);\n"
                             "    return LOAD_TEXTURE2D_LOD(_PenumbraMomentsTexture, int2(texels) >> " +
                                 text + ", " + text + ").y;\n")));
-    const GraphResult result = runner.run(on_device, kOnce);
+    const GraphResult result = runner.run(on_device, kCountedOnce);
     const int size = 1 << level;
     for (int y = 0; y < tile.side; y += size)
       for (int x = 0; x < tile.side; x += size) {
@@ -249,7 +250,7 @@ TEST(SummedAreas, CostThreeFetchesPerTexelOfTheMap) {
   const scene::Frame frame = frame_of(64, 4, 0, 1);
   const techniques::TechniqueList& list = library_techniques();
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find("mssm-sat-32"))));
-  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
+  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
   ASSERT_EQ(result.passes.size(), 4u);
   for (int pass = 0; pass < 3; ++pass) {
     EXPECT_DOUBLE_EQ(result.passes[std::size_t(pass)].fetches, 4.0)

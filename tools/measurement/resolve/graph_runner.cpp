@@ -482,7 +482,6 @@ GraphRunner::GraphRunner(const gpu::Device& device, CompiledGraph graph)
       own_(device, graph_.source.filter ? graph_.source.filter->textures : std::vector<AdapterTexture>{}) {
   for (std::size_t i = 0; i < graph_.programs.size(); ++i) {
     plain_.push_back(made(i, ProgramOnDevice::Module::as_shipped));
-    counting_.push_back(made(i, ProgramOnDevice::Module::counting));
     if (this->graph().passes[i].kind == PassKind::filter && graph_.source.filter)
       check_numbers_of(*graph_.source.filter, graph_.programs[i], plain_.back().usual);
   }
@@ -510,7 +509,7 @@ void GraphRunner::fit_to(gpu::Format shadow_map) {
   for (std::size_t i = 0; i < graph().passes.size(); ++i) {
     if (graph().passes[i].depth != techniques::shadow_map_name) continue;
     plain_[i] = made(i, ProgramOnDevice::Module::as_shipped);
-    counting_[i] = made(i, ProgramOnDevice::Module::counting);
+    if (!counting_.empty()) counting_[i] = made(i, ProgramOnDevice::Module::counting);
   }
 }
 
@@ -538,6 +537,8 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   };
   if (seeds > 0) add_facts(plain);
   if (!options.count_fetches) return result;
+  for (std::size_t i = counting_.size(); i < graph_.programs.size(); ++i)
+    counting_.push_back(made(i, ProgramOnDevice::Module::counting));
   Run counted(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::counting);
   counted.run(0);
   counted.add_counts(result);

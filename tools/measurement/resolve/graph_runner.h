@@ -27,7 +27,8 @@ struct RunOptions {
   // full clock. The times of the seeds are then not kept either, since the device waits between them. If this
   // is 0, the first run alone is not timed.
   double warm_up_seconds = 0.0;
-  bool count_fetches = true;
+  // Whether the counts of the result are wanted. The driver compiles each program once more for them.
+  bool count_fetches = false;
   // The view of the second eye, of the same size and order of rows, for graphs whose programs draw both eyes
   // at once and whose textures of the screen have two layers. The visibility then has the second eye's rows
   // after the first's.

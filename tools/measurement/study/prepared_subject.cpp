@@ -54,7 +54,6 @@ std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
   resolve::RunOptions options;
   options.noise_seeds = kUnlimitedSeeds;
   options.timing_repeats = 0;
-  options.count_fetches = false;
   reference::VisibilityImage answer;
   answer.width = frame.width();
   answer.height = frame.height();
@@ -69,7 +68,7 @@ Shimmer PreparedSubject::shimmer(const CaseSetup& setup, const std::vector<Frame
   const auto of = [&](bool noise_moves) {
     std::vector<std::vector<float>> pictures;
     for (std::size_t k = 0; k < pan.size(); ++k) {
-      resolve::RunOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+      resolve::RunOptions options{.noise_seeds = 1, .timing_repeats = 0};
       options.first_seed = noise_moves ? static_cast<int>(k) : 0;
       pictures.push_back(answer(pan[k], options).visibility.front());
     }

@@ -185,6 +185,7 @@ class Study {
     options.noise_seeds =
         averaged ? subject.averaged_frames : history_frames(subject.history, settings_.noise_seeds);
     options.timing_repeats = settings_.timing_repeats;
+    options.count_fetches = true;
     if (!device_.info().is_software) options.warm_up_seconds = kWarmUpSeconds;
     Answer answer = prepared.answer(view.on_device_frame, options);
     if (averaged) answer.visibility = {mean_image(answer.visibility)};
