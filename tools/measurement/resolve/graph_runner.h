@@ -18,8 +18,8 @@
 namespace penumbra::resolve {
 
 struct RunOptions {
-  // Visibility images; graphs without noise are run once. With 0 the modules that count draw the one image,
-  // of seed 0, and the shipped ones, which the driver then need not compile, do not run.
+  // Visibility images; graphs without noise are run once. With 0, which needs count_fetches, the modules that
+  // count draw the one image, of seed 0: the driver compiles the shipped ones only where times are wanted.
   int noise_seeds = 16;
   int first_seed = 0;
   int timing_repeats = 5;  // runs whose times are kept: those of the seeds but the first, then further ones
