@@ -62,6 +62,21 @@ namespace Penumbra
         }
     }
 
+    /// <summary>PCSS whose search ends where no blocker can be.</summary>
+    [Serializable]
+    public struct PcssBoundedParameters
+    {
+        [Tooltip("Samples of the blocker search, 1 to 64. Unit: fetches."), Range(1, 64)] public int searchSamples;
+        [Tooltip("Samples of the filter in penumbrae wider than 4.25 texels, 1 to 64. Unit: fetches."), Range(1, 64)] public int filterSamples;
+        [Tooltip("Largest penumbra width, from visibility 0 to 1. Unit: m."), Range(0.0f, 1e+06f)] public float maxPenumbraMetres;
+        public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraPcssBoundedParameters0");
+        public static PcssBoundedParameters Default => new PcssBoundedParameters
+            { searchSamples = 1, filterSamples = 1, maxPenumbraMetres = 100.0f };
+        public Vector4 Vector0 => new Vector4(Bounded.Count(searchSamples, 1, 64),
+            Bounded.Count(filterSamples, 1, 64), Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f), 0.0f);
+        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
+    }
+
     /// <summary>PCSS (HDRP): with the rules and parameters of Unity's HDRP.</summary>
     [Serializable]
     public struct PcssHdrpParameters

@@ -59,25 +59,8 @@ int2 PixelOfScreen(int2 pixelOfTarget, ScreenView view, float targetWidth)
 // The surface at a pixel of the screen that shares no depths with its neighbours.
 CameraSurface SurfaceAt(TEXTURE2D_X_FLOAT(cameraDepth), SAMPLER(sampler_point), ScreenView view, int2 pixel)
 {
-    const float4 low = GATHER_RED_TEXTURE2D_X(cameraDepth, sampler_point, float2(pixel) * view.size.zw);
-    const float4 high = GATHER_RED_TEXTURE2D_X(cameraDepth, sampler_point, float2(pixel + 1) * view.size.zw);
-    // At the screen's border a gather repeats pixels where none are.
-    const bool2 isFirst = bool2(pixel.x == 0, pixel.y == 0);
-    const bool2 isLast = bool2(pixel.x == int(view.size.x) - 1, pixel.y == int(view.size.y) - 1);
-    DepthLine across, down;
-    across.here = low.y;
-    across.before = isFirst.x ? 0.0 : low.x;
-    across.after = isLast.x ? 0.0 : high.z;
-    down.here = low.y;
-    down.before = isFirst.y ? 0.0 : low.z;
-    down.after = isLast.y ? 0.0 : high.x;
-    float2 slope = float2(kNoDepthSlope, kNoDepthSlope);
-    if (IsSurfaceDepth(low.y))
-    {
-        slope.x = DepthSlopeAlong(cameraDepth, view, pixel, int2(1, 0), across);
-        slope.y = DepthSlopeAlong(cameraDepth, view, pixel, int2(0, 1), down);
-    }
-    return SurfaceWithSlope(view, pixel, low.y, slope);
+    const DepthAndSlope read = GatherDepthAndSlope(cameraDepth, sampler_point, view, pixel);
+    return SurfaceWithSlope(view, pixel, read.depth, read.slope);
 }
 
 void LoadScreenDepths(TEXTURE2D_X_FLOAT(cameraDepth), SAMPLER(sampler_point), ScreenView view, ScreenSquare square,

@@ -34,7 +34,9 @@ struct MapReceiver {
 
 class MapRays {
  public:
-  MapRays(const scene::Frame& frame, std::size_t cascade) {
+  // cap_metres is the radius, across the light, beyond which no ray leaves the receiver's own: a ray goes
+  // straight on from there, as the softness cap has it.
+  MapRays(const scene::Frame& frame, std::size_t cascade, double cap_metres) {
     const parameters::Cascade& tile = frame.cascades.cascades.at(cascade);
     const scene::ShadowAtlas& atlas = frame.atlas;
     sign_ = frame.cascades.reversed_z ? 1.0 : -1.0;
@@ -43,6 +45,7 @@ class MapRays {
                std::lround(tile.offset_scale.y * atlas.height)};
     side_ = static_cast<int>(std::lround(tile.offset_scale.z * atlas.width));
     per_height_ = tile.depth_to_radial * side_;
+    cap_ = cap_metres / tile.texel_size_metres;
     Level texels{side_, {}};
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
@@ -105,7 +108,8 @@ class MapRays {
       const std::array<double, 2> exits{exit(receiver.place.x, step.x, texel.x),
                                         exit(receiver.place.y, step.y, texel.y)};
       const int axis = exits[0] <= exits[1] ? 0 : 1;
-      const double leaves = exits[static_cast<std::size_t>(axis)];
+      double leaves = exits[static_cast<std::size_t>(axis)];
+      if (leaves * per_height_ > cap_) leaves = std::numeric_limits<double>::infinity();
       const double gap = at(texel) - receiver.height;
       const bool blocks = gap > 0.0 && at(texel) > plane_at(receiver, glm::dvec2(texel) + 0.5);
       const bool under = height <= gap;
@@ -176,7 +180,7 @@ class MapRays {
         std::max({node.x * size - receiver.place.x, receiver.place.x - (node.x + 1) * size, 0.0});
     const double y =
         std::max({node.y * size - receiver.place.y, receiver.place.y - (node.y + 1) * size, 0.0});
-    const double radius = gap * per_height_;
+    const double radius = std::min(gap * per_height_, cap_);
     return x * x + y * y <= radius * radius;
   }
 
@@ -220,6 +224,7 @@ class MapRays {
   double nearest_;
   glm::ivec2 origin_{0};
   int side_;
+  double cap_;         // radius at which the cone ends, texels
   double per_height_;  // radius of the light's cone, texels, for each unit of height
   std::vector<Level> levels_;
 };

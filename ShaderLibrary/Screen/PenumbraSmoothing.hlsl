@@ -1,0 +1,118 @@
+// Penumbra: smoothing of noisy penumbrae by their width, over eight pixels around each.
+//
+// Computes:   the mean of a pixel's visibility and of those pixels around it that lie in its surface and differ from it
+//             no more than noise does; the wider the penumbra on the screen, the more these count.
+// Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998). Stored depth is linear over
+//             the screen on a plane, so two pixels on opposite sides lie in the surface where their mean is the
+//             pixel's depth.
+// Inputs:     words of PackNoisy() and stored camera depths of the pixel and the eight around it, opposite ones in turn.
+// Cost:       no fetches.
+// Guarantees: [0, 1]. A pixel whose neighbours have the same visibility keeps it to the last bit.
+// Use it:     twice: for the nearest pixels, then for those three pixels away. Not: after a filter without noise.
+#ifndef PENUMBRA_PENUMBRA_SMOOTHING_HLSL
+#define PENUMBRA_PENUMBRA_SMOOTHING_HLSL
+
+#include "../Core/FloatBits.hlsl"
+
+#define SMOOTHING_TAPS 8
+
+// The share of the depth's change over the pixels that a bend may have, and that of the depth itself.
+static const float kSmoothingBend = 0.125;
+static const float kSmoothingDepth = 0.001;
+
+// A pixel's visibility, and the radius of its penumbra on the screen, pixels.
+struct NoisyVisibility
+{
+    float visibility;
+    float radius;
+};
+
+uint PackNoisy(NoisyVisibility value)
+{
+    return uint(value.visibility * 65535.0 + 0.5) | (f32tof16(min(value.radius, 60000.0)) << 16);
+}
+
+NoisyVisibility UnpackNoisy(uint word)
+{
+    NoisyVisibility value;
+    value.visibility = float(word & 0xffffu) / 65535.0;
+    value.radius = f16tof32(word >> 16);
+    return value;
+}
+
+// The pixel's own, and of the eight around it.
+struct SmoothingTaps
+{
+    uint here;
+    uint words[SMOOTHING_TAPS];
+    float depth;
+    float depths[SMOOTHING_TAPS];
+};
+
+struct SmoothingReach
+{
+    float narrowest; // radius of a penumbra, pixels, up to which the pixels around do not count
+    float widest;    // and from which they count in full
+    float amplitude; // a larger difference of visibility is none of noise
+};
+
+// Of the pixels around, and of those three pixels away, which are smoothed already.
+SmoothingReach NearSmoothing()
+{
+    SmoothingReach reach;
+    reach.narrowest = 0.5;
+    reach.widest = 2.0;
+    reach.amplitude = 0.3;
+    return reach;
+}
+
+SmoothingReach FarSmoothing()
+{
+    SmoothingReach reach;
+    reach.narrowest = 4.0;
+    reach.widest = 10.0;
+    reach.amplitude = 0.2;
+    return reach;
+}
+
+// The pixels that are read, in opposite pairs.
+int2 SmoothingOffset(int index)
+{
+    const int pair = index >> 1;
+    const int2 way = int2(pair == 1 ? 0 : 1, pair == 0 ? 0 : pair == 3 ? -1 : 1);
+    return (index & 1) == 0 ? way : -way;
+}
+
+// Whether any visibility around differs from the pixel's own.
+bool HasNoise(SmoothingTaps taps)
+{
+    uint differing = 0;
+    UNITY_UNROLL
+    for (int i = 0; i < SMOOTHING_TAPS; ++i) differing |= taps.words[i] ^ taps.here;
+    return (differing & 0xffffu) != 0;
+}
+
+NoisyVisibility SmoothPenumbra(SmoothingTaps taps, SmoothingReach reach)
+{
+    const NoisyVisibility here = UnpackNoisy(taps.here);
+    NoisyVisibility smoothed = here;
+    float2 sums = float2(0.0, 0.0); // x: visibility, y: weight
+    UNITY_UNROLL
+    for (int i = 0; i < SMOOTHING_TAPS; i += 2)
+    {
+        const NoisyVisibility one = UnpackNoisy(taps.words[i]);
+        const NoisyVisibility other = UnpackNoisy(taps.words[i + 1]);
+        const float after = taps.depths[i] - taps.depth;
+        const float before = taps.depth - taps.depths[i + 1];
+        if (!(abs(after - before) < kSmoothingBend * abs(after + before) + kSmoothingDepth * taps.depth)) continue;
+        const float2 apart = float2(one.visibility, other.visibility) - here.visibility;
+        const float2 alike = max(1.0 - abs(apart) / reach.amplitude, 0.0);
+        sums += float2(dot(alike, float2(one.visibility, other.visibility)), alike.x + alike.y);
+        smoothed.radius = max(smoothed.radius, max(one.radius, other.radius));
+    }
+    const float weight = saturate((smoothed.radius - reach.narrowest) / (reach.widest - reach.narrowest));
+    smoothed.visibility = saturate((here.visibility + weight * sums.x) / (1.0 + weight * sums.y));
+    return smoothed;
+}
+
+#endif
