@@ -68,4 +68,14 @@ float4 KeepBehindNearPlane(float4 depth)
                   KeepBehindNearPlane(depth.w));
 }
 
+// The same for depths that may lie beyond the far end of the range.
+float4 LimitToNearPlane(float4 depth)
+{
+#if UNITY_REVERSED_Z
+    return min(depth, KeepBehindNearPlane(kNearestDepth));
+#else
+    return max(depth, KeepBehindNearPlane(kNearestDepth));
+#endif
+}
+
 #endif

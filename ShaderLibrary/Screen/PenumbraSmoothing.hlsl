@@ -5,7 +5,8 @@
 // Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998). Stored depth is linear over
 //             the screen on a plane, so two pixels on opposite sides lie in the surface where their mean is the
 //             pixel's depth.
-// Inputs:     words of PackNoisy() and stored camera depths of the pixel and the eight around it, opposite ones in turn.
+// Inputs:     words of PackNoisy() and stored camera depths of the pixel and of the eight around it, opposite ones in
+//             turn.
 // Cost:       no fetches.
 // Guarantees: [0, 1]. A pixel whose neighbours have the same visibility keeps it to the last bit.
 // Use it:     twice: for the nearest pixels, then for those three pixels away. Not: after a filter without noise.
@@ -110,8 +111,9 @@ NoisyVisibility SmoothPenumbra(SmoothingTaps taps, SmoothingReach reach)
         sums += float2(dot(alike, float2(one.visibility, other.visibility)), alike.x + alike.y);
         smoothed.radius = max(smoothed.radius, max(one.radius, other.radius));
     }
-    const float weight = saturate((smoothed.radius - reach.narrowest) / (reach.widest - reach.narrowest));
-    smoothed.visibility = saturate((here.visibility + weight * sums.x) / (1.0 + weight * sums.y));
+    const float share = (smoothed.radius - reach.narrowest) / (reach.widest - reach.narrowest);
+    const float weight = min(max(share, 0.0), 1.0);
+    smoothed.visibility = min((here.visibility + weight * sums.x) / (1.0 + weight * sums.y), 1.0);
     return smoothed;
 }
 

@@ -33,7 +33,6 @@
 #define DECISION_TURNS 3
 
 static const int kDecisionTilePixels = 8;
-// With 8, 12 and 24 blocks the pixels of TODO are left to the filter.
 static const float kBlocksAcross = 12.0;
 
 // The pixels' flags: a bit for each cascade that covers one of them, and these.
@@ -254,6 +253,18 @@ float BlocksFor(float texels)
     return narrowest <= 4.0 ? 4.0 : narrowest <= 16.0 ? 16.0 : 64.0;
 }
 
+uint2 LoadBounds(Texture2D<uint> slopes4, Texture2D<uint> depths4, Texture2D<uint> slopes16, Texture2D<uint> depths16,
+                 Texture2D<uint> slopes64, Texture2D<uint> depths64, int2 block, float blockTexels)
+{
+    uint2 packed;
+    UNITY_BRANCH
+    if (blockTexels == 4.0) packed = uint2(LOAD_TEXTURE2D(slopes4, block).x, LOAD_TEXTURE2D(depths4, block).x);
+    else if (blockTexels == 16.0)
+        packed = uint2(LOAD_TEXTURE2D(slopes16, block).x, LOAD_TEXTURE2D(depths16, block).x);
+    else packed = uint2(LOAD_TEXTURE2D(slopes64, block).x, LOAD_TEXTURE2D(depths64, block).x);
+    return packed;
+}
+
 // Whether all pixels that a map covers are in the same cascade.
 bool IsOneCascade(TileBox box)
 {
@@ -263,7 +274,8 @@ bool IsOneCascade(TileBox box)
 
 // The bounds are of the levels that BlocksFor() names. It has a barrier for each turn. cap is the radius of the widest
 // penumbra, texels.
-TileDecision DecideTile(Texture2D<uint2> bounds4, Texture2D<uint2> bounds16, Texture2D<uint2> bounds64, TileBox box,
+TileDecision DecideTile(Texture2D<uint> slopes4, Texture2D<uint> depths4, Texture2D<uint> slopes16,
+                        Texture2D<uint> depths16, Texture2D<uint> slopes64, Texture2D<uint> depths64, TileBox box,
                         TileBounds map, ConeScales scales, float cap, uint thread)
 {
     const uint tile = TileOfThread(thread);
@@ -296,11 +308,8 @@ TileDecision DecideTile(Texture2D<uint2> bounds4, Texture2D<uint2> bounds16, Tex
                 // The half keeps rounding away from whole numbers.
                 const int row = int((float(i) + 0.5) * rowsPerBlock);
                 const int2 block = first + int2(i - row * count.x, row);
-                uint2 packed;
-                UNITY_BRANCH
-                if (blockTexels == 4.0) packed = bounds4.Load(int3(block, 0));
-                else if (blockTexels == 16.0) packed = bounds16.Load(int3(block, 0));
-                else packed = bounds64.Load(int3(block, 0));
+                const uint2 packed =
+                    LoadBounds(slopes4, depths4, slopes16, depths16, slopes64, depths64, block, blockTexels);
                 found = AddBlock(found, UnpackBounds(packed), (float2(block) + 0.5) * blockTexels, blockTexels, reach,
                                  box, scales);
             }

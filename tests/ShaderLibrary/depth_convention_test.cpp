@@ -87,15 +87,17 @@ TEST_P(DepthConvention, NothingKeptBehindTheNearPlaneReachesIt) {
   while (inputs.size() < std::size_t(kRandomCases)) inputs.push_back(random.between(-0.5f, 1.5f));
   const CoreFunction function{"DepthConvention",
                               "Out(0, KeepBehindNearPlane(In(0)));"
-                              "Out(1, KeepBehindNearPlane(float4(0, In(0), 0, 0)).y);",
-                              1, 2};
+                              "Out(1, KeepBehindNearPlane(float4(0, In(0), 0, 0)).y);"
+                              "Out(2, LimitToNearPlane(float4(0, 0, In(0), 0)).z);",
+                              1, 3};
   const float step = 5.9604645e-8f;
   const bool reversed = GetParam() == DepthDirection::reversed;
   expect_exact(
       function, GetParam(), inputs,
       [=](const float* in) {
         const float kept = std::clamp(in[0], reversed ? 0.0f : step, reversed ? 1.0f - step : 1.0f);
-        return std::vector<Exact>{{kept}, {kept}};
+        const float limited = reversed ? std::min(in[0], 1.0f - step) : std::max(in[0], step);
+        return std::vector<Exact>{{kept}, {kept}, {limited}};
       },
       0.0L);
 }

@@ -1,11 +1,12 @@
-// Tests FilterPcssAngular on maps whose answer is known: two layers that hide the light together, the rim of
-// a penumbra, and an edge a texel wide.
+// Tests FilterPcssAngular and FilterPcssBounded on maps whose answer is known: two layers that hide the light
+// together, the rim of a penumbra, and an edge a texel wide.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
 
 #include "resolve/kept_runners.h"
 #include "resolve/synthetic_frame.h"
@@ -23,17 +24,29 @@ using testing_frames::TilePoint;
 constexpr int kTileTexels = 512;
 constexpr double kReceiverDistance = 0.6;  // distance from the light's end of the depth range, 0 to 1
 
-class AngularFilter : public testing::TestWithParam<bool> {
+struct AngularTechnique {
+  const char* test_name;
+  const char* name;
+  const char* search;  // its number of samples of the search
+};
+
+constexpr AngularTechnique kAngularTechniques[] = {{"Angular", "pcss-angular-24-16", "blockerSamples"},
+                                                   {"Bounded", "pcss-bounded-16-16", "searchSamples"}};
+
+class AngularFilter : public testing::TestWithParam<std::tuple<bool, AngularTechnique>> {
  protected:
+  static bool is_reversed() { return std::get<0>(GetParam()); }
+  static const AngularTechnique& tested() { return std::get<1>(GetParam()); }
+
   void SetUp() override {
     setup_.shadows.cascades = 1;
     setup_.shadows.resolution = kTileTexels;
-    setup_.shadows.reversed_z = GetParam();
+    setup_.shadows.reversed_z = is_reversed();
     setup_.light.direction = {0.0, -1.0, 0.0};
   }
 
-  float nothing() const { return testing_frames::farthest_depth(GetParam()); }
-  double depth(double distance) const { return GetParam() ? 1.0 - distance : distance; }
+  float nothing() const { return testing_frames::farthest_depth(is_reversed()); }
+  double depth(double distance) const { return is_reversed() ? 1.0 - distance : distance; }
   // The depth of a blocker that stands `gap` nearer to the light than the receivers, in shares of the depth
   // range.
   float blocker(double gap) const { return static_cast<float>(depth(kReceiverDistance - gap)); }
@@ -56,10 +69,10 @@ class AngularFilter : public testing::TestWithParam<bool> {
     }
     const scene::Frame frame =
         testing_frames::make_frame(setup_, map, receivers, static_cast<int>(receivers.size()));
-    techniques::Technique technique = library_techniques().find("pcss-angular-24-16");
+    techniques::Technique technique = library_techniques().find(tested().name);
     for (const auto& [name, count] : counts) technique.values.at(name) = {static_cast<double>(count)};
     const ShadowShader shader =
-        technique_shader(library_techniques(), technique, Taps::as_listed, GetParam());
+        technique_shader(library_techniques(), technique, Taps::as_listed, is_reversed());
     GraphRunner runner(test_device(), compile(shader));
     return runner.run(FrameOnDevice(test_device(), frame),
                       {.noise_seeds = seeds, .first_seed = 0, .timing_repeats = 0, .count_fetches = true});
@@ -134,7 +147,7 @@ TEST_P(AngularFilter, FewSearchSamplesKeepTheRimOfAPenumbra) {
   const auto map = [this](double u, double, int) { return u < 0.5 ? blocker(kGap) : nothing(); };
   const std::vector<double> places = steps(-7.5, 7.5, 31);
   const std::vector<double> seen =
-      means(resolve(map, places, {{"blockerSamples", 6}, {"filterSamples", 32}}, 32));
+      means(resolve(map, places, {{tested().search, 6}, {"filterSamples", 32}}, 32));
   double squared = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const double error = seen[i] - half_plane(places[i] / kRadius);
@@ -150,8 +163,10 @@ TEST_P(AngularFilter, ANarrowPenumbraCostsFourFetchesHasNoNoiseAndNoSteps) {
   set_light(kGap, 0.5);
   const auto map = [this](double u, double, int) { return u < 0.5 ? blocker(kGap) : nothing(); };
   const GraphResult result = resolve(map, steps(-2.5, 2.5, 161), {}, 4);
-  EXPECT_THAT(result.fetches, Each(testing::AnyOf(24u, 28u)));
-  EXPECT_THAT(result.fetches, testing::Contains(28u));
+  const auto searched =
+      static_cast<unsigned>(library_techniques().find(tested().name).values.at(tested().search).front());
+  EXPECT_THAT(result.fetches, Each(testing::AnyOf(searched, searched + 4)));
+  EXPECT_THAT(result.fetches, testing::Contains(searched + 4));
   const std::vector<float>& first = result.visibility.front();
   for (const std::vector<float>& seen : result.visibility) {
     for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_NEAR(seen[i], first[i], 1e-6) << i;
@@ -164,7 +179,12 @@ TEST_P(AngularFilter, ANarrowPenumbraCostsFourFetchesHasNoNoiseAndNoSteps) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Depth, AngularFilter, testing::Bool(), direction_name);
+INSTANTIATE_TEST_SUITE_P(Depth, AngularFilter,
+                         testing::Combine(testing::Bool(), testing::ValuesIn(kAngularTechniques)),
+                         [](const auto& tested) {
+                           return std::string(std::get<0>(tested.param) ? "Reversed" : "Conventional") +
+                                  std::get<1>(tested.param).test_name;
+                         });
 
 }  // namespace
 }  // namespace penumbra::resolve

@@ -39,7 +39,7 @@ namespace {
 
 constexpr RunOptions kClassifiedOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr std::array kCaps{2.0F, 100.0F, 1e6F};  // widest penumbrae, metres
-constexpr int kTileOfMaps = 256;    // texels of a side of the adversarial maps
+constexpr int kTileOfMaps = 256;                 // texels of a side of the adversarial maps
 constexpr int kRays = 80;
 constexpr int kRaysToTheEdge = 16;  // of these rays, so many go to the edge
 // One dark receiver of so many is tried with rays although it is proved.
@@ -137,9 +137,9 @@ class Classified : public testing::TestWithParam<bool> {
   static TileReceivers receivers_of(const FrameOnDevice& on_device, const CameraImage& camera) {
     TileReceivers receivers;
     int value = 0;
-    for (std::vector<float>* into : {&receivers.cascade, &receivers.x, &receivers.y, &receivers.depth,
-                                     &receivers.slope_x, &receivers.slope_y, &receivers.quad_slope_x,
-                                     &receivers.quad_slope_y}) {
+    for (std::vector<float>* into :
+         {&receivers.cascade, &receivers.x, &receivers.y, &receivers.depth, &receivers.slope_x,
+          &receivers.slope_y, &receivers.quad_slope_x, &receivers.quad_slope_y}) {
       UniformValues values;
       values.set("_PenumbraTileReceiversParameters0",
                  glm::vec4(static_cast<float>(value++), 0.0F, 0.0F, 0.0F));
@@ -217,7 +217,8 @@ class Classified : public testing::TestWithParam<bool> {
       const std::lock_guard lock(adding);
       all.add(own);
     });
-    EXPECT_EQ(all.wrong, 0) << all.first_wrong << ", cap " << cap << ", " << all.wrong << " of " << all.receivers;
+    EXPECT_EQ(all.wrong, 0) << all.first_wrong << ", cap " << cap << ", " << all.wrong << " of "
+                            << all.receivers;
     return all;
   }
 

@@ -600,7 +600,8 @@ TechniqueList library() {
 }
 
 TEST(LibraryTechniques, AreThoseThatSomebodyWouldChoose) {
-  EXPECT_LE(library().techniques.size(), 60U) << "what proves a point belongs to tests/study";
+  // Sixty, and two until Tiled PCSS has taken the places of Cell PCSS's.
+  EXPECT_LE(library().techniques.size(), 62U) << "what proves a point belongs to tests/study";
 }
 
 TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {

@@ -72,15 +72,9 @@ TexelQuadTest TestTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceive
     TexelQuadTest test;
     test.corner = min(max(floor(texels + 0.5), receiver.lowCorner), receiver.highCorner);
     const float4 depths = GATHER_RED_TEXTURE2D(shadowMap, sampler_point, test.corner * receiver.texelSize);
-    // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane).
     const float plane = receiver.depth + dot(receiver.gradient, test.corner - receiver.centre);
-#if UNITY_REVERSED_Z
-    test.gap = depths - receiver.depth;
-    test.abovePlane = depths - min(plane + receiver.quadRise, KeepBehindNearPlane(1.0));
-#else
-    test.gap = receiver.depth - depths;
-    test.abovePlane = max(plane + receiver.quadRise, KeepBehindNearPlane(0.0)) - depths;
-#endif
+    test.gap = DepthGap(depths, float4(receiver.depth, receiver.depth, receiver.depth, receiver.depth));
+    test.abovePlane = DepthGap(depths, LimitToNearPlane(plane + receiver.quadRise));
     return test;
 }
 
@@ -192,7 +186,7 @@ float FilterTexelDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver r
         const TexelQuadTest test = TestTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, corner);
         const float4 distances = DistancesOfTexels(test, receiver);
         const float4 offsets = ConeOffsets(distances, kQuadSlackTexels, cap, depthPerTexel);
-        sums += WeighTexels(saturate(radius + 0.5 - distances), BlockingTexels(test, offsets));
+        sums += WeighTexels(min(max(radius + 0.5 - distances, 0.0), 1.0), BlockingTexels(test, offsets));
         corner.x += 2.0;
         if (!(corner.x < last.x)) corner = float2(first.x, corner.y + 2.0);
     }
