@@ -25,6 +25,10 @@ static const float kUpsampleTolerance = 2.0;
 // Difference of taps of one surface above which they do not tell what lies between them. A smaller one computes more
 // pixels, with less error.
 static const float kUpsampleStep = 0.25;
+// The same of taps that are weighed by their depth alone.
+static const float kUpsampleDepthStep = 0.15;
+// The share of its depth by which a tap that counts may be nearer or farther than the pixel.
+static const float kUpsampleDepth = 0.02;
 
 struct HalfTaps
 {
@@ -109,6 +113,26 @@ float UpsampleOverPlane(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, CameraS
     }
     if (!(weights > 0.0) || highest - lowest > kUpsampleStep) return -1.0;
     return SanitizeVisibility(sum / weights);
+}
+
+// The mean of the taps, each weighted by how near its stored camera depth is to that of the pixel; negative where those
+// that count do not tell.
+float UpsampleByDepth(HalfTaps taps, float depth, float4 depths)
+{
+    float2 sums = float2(0.0, 0.0); // x: visibility, y: weight
+    float lowest = 1.0;
+    float highest = 0.0;
+    UNITY_UNROLL
+    for (int i = 0; i < 4; ++i)
+    {
+        const float weight = max(1.0 - abs(depths[i] - depth) / (kUpsampleDepth * depth + 1e-12), 0.0);
+        if (!HasTap(taps, i) || !(weight > 0.0)) continue;
+        sums += weight * float2(taps.visibility[i], 1.0);
+        lowest = min(lowest, taps.visibility[i]);
+        highest = max(highest, taps.visibility[i]);
+    }
+    if (!(sums.y > 0.0) || highest - lowest > kUpsampleDepthStep) return -1.0;
+    return SanitizeVisibility(sums.x / sums.y);
 }
 
 #endif

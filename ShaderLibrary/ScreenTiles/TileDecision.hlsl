@@ -329,6 +329,9 @@ TileDecision DecideTile(Texture2D<uint> slopes4, Texture2D<uint> depths4, Textur
     return decision;
 }
 
+// The largest radius of a word, texels, which bounds nothing.
+static const float kUnboundedRadius = 65504.0;
+
 // A tile's word holds its state in the upper half, and a radius in the lower one, rounded up.
 uint PackTile(TileDecision decision, bool known)
 {

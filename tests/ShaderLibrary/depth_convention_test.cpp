@@ -88,7 +88,7 @@ TEST_P(DepthConvention, NothingKeptBehindTheNearPlaneReachesIt) {
   const CoreFunction function{"DepthConvention",
                               "Out(0, KeepBehindNearPlane(In(0)));"
                               "Out(1, KeepBehindNearPlane(float4(0, In(0), 0, 0)).y);"
-                              "Out(2, LimitToNearPlane(float4(0, 0, In(0), 0)).z);",
+                              "Out(2, LimitToNearPlane(float4(0, 0, min(max(In(0), -2.0), 2.0), 0)).z);",
                               1, 3};
   const float step = 5.9604645e-8f;
   const bool reversed = GetParam() == DepthDirection::reversed;
@@ -96,7 +96,8 @@ TEST_P(DepthConvention, NothingKeptBehindTheNearPlaneReachesIt) {
       function, GetParam(), inputs,
       [=](const float* in) {
         const float kept = std::clamp(in[0], reversed ? 0.0f : step, reversed ? 1.0f - step : 1.0f);
-        const float limited = reversed ? std::min(in[0], 1.0f - step) : std::max(in[0], step);
+        const float bounded = std::clamp(in[0], -2.0f, 2.0f);
+        const float limited = reversed ? std::min(bounded, 1.0f - step) : std::max(bounded, step);
         return std::vector<Exact>{{kept}, {kept}, {limited}};
       },
       0.0L);
