@@ -96,24 +96,38 @@ bool HasNoise(SmoothingTaps taps)
 NoisyVisibility SmoothPenumbra(SmoothingTaps taps, SmoothingReach reach)
 {
     const NoisyVisibility here = UnpackNoisy(taps.here);
+    bool inSurface[SMOOTHING_TAPS / 2];
     NoisyVisibility smoothed = here;
-    float2 sums = float2(0.0, 0.0); // x: visibility, y: weight
+    float2 range = float2(1.0, 0.0); // x: lowest visibility of the pixels around, y: highest
     UNITY_UNROLL
     for (int i = 0; i < SMOOTHING_TAPS; i += 2)
     {
-        const NoisyVisibility one = UnpackNoisy(taps.words[i]);
-        const NoisyVisibility other = UnpackNoisy(taps.words[i + 1]);
         const float after = taps.depths[i] - taps.depth;
         const float before = taps.depth - taps.depths[i + 1];
-        if (!(abs(after - before) < kSmoothingBend * abs(after + before) + kSmoothingDepth * taps.depth)) continue;
-        const float2 apart = float2(one.visibility, other.visibility) - here.visibility;
-        const float2 alike = max(1.0 - abs(apart) / reach.amplitude, 0.0);
-        sums += float2(dot(alike, float2(one.visibility, other.visibility)), alike.x + alike.y);
+        inSurface[i / 2] = abs(after - before) < kSmoothingBend * abs(after + before) + kSmoothingDepth * taps.depth;
+        if (!inSurface[i / 2]) continue;
+        const NoisyVisibility one = UnpackNoisy(taps.words[i]);
+        const NoisyVisibility other = UnpackNoisy(taps.words[i + 1]);
+        range = float2(min(range.x, min(one.visibility, other.visibility)),
+                       max(range.y, max(one.visibility, other.visibility)));
         smoothed.radius = max(smoothed.radius, max(one.radius, other.radius));
     }
     const float share = (smoothed.radius - reach.narrowest) / (reach.widest - reach.narrowest);
     const float weight = min(max(share, 0.0), 1.0);
-    smoothed.visibility = min((here.visibility + weight * sums.x) / (1.0 + weight * sums.y), 1.0);
+    // A pixel that is brighter or darker than all around it is noise, however much.
+    const float within = range.x <= range.y ? min(max(here.visibility, range.x), range.y) : here.visibility;
+    const float own = here.visibility + weight * (within - here.visibility);
+    float2 sums = float2(own, 1.0); // x: visibility, y: weight
+    UNITY_UNROLL
+    for (int j = 0; j < SMOOTHING_TAPS; j += 2)
+    {
+        if (!inSurface[j / 2]) continue;
+        const float2 around =
+            float2(UnpackNoisy(taps.words[j]).visibility, UnpackNoisy(taps.words[j + 1]).visibility);
+        const float2 alike = weight * max(1.0 - abs(around - own) / reach.amplitude, 0.0);
+        sums += float2(dot(alike, around), alike.x + alike.y);
+    }
+    smoothed.visibility = min(sums.x / sums.y, 1.0);
     return smoothed;
 }
 
