@@ -1,7 +1,8 @@
 // Penumbra: smoothing of noisy penumbrae by their width, over eight pixels around each.
 //
 // Computes:   the mean of a pixel's visibility and of those pixels around it that lie in its surface and differ from it
-//             no more than noise does; the wider the penumbra on the screen, the more these count.
+//             no more than noise does; the wider the penumbra on the screen, the more these count. Single pixels that
+//             stand out from all around them are brought back first.
 // Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998). Stored depth is linear over
 //             the screen on a plane, so two pixels on opposite sides lie in the surface where their mean is the
 //             pixel's depth.
@@ -55,6 +56,7 @@ struct SmoothingReach
     float narrowest; // radius of a penumbra, pixels, up to which the pixels around do not count
     float widest;    // and from which they count in full
     float amplitude; // a larger difference of visibility is none of noise
+    bool clips;      // but a pixel that is brighter or darker than all around it is, however much
 };
 
 // Of the pixels around, and of those three pixels away, which are smoothed already.
@@ -64,6 +66,7 @@ SmoothingReach NearSmoothing()
     reach.narrowest = 0.5;
     reach.widest = 2.0;
     reach.amplitude = 0.3;
+    reach.clips = true;
     return reach;
 }
 
@@ -73,6 +76,7 @@ SmoothingReach FarSmoothing()
     reach.narrowest = 4.0;
     reach.widest = 10.0;
     reach.amplitude = 0.2;
+    reach.clips = false;
     return reach;
 }
 
@@ -114,8 +118,8 @@ NoisyVisibility SmoothPenumbra(SmoothingTaps taps, SmoothingReach reach)
     }
     const float share = (smoothed.radius - reach.narrowest) / (reach.widest - reach.narrowest);
     const float weight = min(max(share, 0.0), 1.0);
-    // A pixel that is brighter or darker than all around it is noise, however much.
-    const float within = range.x <= range.y ? min(max(here.visibility, range.x), range.y) : here.visibility;
+    const bool clips = reach.clips && range.x <= range.y;
+    const float within = clips ? min(max(here.visibility, range.x), range.y) : here.visibility;
     const float own = here.visibility + weight * (within - here.visibility);
     float2 sums = float2(own, 1.0); // x: visibility, y: weight
     UNITY_UNROLL

@@ -43,21 +43,29 @@ std::vector<float> smoothed(const std::vector<Pixels>& cases) {
 // The mean as the file's head describes it, with the constants of NearSmoothing().
 std::array<long double, 2> expected(const Pixels& pixels) {
   const Pixel& here = pixels[0];
-  long double sum = 0.0L, weights = 0.0L, radius = here.radius;
+  std::vector<Pixel> around;
+  long double radius = here.radius, lowest = 1.0L, highest = 0.0L;
   for (std::size_t i = 1; i < pixels.size(); i += 2) {
     const long double after = static_cast<long double>(pixels[i].depth) - here.depth;
     const long double before = static_cast<long double>(here.depth) - pixels[i + 1].depth;
     if (!(std::abs(after - before) < 0.125L * std::abs(after + before) + 0.001L * here.depth)) continue;
     for (const std::size_t k : {i, i + 1}) {
-      const long double apart = static_cast<long double>(pixels[k].visibility) - here.visibility;
-      const long double weight = std::max(1.0L - std::abs(apart) / 0.3L, 0.0L);
-      sum += weight * pixels[k].visibility;
-      weights += weight;
+      around.push_back(pixels[k]);
       radius = std::max<long double>(radius, pixels[k].radius);
+      lowest = std::min<long double>(lowest, pixels[k].visibility);
+      highest = std::max<long double>(highest, pixels[k].visibility);
     }
   }
   const long double share = std::clamp((radius - 0.5L) / 1.5L, 0.0L, 1.0L);
-  return {(here.visibility + share * sum) / (1.0L + share * weights), radius};
+  long double own = here.visibility;
+  if (!around.empty()) own += share * (std::clamp(own, lowest, highest) - own);
+  long double sum = own, weights = 1.0L;
+  for (const Pixel& pixel : around) {
+    const long double weight = share * std::max(1.0L - std::abs(pixel.visibility - own) / 0.3L, 0.0L);
+    sum += weight * pixel.visibility;
+    weights += weight;
+  }
+  return {sum / weights, radius};
 }
 
 Pixels random_pixels(Random& random, int kind) {
@@ -108,17 +116,20 @@ TEST(PenumbraSmoothing, ChangesNothingWhereNothingDiffers) {
   }
 }
 
-// Neither the shadow of another surface nor an edge of the shadow is mixed into a pixel.
-TEST(PenumbraSmoothing, KeepsEdgesOfSurfacesAndOfShadows) {
-  Pixels step, hard;
+// Neither the shadow of another surface nor an edge of the shadow is mixed into a pixel, but a pixel that
+// stands out from all around it is brought back.
+TEST(PenumbraSmoothing, KeepsEdgesOfSurfacesAndOfShadowsAndNoSinglePixels) {
+  Pixels step, hard, single;
   for (std::size_t i = 0; i < step.size(); ++i) {
     const bool other = i % 2 == 1;
     step[i] = {other ? 0.6f : 0.5f, 4.0f, other ? 0.2f : 0.25f};
     hard[i] = {other ? 0.0f : 1.0f, 4.0f, 0.25f};
+    single[i] = {i == 0 ? 1.0f : 0.25f, 4.0f, 0.25f};
   }
-  const std::vector<float> out = smoothed({step, hard});
+  const std::vector<float> out = smoothed({step, hard, single});
   EXPECT_NEAR(out[0], 0.5f, 1e-5f);
   EXPECT_EQ(out[3], 1.0f);
+  EXPECT_NEAR(out[6], 0.25f, 1e-5f);
 }
 
 }  // namespace
