@@ -32,7 +32,8 @@
 #define DECISION_THREADS 16
 #define DECISION_TURNS 3
 
-static const int kDecisionTilePixels = 8;
+static const int kDecisionTileBits = 3;
+static const int kDecisionTilePixels = 8; // 1 << kDecisionTileBits
 static const float kBlocksAcross = 12.0;
 
 // The pixels' flags: a bit for each cascade that covers one of them, and these.

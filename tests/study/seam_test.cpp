@@ -95,5 +95,35 @@ TEST(Seam, RefusesImagesOfDifferentSizes) {
   EXPECT_THROW(frame.seam(), std::invalid_argument);
 }
 
+// Groups of 8 x 8 pixels that each have an error of their own step at their borders alone; an error that
+// rises evenly steps everywhere.
+TEST(GroupStep, IsTheStepAtBordersOfGroupsBesideThatWithinThem) {
+  SeamFrame groups(kSeamWidth), slope(kSeamWidth);
+  std::size_t pairs = 0;
+  for (int y = 0; y < kSeamHeight; ++y)
+    for (int x = 0; x < kSeamWidth; ++x) {
+      groups.at(groups.result, x, y) += (x / kGroupPixels + y / kGroupPixels) % 2 == 0 ? 0.0F : 0.25F;
+      slope.at(slope.result, x, y) += 0.001F * static_cast<float>(x + y);
+      pairs += (x > 0 && x % kGroupPixels == 0 ? 1U : 0U) + (y > 0 && y % kGroupPixels == 0 ? 1U : 0U);
+    }
+  const GroupStep blocks = group_step_of({kSeamWidth, groups.cascade, groups.t1, groups.result});
+  EXPECT_EQ(blocks.pairs, pairs);
+  EXPECT_NEAR(*blocks.across, 0.25, 1e-7);
+  EXPECT_NEAR(*blocks.inside, 0.0, 1e-7);
+  const GroupStep even = group_step_of({kSeamWidth, slope.cascade, slope.t1, slope.result});
+  EXPECT_NEAR(*even.across, 0.001, 1e-6);
+  EXPECT_NEAR(*even.inside, 0.001, 1e-6);
+}
+
+// Neither lit pixels nor pairs of two cascades count.
+TEST(GroupStep, CountsPenumbraeOfOneCascade) {
+  SeamFrame frame(kGroupPixels);
+  for (int x = 0; x < kSeamWidth; ++x)
+    for (int y = kGroupPixels; y < kSeamHeight; ++y) frame.at(frame.t1, x, y) = 1.0F;
+  const GroupStep step = group_step_of({kSeamWidth, frame.cascade, frame.t1, frame.result});
+  EXPECT_EQ(step.pairs, static_cast<std::size_t>((kSeamWidth / kGroupPixels - 2) * kGroupPixels));
+  EXPECT_THROW(group_step_of({kSeamWidth - 1, frame.cascade, frame.t1, frame.result}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace penumbra::study

@@ -101,6 +101,13 @@ class SeamBlocks {
   int height_;
 };
 
+void require_same_sizes(const SeamImages& images) {
+  const std::size_t pixels = images.t1.size();
+  if (images.width <= 0 || images.cascade.size() != pixels || images.result.size() != pixels ||
+      pixels % static_cast<std::size_t>(images.width) != 0)
+    throw std::invalid_argument("images of different sizes");
+}
+
 enum class PixelClass { umbra, penumbra, lit };
 
 // No float equals 0.02 or 0.98, so every pixel has a class although the bounds of the definition are open.
@@ -414,12 +421,39 @@ std::optional<double> shimmer_of(const std::vector<std::vector<float>>& frames, 
 }
 
 Seam seam_of(const SeamImages& images) {
-  const std::size_t pixels = images.t1.size();
-  if (images.width <= 0 || images.cascade.size() != pixels || images.result.size() != pixels ||
-      pixels % static_cast<std::size_t>(images.width) != 0) {
-    throw std::invalid_argument("images of different sizes");
-  }
+  require_same_sizes(images);
   return SeamBlocks(images).seam();
+}
+
+GroupStep group_step_of(const SeamImages& images) {
+  require_same_sizes(images);
+  const auto width = static_cast<std::size_t>(images.width);
+  const auto counts = [&](std::size_t i) {
+    return images.cascade[i] >= 0 &&
+           (images.everywhere || (images.t1[i] > kUmbraBelow && images.t1[i] < kLitAbove));
+  };
+  struct Squares {
+    double sum = 0.0;
+    std::size_t count = 0;
+    std::optional<double> root() const {
+      if (count == 0) return std::nullopt;
+      return std::sqrt(sum / static_cast<double>(count));
+    }
+  } across, inside;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t place) {
+    if (!counts(a) || !counts(b) || images.cascade[a] != images.cascade[b]) return;
+    const double step = (static_cast<double>(images.result[b]) - static_cast<double>(images.t1[b])) -
+                        (static_cast<double>(images.result[a]) - static_cast<double>(images.t1[a]));
+    Squares& squares = place % kGroupPixels == 0 ? across : inside;
+    squares.sum += step * step;
+    ++squares.count;
+  };
+  for (std::size_t i = 0; i < images.t1.size(); ++i) {
+    const std::size_t x = i % width, y = i / width;
+    if (x > 0) add(i - 1, i, x);
+    if (y > 0) add(i - width, i, y);
+  }
+  return {across.count, across.root(), inside.root()};
 }
 
 }  // namespace penumbra::study

@@ -163,4 +163,21 @@ struct SeamImages {
 // Throws std::invalid_argument for images of different sizes.
 Seam seam_of(const SeamImages& images);
 
+// The step of a technique's error at the borders of the groups of pixels that its kernels compute together,
+// beside the step between other neighbours. What a group shares shows as blocks, where the ratio of both is
+// above 1.
+inline constexpr int kGroupPixels = 8;  // pixels, each way
+
+struct GroupStep {
+  std::size_t pairs = 0;  // pairs of neighbouring penumbra pixels of one cascade, one in each of two groups
+  // RMS of the difference of error of these pairs, and of those within groups.
+  std::optional<double> across;
+  std::optional<double> inside;
+
+  bool operator==(const GroupStep&) const = default;
+};
+
+// Throws std::invalid_argument for images of different sizes.
+GroupStep group_step_of(const SeamImages& images);
+
 }  // namespace penumbra::study

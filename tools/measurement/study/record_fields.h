@@ -135,6 +135,13 @@ void fields(Archive& archive, Field<Archive, Shimmer>& shimmer) {
 }
 
 template <typename Archive>
+void fields(Archive& archive, Field<Archive, GroupStep>& step) {
+  archive.count("pairs", step.pairs);
+  archive.figure("across", step.across, 0.0, 2.0);
+  archive.figure("inside", step.inside, 0.0, 2.0);
+}
+
+template <typename Archive>
 void fields(Archive& archive, Field<Archive, Seam>& seam) {
   archive.count("pairs", seam.pairs);
   archive.figure("step", seam.step, 0.0, 2.0);
@@ -211,6 +218,7 @@ void fields(Archive& archive, Field<Archive, Record>& record, std::string_view k
   archive.optional("shimmer", record.shimmer);
   archive.optional("seam", record.seam);
   archive.optional("far_seam", record.far_seam);
+  archive.optional("group_step", record.group_step);
   fields(archive, record.time, kind);
   archive.object("reference", record.reference);
 }
