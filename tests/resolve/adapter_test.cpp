@@ -7,6 +7,7 @@
 #include "platform/data_directory.h"
 #include "reference/scratch_folder.h"
 #include "resolve/graph_runner.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -68,8 +69,7 @@ class AdapterTest : public testing::Test {
 
   static GraphResult run(const ShadowShader& shader, const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
-    return GraphRunner(test_device(), compile(shader))
-        .run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
+    return GraphRunner(test_device(), compile(shader)).run(on_device, kCountedOnce);
   }
 
   void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) const {

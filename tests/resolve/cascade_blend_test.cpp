@@ -7,6 +7,7 @@
 #include "reference/same_map_estimate.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -21,9 +22,7 @@ std::vector<float> visibility(const scene::Frame& frame, scene::CascadeBlend ble
   if (*runner == nullptr)
     *runner = std::make_unique<GraphRunner>(
         test_device(), compile(technique_shader(list, list.find("tent-5-plane"), Taps::as_listed, true)));
-  return (*runner)
-      ->run(FrameOnDevice(test_device(), blended), {.noise_seeds = 1, .timing_repeats = 0})
-      .visibility.front();
+  return (*runner)->run(FrameOnDevice(test_device(), blended), kOnce).visibility.front();
 }
 
 struct Place {

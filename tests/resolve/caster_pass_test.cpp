@@ -12,6 +12,7 @@
 #include "input/input_error_matcher.h"
 #include "resolve/kept_runners.h"
 #include "resolve/map_receivers.h"
+#include "resolve/run_once.h"
 #include "scene/cut_out.h"
 #include "shaders/shader_files.h"
 
@@ -23,7 +24,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing_frames::place_receivers;
 
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr int kMapSize = 96;
 // Margin of barycentric coordinates: nearer to an edge a texel may be either.
 constexpr double kMargin = 0.004;
@@ -148,7 +148,7 @@ class CasterPass : public testing::TestWithParam<bool> {
 TEST_P(CasterPass, BlendsEverySurfaceWithAlphaTest) {
   const double far = reversed_z_ ? 0.001 : 0.999;
   place_receivers(frame_, [far](int, int) { return far; });
-  const GraphResult result = run(frame_, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
+  const GraphResult result = run(frame_, kCountedOnce);
   const Rays rays(scene_, frame_);
   int unclear = 0, covered = 0, most = 0;
   double all = 0.0, counted = 0.0;

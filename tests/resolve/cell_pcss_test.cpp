@@ -15,12 +15,11 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kCellPcssOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 // Fills a tile of a map of 32 bits.
 void fill_tile(scene::Frame& frame, int cascade, float depth) {
@@ -65,7 +64,7 @@ class CellPcss : public testing::TestWithParam<bool> {
 
   static std::vector<float> picture_of(GraphRunner& chain, const scene::Frame& frame) {
     const CameraImage camera = camera_image(frame, RowOrder::top_first);
-    return chain.run(FrameOnDevice(test_device(), frame), &camera, kCellPcssOnce).visibility[0];
+    return chain.run(FrameOnDevice(test_device(), frame), &camera, kOnce).visibility[0];
   }
 
   static constexpr std::size_t kCascades = 4;
@@ -115,9 +114,9 @@ class CellPcss : public testing::TestWithParam<bool> {
   static Pictures pictures_of(const scene::Frame& frame) {
     const CameraImage camera = camera_image(frame, RowOrder::top_first);
     const FrameOnDevice on_device(test_device(), frame);
-    return {chain("screen-pcss-angular-24-16").run(on_device, &camera, kCellPcssOnce).visibility[0],
-            chain("cell-pcss", true).run(on_device, &camera, kCellPcssOnce).visibility[0],
-            chain("cell-pcss").run(on_device, &camera, kCellPcssOnce).visibility[0]};
+    return {chain("screen-pcss-angular-24-16").run(on_device, &camera, kOnce).visibility[0],
+            chain("cell-pcss", true).run(on_device, &camera, kOnce).visibility[0],
+            chain("cell-pcss").run(on_device, &camera, kOnce).visibility[0]};
   }
 
   struct Classes {
@@ -264,9 +263,8 @@ TEST_P(CellPcss, ComputesTheSamePixelsAtHalfResolution) {
     const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
     const CameraImage camera = camera_image(frame, RowOrder::top_first);
     const FrameOnDevice on_device(test_device(), frame);
-    const std::vector<float> full = chain("cell-pcss").run(on_device, &camera, kCellPcssOnce).visibility[0];
-    const std::vector<float> half =
-        chain("cell-pcss-half").run(on_device, &camera, kCellPcssOnce).visibility[0];
+    const std::vector<float> full = chain("cell-pcss").run(on_device, &camera, kOnce).visibility[0];
+    const std::vector<float> half = chain("cell-pcss-half").run(on_device, &camera, kOnce).visibility[0];
     const auto is_computed = [](int at, int size) { return at % 2 == 1 || at == size - 1; };
     int computed = 0, same = 0;
     double apart = 0.0;
@@ -302,9 +300,9 @@ TEST_P(CellPcss, DrawsBothEyesAtOnceAsEachAlone) {
   const CameraImage right = camera_image(other, RowOrder::top_first);
   const FrameOnDevice on_device(test_device(), frame);
   const auto alone = [&](const CameraImage& eye) {
-    return chain("cell-pcss").run(on_device, &eye, kCellPcssOnce).visibility[0];
+    return chain("cell-pcss").run(on_device, &eye, kOnce).visibility[0];
   };
-  RunOptions options = kCellPcssOnce;
+  RunOptions options = kOnce;
   options.second_eye = &right;
   const std::vector<float> both = runner.run(on_device, &left, options).visibility[0];
   std::vector<float> expected = alone(left);

@@ -32,12 +32,12 @@
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
 #include "resolve/map_rays.h"
+#include "resolve/run_once.h"
 #include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kClassifiedOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr std::array kCaps{2.0F, 100.0F, 1e6F};  // widest penumbrae, metres
 constexpr int kTileOfMaps = 256;                 // texels of a side of the adversarial maps
 constexpr int kRays = 80;
@@ -144,7 +144,7 @@ class Classified : public testing::TestWithParam<bool> {
       values.set("_PenumbraTileReceiversParameters0",
                  glm::vec4(static_cast<float>(value++), 0.0F, 0.0F, 0.0F));
       prober().set_parameters(values);
-      *into = prober().run(on_device, &camera, kClassifiedOnce).visibility[0];
+      *into = prober().run(on_device, &camera, kOnce).visibility[0];
     }
     return receivers;
   }
@@ -188,7 +188,7 @@ class Classified : public testing::TestWithParam<bool> {
     UniformValues capped;
     capped.set("_PenumbraPcssBoundedParameters0", glm::vec4(1.0F, 1.0F, cap, 0.0F));
     classifier().set_parameters(capped);
-    const std::vector<float> classes = classifier().run(on_device, &camera, kClassifiedOnce).visibility[0];
+    const std::vector<float> classes = classifier().run(on_device, &camera, kOnce).visibility[0];
     const TileReceivers receivers = receivers_of(on_device, camera);
     std::vector<MapRays> maps;
     for (std::size_t cascade = 0; cascade < frame.cascades.cascades.size(); ++cascade)

@@ -9,6 +9,7 @@
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
 #include "resolve/probe_graph.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 
 namespace penumbra::resolve {
@@ -17,8 +18,6 @@ namespace {
 using testing_frames::FrameSetup;
 using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
-
-constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class ConservativeMask : public testing::TestWithParam<bool> {
  protected:

@@ -13,12 +13,12 @@
 
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
+#include "resolve/run_once.h"
 #include "scene/mesh_builder.h"
 
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr double kShadeOfLight = 0.4;  // share of a colour that is left where all light is blocked
 
 using Colours = std::vector<glm::vec3>;

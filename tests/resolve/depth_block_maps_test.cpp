@@ -12,6 +12,7 @@
 
 #include "resolve/adversarial_maps.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
 
@@ -50,7 +51,7 @@ class DepthBlockMaps : public testing::TestWithParam<bool> {
     GraphRunner& runner = runners.of(
         graph, GetParam(), [&] { return technique_graph(list, technique, Taps::as_listed, GetParam()); });
     runner.set_parameters(parameter_uniforms(list, technique));
-    GraphResult result = runner.run(frame, nullptr, {.noise_seeds = 1, .timing_repeats = 0});
+    GraphResult result = runner.run(frame, nullptr, kOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return std::move(result.visibility.front());
   }

@@ -14,13 +14,12 @@
 #include <random>
 
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 techniques::TechniqueList test_graphs() {
   return techniques::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests" / "resolve" /
@@ -140,7 +139,7 @@ class DepthRangeMaps : public testing::TestWithParam<bool> {
     GraphRunner& runner = runners.of(
         graph, GetParam(), [&] { return technique_graph(list, technique, Taps::as_listed, GetParam()); });
     runner.set_parameters(parameter_uniforms(list, technique));
-    GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
+    GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return {std::move(result.visibility.front()), std::move(result.passes)};
   }

@@ -10,12 +10,11 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/shortened_graph.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kRingsOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 class DepthRingFilter : public testing::TestWithParam<bool> {
  protected:
@@ -44,7 +43,7 @@ class DepthRingFilter : public testing::TestWithParam<bool> {
       if (chain == Chain::classified) remove_passes_after(graph.graph, "ClassifyTiles");
       return graph;
     });
-    return runner.run(frame, &camera, kRingsOnce).visibility[0];
+    return runner.run(frame, &camera, kOnce).visibility[0];
   }
 
   struct Pixels {

@@ -11,6 +11,7 @@
 
 #include "resolve/kept_runners.h"
 #include "resolve/reference_bounds.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 
 namespace penumbra::resolve {
@@ -215,7 +216,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
     all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));
     all.merge(parameters);
     pass.set_parameters(all);
-    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
+    return pass.run(on_device, kOnce).visibility.front();
   }
 
   std::vector<float> visibility(const FrameSetup& setup, const TexelDepth& map,

@@ -9,6 +9,7 @@
 
 #include "as_identifier.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/spot_frame.h"
 
 namespace penumbra::resolve {
@@ -64,7 +65,7 @@ class EverySpotFilter : public testing::TestWithParam<Case> {
     all.merge(more);
     pass.set_parameters(all);
     const FrameOnDevice on_device(test_device(), frame);
-    return pass.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
+    return pass.run(on_device, kOnce).visibility.front();
   }
 
   std::vector<float> visibility(const SpotSetup& setup, const TexelDepth& map,

@@ -9,6 +9,7 @@
 #include "as_identifier.h"
 #include "resolve/graph_runner.h"
 #include "resolve/reference_bounds.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -218,8 +219,7 @@ TEST_P(FilteredMaps, GiveTheLightOfTheBlurredDepths) {
   const techniques::TechniqueList& list = library_techniques();
   const techniques::Technique& technique = list.find(GetParam().technique);
   GraphRunner runner(test_device(), compile(technique_graph(list, technique)));
-  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame),
-                                        {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
+  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
 
   const FilteredMap map{frame.atlas, frame.cascades.tile_resolution, technique, GetParam()};
   const glm::dvec4 tile = frame.cascades.cascades[3].offset_scale;

@@ -6,11 +6,10 @@
 #include "platform/data_directory.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kForwardOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class ForwardFilter : public testing::TestWithParam<bool> {
  protected:
@@ -72,8 +71,8 @@ TEST_P(ForwardFilter, IsThatOfItsTechnique) {
   for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {1, 5.0}}) {
     const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
     const FrameOnDevice on_device(test_device(), frame);
-    const GraphResult expected = by_technique.run(on_device, kForwardOnce);
-    const GraphResult result = by_include.run(on_device, kForwardOnce);
+    const GraphResult expected = by_technique.run(on_device, kCountedOnce);
+    const GraphResult result = by_include.run(on_device, kCountedOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     const std::vector<float>& visibility = expected.visibility[0];
     long in_penumbra = 0;
@@ -94,8 +93,8 @@ TEST_P(ForwardFilter, IsTheSameAfterKernelsOfCellPcss) {
   for (const auto& [cascades, degrees] : {std::pair(4, 2.0), {1, 5.0}}) {
     const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
     const FrameOnDevice on_device(test_device(), frame);
-    EXPECT_EQ(after_kernels.run(on_device, kForwardOnce).visibility[0],
-              after_draws.run(on_device, kForwardOnce).visibility[0])
+    EXPECT_EQ(after_kernels.run(on_device, kCountedOnce).visibility[0],
+              after_draws.run(on_device, kCountedOnce).visibility[0])
         << degrees << " degrees";
   }
 }

@@ -1,6 +1,7 @@
 // Runs graphs that are nothing but their files (tests/techniques/added): passes over the map for each
 // cascade, mip levels, and a chain of kernels with an indirect dispatch, against the same sums in C++.
 #include "resolve/graph_runner.h"
+#include "resolve/run_once.h"
 
 #include <gmock/gmock.h>
 
@@ -19,8 +20,6 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 float depth_of(double u, double v, int tile) {
   return static_cast<float>(0.1 + 0.2 * u * u + 0.3 * v * u + 0.1 * tile);
@@ -69,7 +68,7 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
     receivers.emplace_back((i % kColumns * 2 + 0.9) / 17.0, (i / kColumns * 2 + 0.9) / 17.0, 0.5);
   const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, kColumns);
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find("means"))));
-  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
+  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
 
   const glm::dvec4 tile = frame.cascades.cascades[2].offset_scale;
   const Means means{frame.atlas, frame.cascades.tile_resolution};
@@ -108,7 +107,7 @@ GraphResult run_blocks(const std::string& manifest, const std::string& technique
   const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, kBlocksWidth);
   const CameraImage camera = camera_image(frame);
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find(technique))));
-  return runner.run(FrameOnDevice(test_device(), frame), &camera, kOnce);
+  return runner.run(FrameOnDevice(test_device(), frame), &camera, kCountedOnce);
 }
 
 bool marked(int x, int y) {
@@ -165,7 +164,7 @@ std::string refusal(const ShadowGraph& graph) {
   const CameraImage camera = camera_image(frame);
   return input_error_of([&] {
     GraphRunner runner(test_device(), compile(graph));
-    runner.run(FrameOnDevice(test_device(), frame), &camera, kOnce);
+    runner.run(FrameOnDevice(test_device(), frame), &camera, kCountedOnce);
   });
 }
 
@@ -225,7 +224,7 @@ TEST(GraphRunner, AGraphOverTheScreenNeedsACamera) {
   const scene::Frame frame = testing_frames::make_frame(
       setup, depth_of, std::vector<testing_frames::TilePoint>(64, {0.5, 0.5, 0.5}), 8);
   GraphRunner runner(test_device(), compile(technique_graph(list, list.find("blocks"))));
-  EXPECT_THROW(runner.run(FrameOnDevice(test_device(), frame), kOnce), std::invalid_argument);
+  EXPECT_THROW(runner.run(FrameOnDevice(test_device(), frame), kCountedOnce), std::invalid_argument);
 }
 
 }  // namespace

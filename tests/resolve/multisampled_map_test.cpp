@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 #include "scene/scene.h"
 
@@ -67,8 +68,7 @@ class MultisampledMap : public testing::TestWithParam<bool> {
     GraphRunner runner(test_device(),
                        compile(technique_graph(list, list.find(technique), Taps::as_listed, GetParam())));
     const CastersOnDevice casters(test_device(), scene_);
-    return runner.run(FrameOnDevice(test_device(), frame_, &casters), {.noise_seeds = 1, .timing_repeats = 0})
-        .visibility[0];
+    return runner.run(FrameOnDevice(test_device(), frame_, &casters), kOnce).visibility[0];
   }
 
   // A corner of the sheet: place in the map in texels, and stored depth.

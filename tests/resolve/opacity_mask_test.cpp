@@ -10,6 +10,7 @@
 
 #include "resolve/kept_runners.h"
 #include "resolve/map_receivers.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -18,7 +19,6 @@ using testing_frames::place_receivers;
 using testing_frames::position_at;
 
 constexpr int kMapSize = 64;
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 // A horizontal sheet over all x from `from` on, and all of z.
 struct Sheet {

@@ -8,11 +8,10 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kDrawnOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 std::vector<float> drawn_by(const std::string& technique, const scene::Frame& frame,
                             const CastersOnDevice* casters,
@@ -27,7 +26,7 @@ std::vector<float> drawn_by(const std::string& technique, const scene::Frame& fr
     runner.set_parameters(values);
   }
   const CameraImage camera = camera_image(frame);
-  return runner.run(FrameOnDevice(test_device(), frame, casters), &camera, kDrawnOnce).visibility[0];
+  return runner.run(FrameOnDevice(test_device(), frame, casters), &camera, kOnce).visibility[0];
 }
 
 // The height over the place of the lowest triangle of the mesh on the ray; nothing where there is none.

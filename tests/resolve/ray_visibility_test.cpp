@@ -20,11 +20,11 @@
 #include "reference/disc_tracer.h"
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
 
-constexpr RunOptions kRunOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr double kLongestRay = 50.0;
 constexpr int kPlaces = 256;  // places of a ray, for the exact answer
 constexpr int kBlock = 4;     // pixels of a side that a filter over the screen takes together
@@ -69,7 +69,7 @@ class FogScene {
                glm::vec4(static_cast<float>(rays.samples), rays.jittered ? 1.0F : 0.0F,
                          static_cast<float>(rays.extinction), 0.0F));
     runner.set_parameters(values);
-    const GraphResult result = runner.run(FrameOnDevice(test_device(), frame_), &camera_, kRunOnce);
+    const GraphResult result = runner.run(FrameOnDevice(test_device(), frame_), &camera_, kOnce);
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
     return result.visibility[0];
   }

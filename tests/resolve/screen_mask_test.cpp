@@ -9,13 +9,12 @@
 #include "resolve/drawn_scenes.h"
 #include "resolve/hand_graph.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
 
 constexpr int kBlock = 4;
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
-constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 struct Case {
   std::string scene;

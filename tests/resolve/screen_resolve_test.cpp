@@ -12,6 +12,7 @@
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
 #include "resolve/hand_graph.h"
+#include "resolve/run_once.h"
 #include "techniques/technique_call.h"
 
 namespace penumbra::resolve {
@@ -89,7 +90,7 @@ class ScreenResolve : public testing::TestWithParam<Case> {
 
   std::vector<float> by_library(const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
-    return library_.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
+    return library_.run(on_device, kOnce).visibility.front();
   }
 
   // The answers of the library's filter over what the depth image tells, found without a shader.

@@ -11,12 +11,10 @@
 #include "resolve/graph_runner.h"
 #include "resolve/ground_at_random.h"
 #include "resolve/hand_graph.h"
+#include "resolve/run_once.h"
 
 namespace penumbra::resolve {
 namespace {
-
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
-constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
   const shaders::PackageShader shader(shaders::package_shader_file());

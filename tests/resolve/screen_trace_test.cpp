@@ -14,6 +14,7 @@
 #include "resolve/drawn_scenes.h"
 #include "resolve/graph_runner.h"
 #include "resolve/pass_runner.h"
+#include "resolve/run_once.h"
 #include "scene/mesh_builder.h"
 
 namespace penumbra::resolve {
@@ -524,7 +525,7 @@ TEST(ScreenTrace, ContactsWithinItsLengthAreThoseOfRayTracing) {
     GraphRunner runner(test_device(), compile(graph));
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const CameraImage camera = camera_image(frame, rows);
-      const GraphResult result = runner.run(on_device, &camera, {.noise_seeds = 1, .timing_repeats = 0});
+      const GraphResult result = runner.run(on_device, &camera, kOnce);
       int dark = 0, leaks = 0, lit = 0, false_shadows = 0;
       for (std::size_t i = 0; i < exact.visibility.size(); ++i) {
         if (!is_inside(exact, i)) continue;

@@ -9,6 +9,7 @@
 #include "as_identifier.h"
 #include "reference/trace_visibility.h"
 #include "resolve/graph_runner.h"
+#include "resolve/run_once.h"
 #include "resolve/test_device.h"
 
 namespace penumbra::resolve {
@@ -59,8 +60,7 @@ GraphResult drawn_with_volumes(const scene::Scene& scene, const scene::Frame& fr
                      compile(technique_graph(library_techniques(), library_techniques().find("shadow-volume"),
                                              Taps::as_listed, frame.settings.shadows.reversed_z)));
   const CameraImage camera = camera_image(frame, rows);
-  return runner.run(FrameOnDevice(test_device(), frame, &casters), &camera,
-                    {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
+  return runner.run(FrameOnDevice(test_device(), frame, &casters), &camera, kCountedOnce);
 }
 
 // Whether rays from a dense grid between the four surroundings agree. The five rays of a pixel may miss

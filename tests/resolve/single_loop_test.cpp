@@ -13,6 +13,7 @@
 
 #include "resolve/drawn_scenes.h"
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/shadow_shader.h"
 #include "resolve/synthetic_frame.h"
 
@@ -24,7 +25,6 @@ using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
 constexpr int kColumns = 32;
-constexpr RunOptions kCounted{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 class SingleLoop : public testing::TestWithParam<bool> {
  protected:
@@ -48,7 +48,7 @@ class SingleLoop : public testing::TestWithParam<bool> {
       return technique_graph(library_techniques(), technique, Taps::as_listed, GetParam());
     });
     runner.set_parameters(parameter_uniforms(library_techniques(), technique));
-    return runner.run(FrameOnDevice(test_device(), frame), kCounted);
+    return runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
   }
 
   // The receivers are all over the tile, its borders included, at two depths, one below the other.

@@ -11,6 +11,7 @@
 
 #include "resolve/graph_runner.h"
 #include "resolve/reference_bounds.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -283,8 +284,7 @@ void expect_model(const std::string& name, const glm::dvec3& tilt, int signs) {
   const techniques::TechniqueList& list = library_techniques();
   const techniques::Technique& technique = list.find(name);
   GraphRunner runner(test_device(), compile(technique_graph(list, technique)));
-  const GraphResult result =
-      runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
+  const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 
   const Map map(frame);
@@ -337,8 +337,7 @@ TEST(SoftShadows, FetchByWhatTheyFind) {
       const std::vector<testing_frames::TilePoint> receivers(64, {0.4, 0.6, 0.5});
       const scene::Frame frame = testing_frames::make_frame(
           setup, [wall](double, double, int) { return wall ? 1.0f : 0.0f; }, receivers, 8);
-      const GraphResult result = runner.run(FrameOnDevice(test_device(), frame),
-                                            {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true});
+      const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kCountedOnce);
       EXPECT_THAT(result.fetches, testing::Each(wall ? cost.dark : cost.lit)) << cost.technique;
       EXPECT_THAT(result.visibility[0], testing::Each(testing::FloatNear(wall ? 0.0f : 1.0f, 1e-6F)))
           << cost.technique;
@@ -372,8 +371,7 @@ TEST(SoftShadows, LearnNothingFromOutsideTheTileWithTheWidestKernels) {
               return tile == kCascade ? static_cast<float>(1.0 - depth_at(u, v, tile)) : poison;
             },
             receivers, kColumns);
-        const GraphResult result =
-            runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
+        const GraphResult result = runner.run(FrameOnDevice(test_device(), frame), kOnce);
         if (before.empty()) before = result.visibility[0];
         for (std::size_t i = 0; i < before.size(); ++i)
           ASSERT_EQ(result.visibility[0][i], before[i])

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
 #include "resolve/spot_frame.h"
 #include "resolve/spot_transcription.h"
 
@@ -158,7 +159,7 @@ std::vector<float> told(const SpotSetup& setup, const FrameOnDevice& frame, cons
   ShadowGraph graph = filter_graph(shader);
   graph.parameters.merge(slice_uniforms(setup));
   GraphRunner runner(test_device(), compile(graph));
-  return runner.run(frame, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
+  return runner.run(frame, kOnce).visibility.front();
 }
 
 // Boards, poles and a rough ground are at many heights, and receivers everywhere on a slanted plane; the sums
@@ -193,8 +194,7 @@ TEST_P(SpotFilter, IsWhatItsDescriptionSays) {
   ShadowGraph graph = testing_frames::spot_graph(technique, GetParam());
   graph.parameters.merge(slice_uniforms(at));
   GraphRunner runner(test_device(), compile(graph));
-  const std::vector<float> seen =
-      runner.run(on_device, {.noise_seeds = 1, .timing_repeats = 0}).visibility.front();
+  const std::vector<float> seen = runner.run(on_device, kOnce).visibility.front();
 
   testing_spot::Filter filter({0.3, 9.0, 0.5 / shadow.uv_per_tangent, 0.15}, {24, 16, 1.25, 100.0}, n,
                               GetParam(), texel);

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "resolve/probe_graph.h"
+#include "resolve/run_once.h"
 #include "resolve/synthetic_frame.h"
 
 namespace penumbra::resolve {
@@ -15,8 +16,6 @@ namespace {
 
 using Digits = std::array<std::uint32_t, 4>;
 using Sums = std::vector<Digits>;
-constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
-constexpr RunOptions kCountedOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = true};
 
 // The depths are multiples of 2^-12, whose digits and squares no rounding touches.
 double exact_depth(double u, double v, int tile) {
