@@ -31,8 +31,8 @@ float2 BoundGradient(float2 gradient)
     return steepest > kLargestGradient ? gradient * (kLargestGradient / max(steepest, kLargestGradient)) : gradient;
 }
 
-// The plane from the changes of the shadow coordinate to the next pixels right and down, ddx and ddy of shadowCoord. No
-// technique calls it; it is for the option of planes by derivatives.
+// The plane from the changes of the shadow coordinate to the next pixels right and down, as ddx and ddy of shadowCoord
+// are. Texels in place of atlas UV give the slope per texel.
 //
 //     | dz/dx |   | du/dx  dv/dx | | dz/du |
 //     | dz/dy | = | du/dy  dv/dy | | dz/dv |

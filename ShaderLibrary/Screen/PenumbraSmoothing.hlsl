@@ -59,7 +59,7 @@ struct SmoothingReach
     bool clips;      // but a pixel that is brighter or darker than all around it is, however much
 };
 
-// Of the pixels around, and of those three pixels away, which are smoothed already.
+// NearSmoothing is for the nearest pixels, FarSmoothing for those three pixels away, which are smoothed already.
 SmoothingReach NearSmoothing()
 {
     SmoothingReach reach;

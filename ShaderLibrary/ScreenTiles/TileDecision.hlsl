@@ -33,7 +33,7 @@
 #define DECISION_TURNS 3
 
 static const int kDecisionTileBits = 3;
-static const int kDecisionTilePixels = 8; // 1 << kDecisionTileBits
+static const int kDecisionTilePixels = 1 << kDecisionTileBits;
 static const float kBlocksAcross = 12.0;
 
 // The pixels' flags: a bit for each cascade that covers one of them, and these.
@@ -79,7 +79,7 @@ struct TileQuad
     uint flags;
 };
 
-// What is known of a tile's pixels.
+// The bounds of all of a tile's pixels.
 struct TileBox
 {
     uint flags;
@@ -213,7 +213,7 @@ TileBox BoxOfTile(TileQuad quad, uint thread)
     return box;
 }
 
-// What the blocks in reach may do to the tile.
+// The sum of what the blocks in reach may do to the tile.
 struct BlocksFound
 {
     float gap;         // largest gap of a block that may block a pixel; 0 if there is none

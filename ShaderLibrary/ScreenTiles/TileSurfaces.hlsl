@@ -15,7 +15,7 @@
 #include "../Core/FastLoop.hlsl"
 #include "../Core/RowOrder.hlsl"
 #include "../Core/ScreenScale.hlsl"
-#include "../Screen/CameraSurface.hlsl"
+#include "../Screen/GatheredDepth.hlsl"
 
 // ReadCameraSurface reads two pixels each way.
 #define SQUARE_APRON 2

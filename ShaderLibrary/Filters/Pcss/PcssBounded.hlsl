@@ -87,7 +87,8 @@ TexelQuadTest TestTexels(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceive
     return test;
 }
 
-// Which texels block: those above the plane whose gap exceeds an offset >= 0, stored depth. A NaN does not.
+// Returns which texels block: those above the plane whose gap exceeds an offset >= 0, stored depth. A NaN does not
+// block.
 bool4 BlockingTexels(TexelQuadTest test, float4 offset)
 {
     return min(test.abovePlane, test.gap - offset) > 0.0;
@@ -171,6 +172,12 @@ SearchRing NextRing(SearchRing ring, TexelReceiver receiver)
     return next;
 }
 
+// Returns which texels of a sample block in the search's cone.
+bool4 BlockingInSearch(TexelQuadTest test, SearchRing ring, float depthPerTexel)
+{
+    return BlockingTexels(test, max(ring.own * kConePerTexel - kSmallestSlackTexels, 0.0) * depthPerTexel);
+}
+
 struct BoundedSearch
 {
     float gap;         // mean gap of the blockers, stored depth
@@ -193,8 +200,7 @@ BoundedSearch SearchBounded(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelRece
     for (int i = 0; i < samples; ++i)
     {
         const TexelQuadTest test = TestTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, ring.texels);
-        const bool4 blocking =
-            BlockingTexels(test, max(ring.own * kConePerTexel - kSmallestSlackTexels, 0.0) * depthPerTexel);
+        const bool4 blocking = BlockingInSearch(test, ring, depthPerTexel);
         const float4 one = blocking ? 1.0 : 0.0;
         const float4 found = test.gap * one;
         const float highest = max(max(found.x, found.y), max(found.z, found.w));
@@ -222,7 +228,7 @@ struct LayerGaps
 };
 
 LayerGaps SearchLayers(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver receiver, float depthPerTexel,
-                         float largestRadius, int samples, float split)
+                       float largestRadius, int samples, float split)
 {
     SearchRing ring = FirstRing(receiver, largestRadius, samples);
     float2 low = float2(0.0, 0.0); // x: sum of gaps, y: number of texels
@@ -231,8 +237,7 @@ LayerGaps SearchLayers(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver 
     for (int i = 0; i < samples; ++i)
     {
         const TexelQuadTest test = TestTexels(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, ring.texels);
-        const bool4 blocking =
-            BlockingTexels(test, max(ring.own * kConePerTexel - kSmallestSlackTexels, 0.0) * depthPerTexel);
+        const bool4 blocking = BlockingInSearch(test, ring, depthPerTexel);
         const float4 one = blocking ? 1.0 : 0.0;
         const float4 isHigh = test.gap > split ? one : 0.0;
         const float4 isLow = one - isHigh;
@@ -322,13 +327,12 @@ float3 WeighLayer(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver recei
 }
 
 // The light that passes a low layer and the high one above it. The low one is filtered in a wider disc where next to
-// nothing of it is known. With the same layer twice there is one. A loop calls the filter, because FXC compiles what it
-// calls once for each call.
+// nothing of it is known. Unless there are two, both are the same layer. A loop calls the filter, because FXC compiles
+// what it calls once for each call.
 float FilterLayers(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver receiver, float depthPerTexel,
                    BlockerLayer low, BlockerLayer high, bool two, int samples)
 {
     BlockerLayer layer = low;
-    if (!two) layer = high;
     bool isHigh = !two;
     float visibility = 1.0;
     float3 weights = float3(0.0, 0.0, 0.0);

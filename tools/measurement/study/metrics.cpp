@@ -9,6 +9,15 @@
 namespace penumbra::study {
 namespace {
 
+bool is_counted(const SeamImages& images, std::size_t i) {
+  if (images.cascade[i] < 0) return false;
+  return images.everywhere || (images.t1[i] > kUmbraBelow && images.t1[i] < kLitAbove);
+}
+
+double error_of(const SeamImages& images, std::size_t i) {
+  return static_cast<double>(images.result[i]) - static_cast<double>(images.t1[i]);
+}
+
 // The mean of the changes in one block.
 struct Changes {
   double sum = 0.0;
@@ -50,18 +59,12 @@ class SeamBlocks {
   }
 
  private:
-  bool counts(int x, int y) const {
-    const std::size_t i = at(x, y);
-    if (images_.cascade[i] < 0) return false;
-    return images_.everywhere || (images_.t1[i] > kUmbraBelow && images_.t1[i] < kLitAbove);
-  }
+  bool counts(int x, int y) const { return is_counted(images_, at(x, y)); }
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(images_.width) +
            static_cast<std::size_t>(x);
   }
-  double error(std::size_t i) const {
-    return static_cast<double>(images_.result[i]) - static_cast<double>(images_.t1[i]);
-  }
+  double error(std::size_t i) const { return error_of(images_, i); }
 
   void add_pair(int x, int y, int to_x, int to_y, Changes& changes) const {
     if (to_x >= images_.width || to_y >= height_ || !counts(x, y) || !counts(to_x, to_y)) return;
@@ -428,10 +431,6 @@ Seam seam_of(const SeamImages& images) {
 GroupStep group_step_of(const SeamImages& images) {
   require_same_sizes(images);
   const auto width = static_cast<std::size_t>(images.width);
-  const auto counts = [&](std::size_t i) {
-    return images.cascade[i] >= 0 &&
-           (images.everywhere || (images.t1[i] > kUmbraBelow && images.t1[i] < kLitAbove));
-  };
   struct Squares {
     double sum = 0.0;
     std::size_t count = 0;
@@ -441,9 +440,8 @@ GroupStep group_step_of(const SeamImages& images) {
     }
   } across, inside;
   const auto add = [&](std::size_t a, std::size_t b, std::size_t place) {
-    if (!counts(a) || !counts(b) || images.cascade[a] != images.cascade[b]) return;
-    const double step = (static_cast<double>(images.result[b]) - static_cast<double>(images.t1[b])) -
-                        (static_cast<double>(images.result[a]) - static_cast<double>(images.t1[a]));
+    if (!is_counted(images, a) || !is_counted(images, b) || images.cascade[a] != images.cascade[b]) return;
+    const double step = error_of(images, b) - error_of(images, a);
     Squares& squares = place % kGroupPixels == 0 ? across : inside;
     squares.sum += step * step;
     ++squares.count;

@@ -260,9 +260,11 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   if (!view.frame.cascades.cascades.empty()) {
     const std::vector<int> read = cascades_read(counted, setup, view.frame);
     const SeamImages images{setup.t1.width, read, setup.t1.visibility, answer.visibility.front()};
-    if (record.cascades > 1) record.per_cascade = per_cascade(setup, view, subject, answer, read);
-    if (record.cascades > 1) record.seam = seam_of(images);
     record.group_step = group_step_of(images);
+    if (record.cascades > 1) {
+      record.per_cascade = per_cascade(setup, view, subject, answer, read);
+      record.seam = seam_of(images);
+    }
   }
   if (setup.scene.seen_distance_metres > setup.scene.shadow_distance_metres) {
     record.by_distance = by_distance(setup, view, answer, counted);

@@ -12,6 +12,13 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 
+// As in Unity's API/GLCore.hlsl and API/GLES3.hlsl, a program of OpenGL that gathers below target 4.5 is an error, also
+// where nothing calls the function that gathers.
+#if (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)) && SHADER_TARGET < 45
+#undef GATHER_RED_TEXTURE2D
+#define GATHER_RED_TEXTURE2D(textureName, samplerName, uv) StandsInHasNoGatherBelowTarget45
+#endif
+
 float3 _WorldSpaceCameraPos;
 
 // Of two eyes drawn at once a texture of the screen is an array with a slice for each. By a function, which takes no
