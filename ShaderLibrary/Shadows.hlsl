@@ -12,11 +12,11 @@
 //
 // Computes:   visibility of the main light at a world position, with the technique that the keyword selects:
 //             _PENUMBRA_HARD, _PENUMBRA_BILINEAR, _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7,
-//             _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON, _PENUMBRA_PCSS_HDRP, _PENUMBRA_SINGLE_LOOP, _PENUMBRA_SMRT,
-//             _PENUMBRA_PCSS_GODOT, _PENUMBRA_DPCF_FILAMENT, _PENUMBRA_PCSS_FILAMENT; without a keyword, tent 5 x 5.
+//             _PENUMBRA_PCSS, _PENUMBRA_PCSS_BOUNDED (the filter of Tiled PCSS), _PENUMBRA_PCSS_POISSON,
+//             _PENUMBRA_PCSS_HDRP, _PENUMBRA_SINGLE_LOOP, _PENUMBRA_SMRT, _PENUMBRA_PCSS_GODOT,
+//             _PENUMBRA_DPCF_FILAMENT, _PENUMBRA_PCSS_FILAMENT; without a keyword, tent 5 x 5.
 //             Pipelines/TechniqueByKeyword.hlsl has those of filters that read maps, for the renderer feature's passes.
-//             With PENUMBRA_MAPS_BOUND, your shader may have the filter of the feature's own technique, above all
-//             _PENUMBRA_CELL_PCSS, also with the technique Cell PCSS.
+//             With PENUMBRA_MAPS_BOUND, your shader may have the filter of the feature's own technique.
 // Source:     see each filter's file.
 // Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. The uniforms of
 //             Pipelines/Urp.hlsl and, of PCSS, of Pipelines/TechniqueByKeyword.hlsl.

@@ -153,39 +153,6 @@ Shader "Hidden/Penumbra/Maps"
 
         Pass
         {
-            Name "QuarterDepthBlocks"
-            HLSLPROGRAM
-            #pragma target 4.5
-            #pragma vertex ScreenTriangle
-            #pragma fragment QuarterDepthBlocks
-            #include "DepthBlockPasses.hlsl"
-            ENDHLSL
-        }
-
-        Pass
-        {
-            Name "EighthDepthBlocks"
-            HLSLPROGRAM
-            #pragma target 4.5
-            #pragma vertex ScreenTriangle
-            #pragma fragment EighthDepthBlocks
-            #include "DepthBlockPasses.hlsl"
-            ENDHLSL
-        }
-
-        Pass
-        {
-            Name "DepthBlocksMip"
-            HLSLPROGRAM
-            #pragma target 4.5
-            #pragma vertex ScreenTriangle
-            #pragma fragment DepthBlocksMip
-            #include "DepthBlockPasses.hlsl"
-            ENDHLSL
-        }
-
-        Pass
-        {
             Name "DepthDigits"
             HLSLPROGRAM
             #pragma target 3.5

@@ -23,8 +23,7 @@ namespace Penumbra.Editor
 
         /// <summary>
         /// If the technique of Custom has just changed, its own options become those that it is measured with, as the
-        /// same number means something else to another technique; and so do those of what stands in for its passes,
-        /// which the inspector does not show. The look stays.
+        /// same number means something else to another technique. The look stays.
         /// </summary>
         /// <param name="edited">The feature's settings before they are applied.</param>
         /// <param name="inForce">The feature's current settings.</param>
@@ -35,8 +34,6 @@ namespace Penumbra.Editor
             if (inForce.preset != QualityPreset.Custom || technique == inForce.custom.technique) return;
             ShadowOptions options = inForce.custom;
             options.technique = technique;
-            if (ChainSubstitute.TryGetSampled(options, out ShadowOptions instead))
-                instead.technique.Entry().SetMeasured(ref options);
             technique.Entry().SetMeasured(ref options);
             options.softnessCapMetres = inForce.custom.softnessCapMetres;
             Write(custom, options);
@@ -55,7 +52,6 @@ namespace Penumbra.Editor
             custom.FindPropertyRelative(nameof(options.mapFormat)).intValue = (int)options.mapFormat;
             custom.FindPropertyRelative(nameof(options.rays)).intValue = options.rays;
             custom.FindPropertyRelative(nameof(options.samplesPerRay)).intValue = options.samplesPerRay;
-            custom.FindPropertyRelative(nameof(options.filterCells)).intValue = options.filterCells;
             custom.FindPropertyRelative(nameof(options.discRadiusMetres)).floatValue = options.discRadiusMetres;
             custom.FindPropertyRelative(nameof(options.mask)).boolValue = options.mask;
             custom.FindPropertyRelative(nameof(options.conservativeMask)).boolValue = options.conservativeMask;

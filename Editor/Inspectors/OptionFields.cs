@@ -17,19 +17,13 @@ namespace Penumbra.Editor
             OptionTable.AngularDiameterDegrees.Tooltip,
             options => options.technique.Entry().widensWithDisc, volume => volume.angularDiameterDegrees);
 
-        // With half resolution, pixels whose neighbours differ widely are filtered. Where passes draw the visibility
-        // themselves, they are filtered with what replaces those passes.
-        private static bool Filters(in ShadowOptions options, string option) =>
-            options.technique.Entry().Takes(option) || options.DrawsVisibility && options.HalvesResolution &&
-            options.technique.Entry().fallback.Entry().Takes(option);
-
         internal static readonly OptionField BlockerSamples = new OptionField(
             nameof(ShadowOptions.blockerSamples), OptionTable.BlockerSamples.Label, OptionTable.BlockerSamples.Tooltip,
-            options => Filters(options, nameof(ShadowOptions.blockerSamples)), volume => volume.blockerSamples);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.blockerSamples)), volume => volume.blockerSamples);
 
         internal static readonly OptionField FilterSamples = new OptionField(
             nameof(ShadowOptions.filterSamples), OptionTable.FilterSamples.Label, OptionTable.FilterSamples.Tooltip,
-            options => Filters(options, nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
 
         // A filter without a limit has a mask that is limited by the softness cap; PCSS (HDRP) has a cap of its own.
         internal static readonly OptionField SoftnessCap = new OptionField(
@@ -43,7 +37,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField MinFilter = new OptionField(
             nameof(ShadowOptions.minFilterTexels), OptionTable.MinFilterTexels.Label,
             OptionTable.MinFilterTexels.Tooltip,
-            options => Filters(options, nameof(ShadowOptions.minFilterTexels)),
+            options => options.technique.Entry().Takes(nameof(ShadowOptions.minFilterTexels)),
             null);
 
         internal static readonly OptionField LightBleeding = new OptionField(
@@ -69,10 +63,6 @@ namespace Penumbra.Editor
         internal static readonly OptionField DiscRadius = new OptionField(
             nameof(ShadowOptions.discRadiusMetres), OptionTable.DiscRadiusMetres.Label, OptionTable.DiscRadiusMetres.Tooltip,
             options => options.technique.Entry().Takes(nameof(ShadowOptions.discRadiusMetres)), volume => volume.discRadiusMetres);
-
-        internal static readonly OptionField FilterCells = new OptionField(
-            nameof(ShadowOptions.filterCells), OptionTable.FilterCells.Label, OptionTable.FilterCells.Tooltip,
-            options => options.technique.Entry().Takes(nameof(ShadowOptions.filterCells)), volume => volume.filterCells);
 
         internal static readonly OptionField Mask = new OptionField(
             nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,
@@ -122,7 +112,7 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField[] All =
         {
-            Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius, FilterCells,
+            Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius,
             SoftnessCap, MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, HalfResolution, Denoise,
         };
     }

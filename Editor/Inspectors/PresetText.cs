@@ -8,21 +8,22 @@ namespace Penumbra.Editor
         internal static string Describe(in ShadowOptions options)
         {
             string text = DescribeOne(options);
-            bool isReplaced = ChainSubstitute.TryGetSampled(options, out ShadowOptions instead);
-            if (isReplaced && options.DrawsVisibility && options.HalvesResolution)
-                text += ", sharp edges by " + TechniqueName.Of(instead.technique);
-            return isReplaced ? text + "; on devices that cannot run it " + DescribeOne(instead) + "." : text + ".";
+            return ChainSubstitute.TryGetSampled(options, out ShadowOptions instead)
+                       ? text + "; on devices that cannot run it " + TechniqueName.Of(instead.technique) + Passes(instead) + "."
+                       : text + ".";
         }
 
         // The text leaves out the technique that stands in for it on some devices.
         private static string DescribeOne(in ShadowOptions options)
         {
             string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
-            if (options.mask && options.technique.Entry().takesSamples) text += ", where the mask finds a penumbra";
             if (options.HalvesResolution) text += ", at half resolution";
-            if (options.denoise && options.technique.Entry().takesSamples) text += ", denoised";
-            return text;
+            return text + Passes(options);
         }
+
+        private static string Passes(in ShadowOptions options) =>
+            !options.technique.Entry().takesSamples ? "" :
+            (options.mask ? ", where the mask finds a penumbra" : "") + (options.denoise ? ", denoised" : "");
 
         /// <summary>
         /// A text such as "Error 0.08 in penumbrae, 35.3 fetches per pixel, measured under 2 degrees."
@@ -62,9 +63,6 @@ namespace Penumbra.Editor
                 case ShadowTechnique.Tent7x7: return "16 fetches of the shadow map, no contact hardening";
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
-                case ShadowTechnique.CellPcss:
-                    return options.filterCells + " filter cells";
-                case ShadowTechnique.CellPcssPixel: return "all texels around a pixel in place of samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }
         }

@@ -112,6 +112,7 @@ namespace Penumbra.Editor
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
             options.technique = ShadowTechnique.Pcss;
+            options.mask = true;
             return volume.Over(options);
         }
 

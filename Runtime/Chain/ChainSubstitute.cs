@@ -5,7 +5,8 @@ namespace Penumbra
     {
         /// <summary>
         /// Gives `instead`: the same options with what is drawn in the place of the technique's own passes, if that
-        /// takes samples, so that options without an effect on those passes have one on it: PCSS for Cell PCSS.
+        /// takes samples, so that options without an effect on those passes have one on it: the bounded PCSS for
+        /// Tiled PCSS.
         /// Otherwise the result is false.
         /// </summary>
         internal static bool TryGetSampled(in ShadowOptions options, out ShadowOptions instead)

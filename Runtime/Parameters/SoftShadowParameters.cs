@@ -11,11 +11,11 @@ namespace Penumbra
         public float AngularDiameterDegrees;
 
         /// <summary>
-        /// Fetches of the blocker search, 1 to 64; PCSS (Poisson) has as many in the filter, and allows up to 128.
+        /// Fetches of the blocker search, 1 to 128; PCSS (Poisson) has as many in the filter, and allows up to 128.
         /// </summary>
         public int BlockerSamples;
 
-        /// <summary>Fetches of the filter, 1 to 64.</summary>
+        /// <summary>Fetches of the filter, 1 to 128.</summary>
         public int FilterSamples;
 
         /// <summary>

@@ -39,8 +39,8 @@ namespace Penumbra
     [Serializable]
     public struct PcssAngularParameters
     {
-        [Tooltip("Samples of the blocker search, 1 to 64. Unit: fetches."), Range(1, 64)] public int blockerSamples;
-        [Tooltip("Samples of the filter, 1 to 64. Unit: fetches."), Range(1, 64)] public int filterSamples;
+        [Tooltip("Samples of the blocker search, 1 to 128. Unit: fetches."), Range(1, 128)] public int blockerSamples;
+        [Tooltip("Samples of the filter, 1 to 128. Unit: fetches."), Range(1, 128)] public int filterSamples;
         [Tooltip("Radial distribution of the search samples: 0 equally many per octave of radius, 1 uniform over the area, 2 density 1/r."), Range(0.0f, 8.0f)] public float blockerClump;
         [Tooltip("Smallest filter and search radius. Unit: texels."), Range(0.0f, 64.0f)] public float minFilterTexels;
         [Tooltip("Largest penumbra width, from visibility 0 to 1; caps both radii. Unit: m."), Range(0.0f, 1e+06f)] public float maxPenumbraMetres;
@@ -50,8 +50,8 @@ namespace Penumbra
         public static PcssAngularParameters Default => new PcssAngularParameters
             { blockerSamples = 1, filterSamples = 1, blockerClump = 0.0f, minFilterTexels = 1.25f,
               maxPenumbraMetres = 100.0f, maxSamplingMetres = 1000.0f };
-        public Vector4 Vector0 => new Vector4(Bounded.Count(blockerSamples, 1, 64),
-            Bounded.Count(filterSamples, 1, 64), Bounded.OrLow(blockerClump, 0.0f, 8.0f),
+        public Vector4 Vector0 => new Vector4(Bounded.Count(blockerSamples, 1, 128),
+            Bounded.Count(filterSamples, 1, 128), Bounded.OrLow(blockerClump, 0.0f, 8.0f),
             Bounded.OrLow(minFilterTexels, 0.0f, 64.0f));
         public Vector4 Vector1 => new Vector4(Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f),
             Bounded.OrLow(maxSamplingMetres, 0.0f, 1e+06f), 0.0f, 0.0f);
@@ -66,14 +66,14 @@ namespace Penumbra
     [Serializable]
     public struct PcssBoundedParameters
     {
-        [Tooltip("Samples of the blocker search, 1 to 64. Unit: fetches."), Range(1, 64)] public int searchSamples;
-        [Tooltip("Samples of the filter in penumbrae wider than 4.25 texels, 1 to 64. Unit: fetches."), Range(1, 64)] public int filterSamples;
+        [Tooltip("Samples of the blocker search, 1 to 128. Unit: fetches."), Range(1, 128)] public int searchSamples;
+        [Tooltip("Samples of the filter in penumbrae wider than 4.25 texels, 1 to 128. Unit: fetches."), Range(1, 128)] public int filterSamples;
         [Tooltip("Largest penumbra width, from visibility 0 to 1. Unit: m."), Range(0.0f, 1e+06f)] public float maxPenumbraMetres;
         public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraPcssBoundedParameters0");
         public static PcssBoundedParameters Default => new PcssBoundedParameters
             { searchSamples = 1, filterSamples = 1, maxPenumbraMetres = 100.0f };
-        public Vector4 Vector0 => new Vector4(Bounded.Count(searchSamples, 1, 64),
-            Bounded.Count(filterSamples, 1, 64), Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f), 0.0f);
+        public Vector4 Vector0 => new Vector4(Bounded.Count(searchSamples, 1, 128),
+            Bounded.Count(filterSamples, 1, 128), Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f), 0.0f);
         public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 
@@ -339,18 +339,6 @@ namespace Penumbra
             { mix = 3e-07f, bleeding = 0.2f };
         public Vector4 Vector0 => new Vector4(Bounded.OrLow(mix, 1e-07f, 0.1f),
             Bounded.OrLow(bleeding, 0.0f, 0.95f), 0.0f, 0.0f);
-        public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
-    }
-
-    /// <summary>How finely Cell PCSS filters what it does not decide for tiles.</summary>
-    [Serializable]
-    public struct CellPcssParameters
-    {
-        [Tooltip("Cells of the shadow map, or fewer, from the middle of a wide penumbra's filter to its edge, 3 to 5. Unit: cells."), Range(3, 5)] public int filterCells;
-        public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraCellPcssParameters0");
-        public static CellPcssParameters Default => new CellPcssParameters
-            { filterCells = 5 };
-        public Vector4 Vector0 => new Vector4(Bounded.Count(filterCells, 3, 5), 0.0f, 0.0f, 0.0f);
         public void SetGlobal(CommandBuffer commands) => commands.SetGlobalVector(Uniform0, Vector0);
     }
 

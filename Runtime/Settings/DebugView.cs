@@ -28,7 +28,7 @@ namespace Penumbra
 
         /// <summary>
         /// The penumbra mask: yellow where it lets the filter run, grey where it skips it; all is yellow without a
-        /// mask. Cell PCSS has none, so what it decides without its filter is not shown.
+        /// mask. Tiled PCSS has none: the tiles that it decides without its filter are not shown.
         /// </summary>
         PenumbraMask,
     }

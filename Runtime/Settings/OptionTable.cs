@@ -7,7 +7,7 @@ namespace Penumbra
     internal enum NumberOption
     {
         angularDiameterDegrees, blockerSamples, filterSamples, softnessCapMetres, minFilterTexels, lightBleeding,
-        mapBlurTexels, rays, samplesPerRay, discRadiusMetres, filterCells, cascadeBlend, contactShadowMetres,
+        mapBlurTexels, rays, samplesPerRay, discRadiusMetres, cascadeBlend, contactShadowMetres,
         contactShadowSteps
     }
 
@@ -28,7 +28,6 @@ namespace Penumbra
                 case NumberOption.rays: return options.rays;
                 case NumberOption.samplesPerRay: return options.samplesPerRay;
                 case NumberOption.discRadiusMetres: return options.discRadiusMetres;
-                case NumberOption.filterCells: return options.filterCells;
                 case NumberOption.cascadeBlend: return options.cascadeBlend;
                 case NumberOption.contactShadowMetres: return options.contactShadowMetres;
                 case NumberOption.contactShadowSteps: return options.contactShadowSteps;
@@ -50,7 +49,6 @@ namespace Penumbra
                 case NumberOption.rays: options.rays = (int)value; break;
                 case NumberOption.samplesPerRay: options.samplesPerRay = (int)value; break;
                 case NumberOption.discRadiusMetres: options.discRadiusMetres = value; break;
-                case NumberOption.filterCells: options.filterCells = (int)value; break;
                 case NumberOption.cascadeBlend: options.cascadeBlend = value; break;
                 case NumberOption.contactShadowMetres: options.contactShadowMetres = value; break;
                 case NumberOption.contactShadowSteps: options.contactShadowSteps = (int)value; break;
@@ -87,16 +85,17 @@ namespace Penumbra
         internal static class BlockerSamples
         {
             internal const string Label = "Blocker Samples", Tooltip =
-                "Texture fetches per pixel that search for shadow casters, 1 to 64. Too few miss thin casters. PCSS " +
-                "(Poisson), PCSS (Godot), DPCF (Filament) and Single loop use the same number for their filter.";
-            internal const int Min = 1, Max = 64;
+                "Texture fetches per pixel that search for shadow casters, 1 to 128. Too few miss thin casters. " +
+                "PCSS (Poisson), PCSS (Godot), DPCF (Filament) and Single loop use the same number for their " +
+                "filter.";
+            internal const int Min = 1, Max = 128;
         }
         internal static class FilterSamples
         {
             internal const string Label = "Filter Samples", Tooltip =
-                "Texture fetches per pixel that measure how much of the light is visible, 1 to 64. Too few make " +
+                "Texture fetches per pixel that measure how much of the light is visible, 1 to 128. Too few make " +
                 "penumbrae grainy.";
-            internal const int Min = 1, Max = 64;
+            internal const int Min = 1, Max = 128;
         }
         internal static class SoftnessCapMetres
         {
@@ -150,13 +149,6 @@ namespace Penumbra
                 "Largest radius of the disc of samples in metres, 0 to 1, and with it of a penumbra. A wider disc " +
                 "blurs narrow penumbrae, a narrower one cuts wide ones off.";
             internal const float Min = 0.0f, Max = 1.0f;
-        }
-        internal static class FilterCells
-        {
-            internal const string Label = "Filter Cells", Tooltip =
-                "Cells of the shadow map from the middle of a wide penumbra's filter to its edge, 3 to 5. Fewer " +
-                "cost less and draw more false shadow at contacts under a wide light.";
-            internal const int Min = 3, Max = 5;
         }
         internal static class Mask
         {

@@ -66,10 +66,6 @@ namespace Penumbra
         public ClampedFloatParameter discRadiusMetres = new ClampedFloatParameter(0.05f, OptionTable.DiscRadiusMetres.Min,
                                                                                   OptionTable.DiscRadiusMetres.Max);
 
-        [Tooltip(OptionTable.FilterCells.Tooltip)]
-        public ClampedIntParameter filterCells = new ClampedIntParameter(5, OptionTable.FilterCells.Min,
-                                                                         OptionTable.FilterCells.Max);
-
         [Tooltip(OptionTable.Mask.Tooltip)]
         public BoolParameter mask = new BoolParameter(true);
 
@@ -137,7 +133,6 @@ namespace Penumbra
             if (rays.overrideState) options.rays = rays.value;
             if (samplesPerRay.overrideState) options.samplesPerRay = samplesPerRay.value;
             if (discRadiusMetres.overrideState) options.discRadiusMetres = discRadiusMetres.value;
-            if (filterCells.overrideState) options.filterCells = filterCells.value;
             if (mask.overrideState) options.mask = mask.value;
             if (conservativeMask.overrideState) options.conservativeMask = conservativeMask.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;

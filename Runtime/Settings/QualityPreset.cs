@@ -1,8 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The cost per pixel. Low to Ultra draw Cell PCSS, and PCSS on devices that cannot run it. Error and fetches of
-    /// each preset are measured against ray tracing and shown in the inspector (PresetFigures).
+    /// The cost per pixel. All draw Tiled PCSS, or its filter alone on devices that cannot run it. Error and
+    /// fetches of each preset are measured against ray tracing and shown in the inspector (PresetFigures).
     /// </summary>
     public enum QualityPreset
     {

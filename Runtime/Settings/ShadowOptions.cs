@@ -19,14 +19,14 @@ namespace Penumbra
         public float angularDiameterDegrees;
 
         /// <summary>
-        /// Samples of the blocker search, 1 to 64. PCSS (Poisson) and PCSS (Godot) use this many in both loops, DPCF
+        /// Samples of the blocker search, 1 to 128. PCSS (Poisson) and PCSS (Godot) use this many in both loops, DPCF
         /// (Filament) and Single loop the same ones for both.
         /// </summary>
         [Tooltip(OptionTable.BlockerSamples.Tooltip)]
         [Range(OptionTable.BlockerSamples.Min, OptionTable.BlockerSamples.Max)]
         public int blockerSamples;
 
-        /// <summary>Samples of the filter, 1 to 64.</summary>
+        /// <summary>Samples of the filter, 1 to 128.</summary>
         [Tooltip(OptionTable.FilterSamples.Tooltip)]
         [Range(OptionTable.FilterSamples.Min, OptionTable.FilterSamples.Max)]
         public int filterSamples;
@@ -75,13 +75,6 @@ namespace Penumbra
         [Tooltip(OptionTable.DiscRadiusMetres.Tooltip)]
         [Range(OptionTable.DiscRadiusMetres.Min, OptionTable.DiscRadiusMetres.Max)]
         public float discRadiusMetres;
-
-        /// <summary>
-        /// Cells of the shadow map from the middle of Cell PCSS's filter of a wide penumbra to its edge, 3 to 5.
-        /// </summary>
-        [Tooltip(OptionTable.FilterCells.Tooltip)]
-        [Range(OptionTable.FilterCells.Min, OptionTable.FilterCells.Max)]
-        public int filterCells;
 
         /// <summary>
         /// Whether the full filter runs only where the mask finds a penumbra, with a single shadow map test elsewhere.
@@ -153,9 +146,8 @@ namespace Penumbra
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
             lightBleeding.Equals(other.lightBleeding) && mapBlurTexels.Equals(other.mapBlurTexels) &&
             mapFormat == other.mapFormat && rays == other.rays && samplesPerRay == other.samplesPerRay &&
-            discRadiusMetres.Equals(other.discRadiusMetres) && filterCells == other.filterCells &&
-            mask == other.mask && conservativeMask == other.conservativeMask &&
-            halfResolution == other.halfResolution && denoise == other.denoise &&
+            discRadiusMetres.Equals(other.discRadiusMetres) && mask == other.mask &&
+            conservativeMask == other.conservativeMask && halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
             contactShadowSteps == other.contactShadowSteps && farShadows == other.farShadows &&
             clouds == other.clouds && debugView == other.debugView;
@@ -191,7 +183,6 @@ namespace Penumbra
                                                 OptionTable.SamplesPerRay.Max);
             options.discRadiusMetres = Mathf.Clamp(FiniteOr(discRadiusMetres, 0.0f), OptionTable.DiscRadiusMetres.Min,
                                                    OptionTable.DiscRadiusMetres.Max);
-            options.filterCells = Mathf.Clamp(filterCells, OptionTable.FilterCells.Min, OptionTable.FilterCells.Max);
             options.cascadeBlend = Mathf.Clamp(FiniteOr(cascadeBlend, 0.0f), OptionTable.CascadeBlend.Min,
                                                OptionTable.CascadeBlend.Max);
             options.contactShadowMetres = Mathf.Clamp(FiniteOr(contactShadowMetres, 0.0f),
@@ -208,7 +199,8 @@ namespace Penumbra
         internal bool DrawsBeyondCascades => farShadows != FarShadowMode.Off || clouds;
 
         /// <summary>
-        /// Whether the technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
+        /// Whether the technique is a filter that samples penumbrae of non-zero width, so that the penumbra mask and
+        /// the denoiser matter.
         /// </summary>
         internal bool SamplesPenumbrae => Entry.takesSamples && angularDiameterDegrees > 0.0f;
 

@@ -1,9 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// Has the options of each preset (PresetTable). The numbers of samples and the mask of a preset that draws
-    /// Cell PCSS are for PCSS, which stands in for it on devices that cannot run it. The presets' cost and error are
-    /// listed in Documentation~/presets.md and in the feature's inspector.
+    /// Has the options of each preset (PresetTable). The presets' cost and error are listed in
+    /// Documentation~/presets.md and in the feature's inspector.
     /// </summary>
     public static class ShadowPresets
     {

@@ -82,10 +82,10 @@ namespace Penumbra
         /// <summary>PCSS with the rules and parameters of Filament: up to 16 samples of either kind.</summary>
         [InspectorName("PCSS (Filament)")] PcssFilament = 23,
 
-        /// <summary>Penumbrae of a disc from all texels of the shadow map around a pixel, without noise, by compute shaders. Where a device cannot run them: PCSS.</summary>
-        [InspectorName("Cell PCSS")] CellPcss = 24,
+        /// <summary>PCSS by compute shaders: tiles of the screen that are lit or dark are not filtered, the others are smoothed by the width of their penumbrae. Where a device cannot run it: Bounded PCSS.</summary>
+        [InspectorName("Tiled PCSS")] TiledPcss = 24,
 
-        /// <summary>Cell PCSS's penumbrae, from its filter in each pixel: without compute shaders, for more fetches. Transparent and other forward shaders can have the same filter.</summary>
-        [InspectorName("Cell PCSS, per pixel")] CellPcssPixel = 25,
+        /// <summary>Tiled PCSS's filter in each pixel, without compute shaders: a search that ends where no blocker can be, two layers where shadows overlap. Transparent and other forward shaders can have it, too.</summary>
+        [InspectorName("Bounded PCSS")] PcssBounded = 25,
     }
 }

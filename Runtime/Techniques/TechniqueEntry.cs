@@ -14,7 +14,7 @@ namespace Penumbra
         /// <summary>What is drawn where the technique cannot run; itself if it runs everywhere.</summary>
         internal ShadowTechnique fallback;
 
-        /// <summary>The technique samples the light's disc, so that its penumbrae are noisy.</summary>
+        /// <summary>The technique is a filter that samples the light's disc: a mask saves samples, and the denoiser smooths them.</summary>
         internal bool takesSamples;
 
         /// <summary>Penumbrae are as wide as the light's disc makes them.</summary>

@@ -20,7 +20,7 @@
 #if defined(PENUMBRA_UNLIMITED)
 static const int kLargestSampleCount = 4096;
 #else
-static const int kLargestSampleCount = 64;
+static const int kLargestSampleCount = 128;
 #endif
 
 int BoundedSampleCount(int count)

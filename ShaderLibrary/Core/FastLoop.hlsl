@@ -4,8 +4,8 @@
 // Source:     HLSL's attribute fastopt, by which FXC neither tries to unroll a loop nor reads what is in it anew for
 //             each loop around it.
 // Inputs:     UNITY_LOOP.
-// Cost:       no fetches; about a hundredth of the bytecode's instructions change. Kernels with loops in loops, such as
-//             Cell PCSS's, take FXC a third of the time.
+// Cost:       no fetches; about a hundredth of the bytecode's instructions change. FXC takes a third of the time over
+//             kernels with loops in loops.
 // Guarantees: glslang knows the attribute, too.
 // Use it:     in place of UNITY_LOOP, where loops stand in loops.
 #ifndef PENUMBRA_FAST_LOOP_HLSL

@@ -9,6 +9,7 @@
 //               _PENUMBRA_TENT_7X7             FilterTent7x7Plane         Filters/Fixed/TentPcf.hlsl
 //               _PENUMBRA_PCSS_POISSON         FilterPcssClassic          Filters/Pcss/PcssClassic.hlsl
 //               _PENUMBRA_PCSS                 FilterPcssAngular          Filters/Pcss/PcssAngular.hlsl
+//               _PENUMBRA_PCSS_BOUNDED         FilterPcssBounded          Filters/Pcss/PcssBounded.hlsl
 //               _PENUMBRA_PCSS_HDRP            FilterPcssHdrp             Filters/Peers/PcssHdrp.hlsl
 //               _PENUMBRA_VSM                  FilterVariance             Filters/Prefiltered/Variance.hlsl
 //               _PENUMBRA_ESM                  FilterExponential          Filters/Prefiltered/Exponential.hlsl
@@ -28,7 +29,6 @@
 //               _PENUMBRA_MSSM                 FilterMssmSums             Filters/Prefiltered/MssmSums.hlsl
 //               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/Prefiltered/MssmLevels.hlsl
 //               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/Prefiltered/ExponentialLevels.hlsl
-//               _PENUMBRA_CELL_PCSS            FilterDepthRings           Filters/Cells/CellFilter.hlsl
 //               none of them                   FilterTent5x5Plane         Filters/Fixed/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the
@@ -56,14 +56,14 @@
 #endif
 
 #if defined(PENUMBRA_WITHOUT_GATHER) && \
-    (defined(_PENUMBRA_PCSS_POISSON) || defined(_PENUMBRA_PCSS) || defined(_PENUMBRA_PCSS_HDRP) || \
-     defined(_PENUMBRA_VSM) || defined(_PENUMBRA_ESM) || defined(_PENUMBRA_ESM_LOG) || \
-     defined(_PENUMBRA_EVSM) || defined(_PENUMBRA_MSM) || defined(_PENUMBRA_SMRT) || \
-     defined(_PENUMBRA_PCSS_GODOT) || defined(_PENUMBRA_DPCF_FILAMENT) || defined(_PENUMBRA_PCSS_FILAMENT) || \
-     defined(_PENUMBRA_SINGLE_LOOP) || defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX) || \
-     defined(_PENUMBRA_SINGLE_LOOP_MIPS) || defined(_PENUMBRA_SINGLE_LOOP_PLANES) || defined(_PENUMBRA_VSSM) || \
-     defined(_PENUMBRA_VSSM_MIPS) || defined(_PENUMBRA_MSSM) || defined(_PENUMBRA_MSSM_MIPS) || \
-     defined(_PENUMBRA_EVSM_MIPS) || defined(_PENUMBRA_CELL_PCSS))
+    (defined(_PENUMBRA_PCSS_POISSON) || defined(_PENUMBRA_PCSS) || defined(_PENUMBRA_PCSS_BOUNDED) || \
+     defined(_PENUMBRA_PCSS_HDRP) || defined(_PENUMBRA_VSM) || defined(_PENUMBRA_ESM) || \
+     defined(_PENUMBRA_ESM_LOG) || defined(_PENUMBRA_EVSM) || defined(_PENUMBRA_MSM) || \
+     defined(_PENUMBRA_SMRT) || defined(_PENUMBRA_PCSS_GODOT) || defined(_PENUMBRA_DPCF_FILAMENT) || \
+     defined(_PENUMBRA_PCSS_FILAMENT) || defined(_PENUMBRA_SINGLE_LOOP) || \
+     defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX) || defined(_PENUMBRA_SINGLE_LOOP_MIPS) || \
+     defined(_PENUMBRA_SINGLE_LOOP_PLANES) || defined(_PENUMBRA_VSSM) || defined(_PENUMBRA_VSSM_MIPS) || \
+     defined(_PENUMBRA_MSSM) || defined(_PENUMBRA_MSSM_MIPS) || defined(_PENUMBRA_EVSM_MIPS))
 #define PENUMBRA_USES_TENT_7X7
 #elif defined(_PENUMBRA_HARD)
 #define PENUMBRA_USES_HARD
@@ -80,6 +80,9 @@
 #define PENUMBRA_READS_RAW_DEPTH
 #elif defined(_PENUMBRA_PCSS)
 #define PENUMBRA_USES_PCSS
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_PCSS_BOUNDED)
+#define PENUMBRA_USES_PCSS_BOUNDED
 #define PENUMBRA_READS_RAW_DEPTH
 #elif defined(_PENUMBRA_PCSS_HDRP)
 #define PENUMBRA_USES_PCSS_HDRP
@@ -141,10 +144,6 @@
 #elif defined(_PENUMBRA_EVSM_MIPS)
 #define PENUMBRA_USES_EVSM_MIPS
 #define PENUMBRA_READS_MAPS
-#elif defined(_PENUMBRA_CELL_PCSS)
-#define PENUMBRA_USES_CELL_PCSS
-#define PENUMBRA_READS_RAW_DEPTH
-#define PENUMBRA_READS_MAPS
 #endif
 
 // The renderer feature's passes bind these maps while its technique is this keyword's.
@@ -166,6 +165,8 @@
 #include "../Filters/Pcss/PcssClassic.hlsl"
 #elif defined(PENUMBRA_USES_PCSS)
 #include "../Filters/Pcss/PcssAngular.hlsl"
+#elif defined(PENUMBRA_USES_PCSS_BOUNDED)
+#include "../Filters/Pcss/PcssBounded.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_HDRP)
 #include "../Filters/Peers/PcssHdrp.hlsl"
 #elif defined(PENUMBRA_USES_VSM)
@@ -204,8 +205,6 @@
 #include "../Filters/Prefiltered/MssmLevels.hlsl"
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 #include "../Filters/Prefiltered/ExponentialLevels.hlsl"
-#elif defined(PENUMBRA_USES_CELL_PCSS)
-#include "../Filters/Cells/CellFilter.hlsl"
 #else
 #include "../Filters/Fixed/TentPcf.hlsl"
 #endif
@@ -243,11 +242,6 @@ TEXTURE2D(_PenumbraMomentsTexture);
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
 SAMPLER(sampler_PenumbraLinearClamp);
 TEXTURE2D(_PenumbraMomentsTexture);
-#elif defined(PENUMBRA_USES_CELL_PCSS)
-TEXTURE2D(_PenumbraDepthPlanesTexture);
-Texture2D<uint4> _PenumbraDepthSpreadsTexture;
-TEXTURE2D(_PenumbraCoarsePlanesTexture);
-Texture2D<uint4> _PenumbraCoarseSpreadsTexture;
 #endif
 
 #include "../Filters/Pcss/Parameters/PcssClassicParameters.hlsl"
@@ -265,6 +259,14 @@ float4 _PenumbraPcssAngularParameters1;
 PcssAngularParameters PenumbraPcssAngular()
 {
     return UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0, _PenumbraPcssAngularParameters1);
+}
+
+#include "../Filters/Pcss/Parameters/PcssBoundedParameters.hlsl"
+float4 _PenumbraPcssBoundedParameters0;
+
+PcssBoundedParameters PenumbraPcssBounded()
+{
+    return UnpackPcssBoundedParameters(_PenumbraPcssBoundedParameters0);
 }
 
 #include "../Filters/Peers/Parameters/PcssHdrpParameters.hlsl"
@@ -388,6 +390,9 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 #elif defined(PENUMBRA_USES_PCSS)
     return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
                              PenumbraPcssAngular());
+#elif defined(PENUMBRA_USES_PCSS_BOUNDED)
+    return FilterPcssBounded(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                             PenumbraPcssBounded());
 #elif defined(PENUMBRA_USES_PCSS_HDRP)
     return FilterPcssHdrp(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
                           PenumbraPcssHdrp());
@@ -448,11 +453,6 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 #elif defined(PENUMBRA_USES_EVSM_MIPS)
     return FilterExponentialLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
                                    PenumbraExponentialVariance());
-#elif defined(PENUMBRA_USES_CELL_PCSS)
-    return FilterDepthRings(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point,
-                            _PenumbraDepthPlanesTexture, _PenumbraDepthSpreadsTexture, _PenumbraCoarsePlanesTexture,
-                            _PenumbraCoarseSpreadsTexture, receiver, tile,
-                            PenumbraPcssAngular());
 #else
     return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);
 #endif

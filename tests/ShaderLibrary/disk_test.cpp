@@ -176,7 +176,7 @@ TEST(Disk, CountsAreBoundedToWhatThereIs) {
       [](const float* in) {
         long double set = 128.0L;
         for (const float size : {100.0f, 64.0f, 32.0f, 25.0f}) set = in[0] <= size ? size : set;
-        return std::vector<Exact>{{std::clamp(in[0], 1.0f, 64.0f)}, {set}};
+        return std::vector<Exact>{{std::clamp(in[0], 1.0f, 128.0f)}, {set}};
       },
       0.0L);
   expect_exact(

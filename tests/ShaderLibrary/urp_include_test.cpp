@@ -135,8 +135,8 @@ TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
   EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
-TEST(UrpIncludeOfMaps, BindsThoseOfCellPcssAndTheShadowMap) {
-  const Defines keyword{{"_PENUMBRA_CELL_PCSS", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
+TEST(UrpIncludeOfMaps, BindsThemAndTheShadowMap) {
+  const Defines keyword{{"_PENUMBRA_SINGLE_LOOP_PLANES", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}};
   for (const char* direction : {"UNITY_REVERSED_Z", "_"}) {
     Defines defines = keyword;
     defines.emplace_back(direction, "1");
@@ -144,8 +144,7 @@ TEST(UrpIncludeOfMaps, BindsThoseOfCellPcssAndTheShadowMap) {
     for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
     for (const char* name :
-         {"_MainLightShadowmapTexture", "sampler_PenumbraPointClamp", "_PenumbraDepthPlanesTexture",
-          "_PenumbraDepthSpreadsTexture", "_PenumbraCoarsePlanesTexture", "_PenumbraCoarseSpreadsTexture"})
+         {"_MainLightShadowmapTexture", "_PenumbraDepthPlanesTexture"})
       EXPECT_TRUE(binds(result, name)) << name;
   }
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {

@@ -150,8 +150,8 @@ TEST_F(Emit, OptionsThatExcludeEachOtherAreRefused) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"emit", "-o", path("a.hlsl").string()}, {"emit", "--check", "--single-file", "tent-5"}})
     EXPECT_EQ(run(arguments).exit_code, 2) << arguments.back();
-  expect_bad_input({"emit", "--single-file", "cell-pcss"},
-                   HasSubstr("'cell-pcss' draws its visibility by passes"));
+  expect_bad_input({"emit", "--single-file", "tiled-pcss"},
+                   HasSubstr("'tiled-pcss' draws its visibility by passes"));
   EXPECT_THAT(run({"emit", "--single-file", "tent5"}).errors, HasSubstr("'tent-5'"));
 }
 

@@ -81,15 +81,16 @@ TEST_F(Render, ABakesOptionIsRefusedWhereNoTechniqueReadsIt) {
 }
 
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
-  expect_refused({"--technique", "fallback-high", "--set", "blockerSample=4"},
-                 {"technique 'fallback-high' has no parameter 'blockerSample'",
+  expect_refused({"--technique", "screen-pcss-angular-24-16-masked", "--set", "blockerSample=4"},
+                 {"technique 'screen-pcss-angular-24-16-masked' has no parameter 'blockerSample'",
                   "did you mean 'blockerSamples'?", "maskPenumbraMetres"});
   expect_refused({"--technique", "pcss-angular-24-16", "--technique", "tent-5", "--set", "blockerSamples=4"},
                  {"technique 'tent-5'", "it has no parameters"});
 }
 
 TEST_F(Render, ValuesThatAreNoneAreRefused) {
-  expect_refused({"--set", "blockerSamples=65"}, {"'blockerSamples' is a whole number from 1 to 64, not 65"});
+  expect_refused({"--set", "blockerSamples=129"},
+                 {"'blockerSamples' is a whole number from 1 to 128, not 129"});
   expect_refused({"--set", "blockerSamples=4,2.5"}, {"not 2.5"});
   expect_refused({"--set", "minFilterTexels=wide"}, {"--set minFilterTexels", "'wide' is not a number"});
   expect_refused({"--set", "minFilterTexels=1,,2"}, {"'' is not a number"});
@@ -169,7 +170,7 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
   expect_refused({"--zoom", "16"}, {"million pixels", "zoom less"});
   size_ = "64x36";
   expect_refused({"--zoom", "17"}, {"--zoom", "1 .. 16"});
-  expect_refused({"--show", "mask"}, {"--show mask", "fallback-high"});
+  expect_refused({"--show", "mask"}, {"--show mask", "named ...-masked"});
   expect_refused({"--show", "colour"}, {"--show", "fetches"});
   expect_refused({"--max-width", "63"}, {"--max-width", "64 .. 16384"});
 }
@@ -192,9 +193,10 @@ TEST_F(Render, OptionsOfASheetNeedOne) {
 
 // The sheet has the reference and two values with a mask each: five cells in three rows of two.
 TEST_F(Render, OneCommandMakesASheet) {
-  const auto result = expect_success(
-      small({"--technique", "fallback-high", "--set", "blockerSamples=1,64", "--show", "result,mask",
-             "--crop", "8,4,48,24", "--zoom", "8", "--columns", "2", "--sheet", path("sheet.png").string()}));
+  const auto result =
+      expect_success(small({"--technique", "screen-pcss-angular-24-16-masked", "--set", "blockerSamples=1,64",
+                            "--show", "result,mask", "--crop", "8,4,48,24", "--zoom", "8", "--columns", "2",
+                            "--sheet", path("sheet.png").string()}));
   EXPECT_EQ(result.output, path("sheet.png").string() + "\n");
   EXPECT_THAT(listing(), testing::UnorderedElementsAre("cache", "sheet.png"));
   const auto [width, height] = png_size(read("sheet.png"));

@@ -78,16 +78,17 @@ TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
 }
 
 TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFirstPicture) {
-  const auto refused =
-      run({"measure", "--technique", "tent-5,cell-pcss", "--scene", "trees", "--map-size", "200"});
+  const auto refused = run(
+      {"measure", "--technique", "tent-5,single-loop-32-planes", "--scene", "trees", "--map-size", "202"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, HasSubstrs("'cell-pcss' makes a texel of 'coarsePlanes' of 8 x 8 texels",
-                                         "a cascade's tile of 100 texels is no multiple of 8",
-                                         "choose a map size that is a multiple of 16"));
+  EXPECT_THAT(refused.errors,
+              HasSubstrs("'single-loop-32-planes' makes a texel of 'depthPlanes' of 4 x 4 texels",
+                         "a cascade's tile of 101 texels is no multiple of 4",
+                         "choose a map size that is a multiple of 8"));
   EXPECT_EQ(refused.output, "");
-  expect_success({"measure", "--technique", "cell-pcss", "--scene", "trees", "--map-size", "176", "--light",
-                  "2", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0",
-                  "--no-split"});
+  expect_success({"measure", "--technique", "single-loop-32-planes,tiled-pcss", "--scene", "trees",
+                  "--map-size", "200", "--light", "2", "--size", "32x16", "--reference-samples", "32",
+                  "--timing-repeats", "0", "--no-split"});
 }
 
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {

@@ -7,13 +7,13 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "pages"))
 import far_shadows  # noqa: E402
 import figures  # noqa: E402
-import cell_pcss  # noqa: E402
 import markdown  # noqa: E402
 import measuring  # noqa: E402
 import other_shadows  # noqa: E402
 import presets  # noqa: E402
 import results_table  # noqa: E402
 import screen_passes  # noqa: E402
+import tiled_pcss  # noqa: E402
 
 PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings",
          "intervals")  # parts of a record with fields of their own
@@ -107,21 +107,6 @@ class Noise(unittest.TestCase):
         self.assertIn("| T | 0.0300 [0, 0.1571] | 0.0400 [0, 0.1671] |", text)
 
 
-class RingCells(unittest.TestCase):
-    def test_a_row_has_the_errors_of_one_scene_and_the_fetches_of_the_windows_alone(self):
-        def of(scene, error, fetches):
-            interval = {"low": error - 0.01, "high": error + 0.02}
-            return record("rings-6-3", scene, rmse_penumbra=error, rmse_all=error,
-                          intervals={"rmse_penumbra": interval, "rmse_all": interval},
-                          passes=[{"pass": "FirstLevels", "fetches_per_pixel": 9.0},
-                                  {"pass": "ResolveTiles", "fetches_per_pixel": fetches}])
-
-        text = screen_passes.ring_cells({sun: results(of("a", 0.1, 2.0), of("b", 0.2, 4.0))
-                                         for sun in screen_passes.RING_SUNS})
-        self.assertIn("b, sun 8° high, 2° light |\n", text)
-        self.assertIn("| 6 | 3 | 0.1000 ± 0.0200 (2.00) | 0.2000 ± 0.0200 (4.00) |", text)
-
-
 class TexelErrors(unittest.TestCase):
     @staticmethod
     def results(*more):
@@ -141,7 +126,7 @@ class TexelErrors(unittest.TestCase):
                 "records": records + list(more)}
 
     def test_the_best_smallest_radius_of_a_column_is_bold(self):
-        text = cell_pcss.texel_errors(self.results(), "penumbra")
+        text = tiled_pcss.texel_errors(self.results(), "penumbra")
         self.assertIn("| estimator | 0.25 edges | 0.25 bars | 1 edges |", text)
         self.assertIn("| bilinear, 2 x 2 | 0.300 | 0.600 | 0.150 |", text)
         self.assertIn("smallest radius 0.5 | 0.250 | 0.500 | 0.125 |", text)
@@ -150,17 +135,17 @@ class TexelErrors(unittest.TestCase):
         self.assertIn("is 0.0020 at most", text)
 
     def test_errors_of_all_receivers_have_their_own_interval(self):
-        text = cell_pcss.texel_errors(self.results(), "all")
+        text = tiled_pcss.texel_errors(self.results(), "all")
         self.assertIn("| bilinear, 2 x 2 | 0.500 | 0.500 | 0.500 |", text)
         self.assertIn("is 0.0022 at most", text)
 
     def test_a_record_that_is_missing_or_doubled_is_told(self):
         results = self.results()
         with self.assertRaisesRegex(markdown.Problem, "two records"):
-            cell_pcss.texel_errors(self.results(results["records"][0]), "penumbra")
+            tiled_pcss.texel_errors(self.results(results["records"][0]), "penumbra")
         del results["records"][0]
         with self.assertRaisesRegex(markdown.Problem, "has no bilinear"):
-            cell_pcss.texel_errors(results, "penumbra")
+            tiled_pcss.texel_errors(results, "penumbra")
 
 
 class FarSteps(unittest.TestCase):
@@ -259,65 +244,47 @@ class Masks(unittest.TestCase):
             presets.masks(results(record("tent-5"), record("pcss-masked")))
 
 
-def cost_row(entry, technique, instructions, keywords=("UNITY_REVERSED_Z",), family="navi21"):
-    return {"family": family, "entry": entry, "variants": [{"technique": technique, "keywords": list(keywords)}],
-            "figures": {"instructions": instructions, "vgprs": 8, "inverse_throughput_cycles": 2 * instructions}}
-
-
-class WeightedCosts(unittest.TestCase):
-    COST = {"driver": "radv", "command": "penumbra cost", "rows": [
-        cost_row("Classify", "cell-pcss", 320), cost_row("Resolve", "cell-pcss", 3200),
-        cost_row("Resolve", "cell-pcss", 1, []),
-        cost_row("Fragment", "tent-7", 64), cost_row("Fragment", "tent-7", 128, family="polaris10"),
-        cost_row("Classify", "cell-pcss", 640, family="polaris10"),
-        cost_row("Resolve", "cell-pcss", 0, family="polaris10")]}
-
+class BesidePcss(unittest.TestCase):
     @staticmethod
-    def cell_pcss(scene, share):
-        return record("cell-pcss", scene, operations_per_pixel=1000.0 * share, passes=[
-            {"pass": "Classify", "invocations_per_pixel": 0.0625}, {"pass": "Resolve", "invocations_per_pixel": share}])
+    def of(technique, operations, *errors):
+        return [record(technique, scene, light, rmse_penumbra=error + light / 100.0, operations_per_pixel=operations * light)
+                for light in (2.0, 5.0) for scene, error in zip("abc", errors)]
 
-    def test_each_pass_counts_by_its_threads(self):
-        tents = [record("tent-7", scene, operations_per_pixel=500.0) for scene in "ab"]
-        text = cell_pcss.weighted_costs(results(self.cell_pcss("a", 0.5), self.cell_pcss("b", 0.7), *tents), self.COST)
-        # A thread takes 640 / 64 for 16 pixels, and 6400 / 64 for 0.5 and 0.7 of the pixels: 50.6 and 70.6 for each
-        # pixel.
-        self.assertIn("| cycles, navi21 | `cell-pcss` | 61 [0, 188] |\n", text)
-        self.assertIn("| cycles, navi21 | `tent-7` | 2 ± 0 |", text)
-        self.assertIn("| cycles, polaris10 | `cell-pcss` | 1 ± 0 |", text)
-        self.assertIn("| operations of bytecode | `tent-7` | 500 ± 0 |", text)
+    def test_errors_are_paired_by_scene_and_operations_are_shares(self):
+        text = tiled_pcss.beside_pcss(results(
+            *self.of("screen-pcss-angular-24-16", 1000.0, 0.2, 0.3, 0.4),
+            *self.of("pcss-angular-64-64", 2500.0, 0.1, 0.2, 0.3),
+            *sorted(self.of("tiled-pcss", 300.0, 0.09, 0.2, 0.31), key=lambda one: (one["light_degrees"], one["rmse_penumbra"] < 0.25))))
+        self.assertIn("| `pcss-angular-64-64` | 0.2200 | 0.2500 | 2.50 | 2.50 |", text)
+        self.assertIn("| `screen-pcss-angular-24-16` | 0.3200 (+0.1000 ± 0.0000) | 0.3500 (+0.1000 ± 0.0000) | 1.00 | 1.00 |",
+                      text)
+        self.assertIn("| `tiled-pcss` | 0.2200 (+0.0000 ± 0.0248) | 0.2500 (+0.0000 ± 0.0248) | 0.30 | 0.30 |", text)
 
-    def test_a_pass_without_a_program_is_an_error(self):
-        unknown = record("cell-pcss", "a", operations_per_pixel=1.0,
-                         passes=[{"pass": "Rest", "invocations_per_pixel": 1.0}])
-        with self.assertRaisesRegex(markdown.Problem, "the cost of cell-pcss lacks Rest"):
-            cell_pcss.weighted_costs(results(unknown), self.COST)
+    def test_without_what_others_are_compared_with_there_is_no_table(self):
+        with self.assertRaisesRegex(markdown.Problem, "lack screen-pcss-angular-24-16 or"):
+            tiled_pcss.beside_pcss(results(*self.of("tiled-pcss", 300.0, 0.1)))
 
 
 class TimesOfGpu(unittest.TestCase):
     @staticmethod
     def timed(scene, milliseconds, kind="GPU time"):
-        return record("cell-pcss", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25,
+        return record("tiled-pcss", scene, time_ms_median=milliseconds, time_kind=kind, rmse_penumbra=0.25,
                       false_shadow_rate=0.01,
                       passes=[{"pass": "Classify", "time_ms_median": 0.25 * milliseconds},
                               {"pass": "Resolve", "time_ms_median": 0.75 * milliseconds}])
 
     def test_times_stand_beside_errors(self):
-        text = cell_pcss.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
+        text = tiled_pcss.times_of_gpu(results(self.timed("a", 1.0), self.timed("b", 1.0)))
         self.assertIn("device, GPU time, mean of 2 scenes", text)
-        self.assertIn("| `cell-pcss` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
+        self.assertIn("| `tiled-pcss` | 1.00 ± 0.00 | 0.250 ± 0.000 | 1.0 ± 0.0 |", text)
         self.assertIn("device, GPU time, a, at least 3000 penumbra pixels under each light.",
-                      cell_pcss.times_of_gpu(results(self.timed("a", 1.0))))
+                      tiled_pcss.times_of_gpu(results(self.timed("a", 1.0))))
 
     def test_times_of_a_cpu_are_refused(self):
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
-            cell_pcss.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
+            tiled_pcss.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
-            cell_pcss.times_of_gpu(results(record("cell-pcss", time_ms_median=None, time_kind="GPU time")))
-
-    def test_passes_add_up(self):
-        text = cell_pcss.times_of_passes(results(self.timed("a", 2.0), self.timed("b", 2.0)), "cell-pcss")
-        self.assertIn("| `Classify` | 0.500 ± 0.000 |\n| `Resolve` | 1.500 ± 0.000 |", text)
+            tiled_pcss.times_of_gpu(results(record("tiled-pcss", time_ms_median=None, time_kind="GPU time")))
 
 
 class ScreenFigures(unittest.TestCase):

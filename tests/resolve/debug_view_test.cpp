@@ -77,7 +77,7 @@ bool near(const glm::vec3& a, const glm::dvec3& b, double tolerance = 2e-3) {
 class DebugViews : public testing::TestWithParam<std::tuple<int, bool, RowOrder>> {
  protected:
   int cascades() const { return std::get<0>(GetParam()); }
-  Views views(const std::string& scene, const std::string& preset = "fallback-high") const {
+  Views views(const std::string& scene, const std::string& preset = "screen-pcss-angular-24-16-masked") const {
     return Views(drawn(scene, cascades(), std::get<1>(GetParam())), preset, std::get<2>(GetParam()));
   }
 };
@@ -166,7 +166,7 @@ TEST_P(DebugViews, TheMaskIsTheOneTheResolveRead) {
 }
 
 TEST_P(DebugViews, WithoutAMaskAllIsFiltered) {
-  const Views views = this->views("contact-boxes", "preset-reference");
+  const Views views = this->views("contact-boxes", "screen-pcss-angular-24-16");
   const Colours colours = views.draw("PenumbraMask");
   for (std::size_t i = 0; i < colours.size(); ++i) {
     if (!views.seen(i)) continue;
@@ -243,7 +243,7 @@ TEST(DebugViewOfTheWidth, IsTheBlockersHeightTimesTheLightsDiameter) {
     settings.shadows.distance_metres = scene.shadow_distance_metres;
     settings.shadows.depth_bias = 0.0;  // a bias would lower the board
     const scene::Frame frame = scene::rasterise(test_device(), scene, settings);
-    const Views views(frame, "preset-reference", RowOrder::top_first);
+    const Views views(frame, "screen-pcss-angular-24-16", RowOrder::top_first);
     const Colours colours = views.draw("PenumbraWidth");
     const double expected = 2.0 * std::tan(glm::radians(settings.angular_diameter_degrees / 2.0)) * height;
     const double texel = frame.cascades.cascades.front().texel_size_metres;
@@ -273,7 +273,7 @@ TEST(DebugViewOfTheWidth, IsBlueWhereATexelIsWider) {
   settings.angular_diameter_degrees = 0.53;
   const scene::Frame frame = scene::rasterise(test_device(), scene, settings);
   ASSERT_GT(frame.cascades.cascades.front().texel_size_metres, 0.02);
-  const Views views(frame, "preset-reference", RowOrder::top_first);
+  const Views views(frame, "screen-pcss-angular-24-16", RowOrder::top_first);
   const Colours colours = views.draw("PenumbraWidth");
   int blue = 0;
   for (std::size_t i = 0; i < colours.size(); ++i) {

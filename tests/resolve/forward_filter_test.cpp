@@ -1,7 +1,8 @@
-// Compares a filter that reads maps, in a forward shader, with the technique whose filter it is: by its
-// keyword and the one include of Shadows.hlsl, after the passes that make its maps. Cell PCSS's kernels
-// make the same maps.
+// Compares filters in a forward shader with the techniques whose filters they are: by their keyword and the
+// one include of Shadows.hlsl, after the passes that make the maps that they read.
 #include <gmock/gmock.h>
+
+#include <tuple>
 
 #include "platform/data_directory.h"
 #include "resolve/drawn_scenes.h"
@@ -11,33 +12,16 @@
 namespace penumbra::resolve {
 namespace {
 
-class ForwardFilter : public testing::TestWithParam<bool> {
+struct Keyword {
+  const char* technique;
+  const char* name;
+};
+
+class ForwardFilter : public testing::TestWithParam<std::tuple<bool, Keyword>> {
  protected:
-  static ShadowGraph technique() { return library_graph("cell-pcss-pixel", GetParam()); }
-
-  static std::vector<std::string> maps_of(const ShadowGraph& graph) {
-    std::vector<std::string> names;
-    for (const techniques::GraphTexture& texture : graph.graph.textures) names.push_back(texture.name);
-    return names;
-  }
-
-  // The forward filter after Cell PCSS's passes over the map.
-  static ShadowGraph forward_after_kernels() {
-    ShadowGraph graph = forward();
-    const techniques::PassGraph& cell_pcss = library_techniques().find("cell-pcss").graph;
-    EXPECT_THAT(cell_pcss.published, testing::ElementsAreArray(maps_of(graph)));
-    const techniques::GraphPass filter = graph.graph.passes.back();
-    graph.graph.textures.clear();
-    for (const std::string& name : cell_pcss.published)
-      graph.graph.textures.push_back(*cell_pcss.texture(name));
-    graph.graph.passes.clear();
-    for (const techniques::GraphPass& pass : cell_pcss.passes)
-      if (techniques::writes_to(pass, cell_pcss.published.front()) ||
-          techniques::writes_to(pass, cell_pcss.published.back()))
-        graph.graph.passes.push_back(pass);
-    graph.graph.passes.push_back(filter);
-    return graph;
-  }
+  static bool reversed_z() { return std::get<0>(GetParam()); }
+  static Keyword keyword() { return std::get<1>(GetParam()); }
+  static ShadowGraph technique() { return library_graph(keyword().technique, reversed_z()); }
 
   // The graph of a shader written as a user writes it.
   static ShadowGraph forward() {
@@ -55,7 +39,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     return PenumbraMainLightVisibility(positionWS, normalWS, pixel);
 }
 )";
-    shader.defines.emplace_back("_PENUMBRA_CELL_PCSS", "1");
+    shader.defines.emplace_back(keyword().name, "1");
     shader.include_directories.push_back(platform::data_directory() /
                                          "tools/programs/shaders/unity/"
                                          "com.unity.render-pipelines.universal/ShaderLibrary");
@@ -69,7 +53,7 @@ TEST_P(ForwardFilter, IsThatOfItsTechnique) {
   GraphRunner by_technique(test_device(), compile(technique()));
   GraphRunner by_include(test_device(), compile(forward()));
   for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {1, 5.0}}) {
-    const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
+    const scene::Frame frame = under_disc(drawn("trees", cascades, reversed_z()), degrees);
     const FrameOnDevice on_device(test_device(), frame);
     const GraphResult expected = by_technique.run(on_device, kCountedOnce);
     const GraphResult result = by_include.run(on_device, kCountedOnce);
@@ -87,19 +71,14 @@ TEST_P(ForwardFilter, IsThatOfItsTechnique) {
   }
 }
 
-TEST_P(ForwardFilter, IsTheSameAfterKernelsOfCellPcss) {
-  GraphRunner after_draws(test_device(), compile(forward()));
-  GraphRunner after_kernels(test_device(), compile(forward_after_kernels()));
-  for (const auto& [cascades, degrees] : {std::pair(4, 2.0), {1, 5.0}}) {
-    const scene::Frame frame = under_disc(drawn("trees", cascades, GetParam()), degrees);
-    const FrameOnDevice on_device(test_device(), frame);
-    EXPECT_EQ(after_kernels.run(on_device, kCountedOnce).visibility[0],
-              after_draws.run(on_device, kCountedOnce).visibility[0])
-        << degrees << " degrees";
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(BothDirections, ForwardFilter, testing::Bool(), direction_name);
+INSTANTIATE_TEST_SUITE_P(
+    BothDirections, ForwardFilter,
+    testing::Combine(testing::Bool(), testing::Values(Keyword{"pcss-bounded-16-16", "_PENUMBRA_PCSS_BOUNDED"},
+                                                      Keyword{"moments-32", "_PENUMBRA_MSM"})),
+    [](const auto& combined) {
+      return std::string(std::get<0>(combined.param) ? "Reversed" : "Forward") +
+             (std::get<1>(combined.param).name + 1);
+    });
 
 }  // namespace
 }  // namespace penumbra::resolve

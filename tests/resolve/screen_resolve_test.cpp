@@ -38,7 +38,7 @@ std::vector<Case> all_cases() {
     for (const bool reversed_z : {true, false}) cases.push_back({technique, keyword, reversed_z});
   }
   for (const techniques::Technique& technique : library_techniques().techniques) {
-    if (technique.name != "preset-reference" && !technique.name.starts_with("fallback-")) continue;
+    if (!technique.name.starts_with("screen-pcss-") && !technique.name.starts_with("fallback-")) continue;
     const std::string keyword = technique.keywords.empty() ? "_" : technique.keywords.front();
     for (const bool reversed_z : {true, false}) cases.push_back({technique.name, keyword, reversed_z});
   }

@@ -23,21 +23,16 @@ inline std::string sample_file(const std::string& name) {
   return (std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/resolve/samples" / name).generic_string();
 }
 
-// A kernel of samples/RingsByTextures.compute with a thread for each pixel. like is a pass of Cell PCSS,
-// whose parameters it has.
-inline techniques::GraphPass rings_by_textures(const techniques::GraphPass& like, const std::string& kernel) {
-  techniques::GraphPass pass = like;
-  pass.name = pass.program = kernel;
-  pass.file = sample_file("RingsByTextures.compute");
-  pass.reads = {{"_PenumbraBlockPlanes", "depthPlanes"},
-                {"_PenumbraBlockSpreads", "depthSpreads"},
-                {"_PenumbraCoarsePlanes", "coarsePlanes"},
-                {"_PenumbraCoarseSpreads", "coarseSpreads"}};
-  pass.writes = {{"_PenumbraVisibility", "visibility"}};
-  pass.updates.clear();
-  pass.groups = {};
-  pass.groups.texels_of = "visibility";
-  return pass;
+// Tiled PCSS's graph ends in the class of each pixel's tile: 1 lit, 0 dark, -1 not decided.
+inline void show_tile_classes(techniques::PassGraph& graph) {
+  remove_passes_after(graph, "DecideTiles");
+  techniques::GraphPass& classes = graph.passes.emplace_back(graph.passes.back());
+  classes.name = classes.program = "TileClasses";
+  classes.file = sample_file("TileClasses.compute");
+  classes.reads = {{"_PenumbraTiles", "tiles"}};
+  classes.writes = {{"_PenumbraVisibility", "visibility"}};
+  classes.groups = {};
+  classes.groups.texels_of = "visibility";
 }
 
 }  // namespace penumbra::resolve

@@ -53,9 +53,8 @@ double all_fetches(const Record& record) {
 TEST(NoiseStudy, GradientNoiseIsTheLibrarys) {
   const StudyOutcome of = noise_outcome(
       {library_subject("screen-pcss-angular-24-16"), noise_subject("pcss-24-16-gradient"),
-       library_subject("screen-pcss-angular-24-16-denoised"), noise_subject("pcss-24-16-gradient-denoised"),
-       library_subject("fallback-medium"), noise_subject("pcss-8-16-gradient")});
-  for (const std::size_t library : {0U, 2U, 4U}) {
+       library_subject("screen-pcss-angular-24-16-denoised"), noise_subject("pcss-24-16-gradient-denoised")});
+  for (const std::size_t library : {0U, 2U}) {
     EXPECT_EQ(of.pictures[library].result, of.pictures[library + 1].result) << of.records[library].technique;
     EXPECT_EQ(of.records[library].metrics, of.records[library + 1].metrics) << of.records[library].technique;
   }
@@ -71,21 +70,10 @@ TEST(NoiseStudy, TheMaskTurnsDisksForOneFetch) {
   EXPECT_NEAR(*of.records[1].metrics.rmse_penumbra, *of.records[0].metrics.rmse_penumbra, 0.01);
 }
 
-TEST(NoiseStudy, FiveAndThreeCellsAreTheCellPcss) {
-  const StudyOutcome of =
-      noise_outcome({library_subject("cell-pcss"), noise_subject("rings-5-3"), noise_subject("rings-3-3"),
-                     noise_subject("rings-6-3"), noise_subject("rings-5-2"), noise_subject("rings-5-4")});
-  EXPECT_EQ(of.pictures[0].result, of.pictures[1].result);
-  EXPECT_EQ(all_fetches(of.records[0]), all_fetches(of.records[1]));
-  for (std::size_t other = 2; other < of.pictures.size(); ++other)
-    EXPECT_NE(of.pictures[0].result, of.pictures[other].result) << of.records[other].technique;
-  EXPECT_LT(all_fetches(of.records[2]), all_fetches(of.records[1]));
-}
-
 TEST(NoiseStudy, AHistoryHasLessErrorThanEachFrame) {
   const Subject each = noise_subject("pcss-24-16-mask");
   const StudyOutcome of =
-      noise_outcome({each, remembering(each, 0.2), remembering(library_subject("cell-pcss"), 0.2)}, 3);
+      noise_outcome({each, remembering(each, 0.2), remembering(library_subject("variance-32"), 0.2)}, 3);
   const Metrics& frame = of.records[0].metrics;
   const Metrics& history = of.records[1].metrics;
   EXPECT_EQ(history.seeds, 3U);

@@ -26,9 +26,8 @@ TEST(ResultBlock, ErrorsOfEveryLightThenChartCostsAndOrigin) {
       "%, "
       "2° | false shadow, %, 0.53° | false shadow, %, 2° |",
       "](Documentation~/results/pareto-fetches.svg)",
-      "| Technique | RMSE of all pixels, 0.53° | RMSE of all pixels, 2° | fetches per pixel, 0.53° | fetches "
-      "per "
-      "pixel, 2° | fetches in penumbrae, 2° |\n",
+      "| Technique | RMSE of all pixels, 0.53° | RMSE of all pixels, 2° | grain, 0.53° | grain, 2° | "
+      "fetches per pixel, 0.53° | fetches per pixel, 2° | fetches in penumbrae, 2° |\n",
       "penumbra measure --seed 1",
       "com.example.shadows 17.0.3, com.example.core,",
       "made-up driver 1.2",
@@ -64,7 +63,8 @@ TEST(ResultBlock, OperationsAreShownWhereOptimisedBytecodeRan) {
               AllOf(HasSubstr("| operations per pixel, 0.53° | operations per pixel, 2° |"),
                     HasSubstr(" | 1234 | 1234 |\n"), HasSubstr("as FXC has optimised it"),
                     HasSubstr("shaders compiled by FXC 10.0")));
-  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("operations per pixel")));
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}),
+              AllOf(HasSubstr("| operations per pixel, 2° |\n"), Not(HasSubstr("fetches per pixel"))));
 }
 
 // The pass has 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
@@ -98,8 +98,11 @@ TEST(ResultBlock, ARowForEachTechniqueInTheFullForm) {
   facts.techniques["unmeasured"].use_when = "never";
   const BlockStyle style{kChart, {"pcss-64-64", "tent-5x5"}, BlockForm::full, facts};
   const std::string block = result_block(synthetic::results(), style);
-  EXPECT_THAT(block, HasSubstr("| fetches in penumbrae, 2° | maps, MiB | Use it when | Not when |\n"
-                               "|:--|--:|--:|--:|--:|--:|--:|:--|:--|\n| `pcss-64-64` | "));
+  EXPECT_THAT(
+      block,
+      HasSubstr("| grain, 2° | fetches per pixel, 0.53° | fetches per pixel, 2° | fetches in penumbrae, 2° "
+                "| maps, MiB | Use it when | Not when |\n"
+                "|:--|--:|--:|--:|--:|--:|--:|--:|--:|:--|:--|\n| `pcss-64-64` | "));
   EXPECT_THAT(block, HasSubstr("| reference | on phones |\n| `tent-5x5` | "));
   EXPECT_THAT(block, Not(HasSubstr("one fetch")));
   EXPECT_THAT(block, Not(HasSubstr("5299"))) << "whose cycles is not said";
@@ -164,12 +167,35 @@ TEST(ResultBlock, ABriefOneIsATableOfAllLights) {
   const std::string block = result_block(synthetic::results(), {kChart, {}, BlockForm::brief});
   EXPECT_TRUE(block.starts_with("0.53° light, 2 scenes")) << block;
   EXPECT_THAT(block, HasSubstr("per scene; 2° light, 2 scenes"));
-  EXPECT_THAT(block,
-              HasSubstr("| false shadow, %, 2° | fetches per pixel, 0.53° | fetches per pixel, 2° |\n"));
+  EXPECT_THAT(
+      block,
+      HasSubstr("| false shadow, %, 2° | grain, 0.53° | grain, 2° | fetches per pixel, 0.53° | fetches per "
+                "pixel, 2° |\n"));
   EXPECT_THAT(block, HasSubstr("\n| Title of bilinear | "));
   EXPECT_THAT(block, Not(HasSubstr(kChart)));
   EXPECT_THAT(block, Not(HasSubstr("| boxes |")));
   EXPECT_THAT(block, HasSubstr("Command: `penumbra measure --seed 1`"));
+}
+
+TEST(ResultBlock, GrainIsTheRootOfTheVarianceAndStandsWhereThereAreSeveralSeeds) {
+  Results results = synthetic::results({"bilinear"});
+  for (Record& record : results.records) record.metrics.variance = 0.0004;
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), HasSubstr("| 0.020 | 0.020 |"));
+  for (Record& record : results.records) record.metrics.variance.reset();
+  for (const BlockForm form : {BlockForm::brief, BlockForm::full})
+    EXPECT_THAT(result_block(results, {kChart, {}, form}), Not(HasSubstr("rain")));
+}
+
+TEST(ResultBlock, StepsAcrossTilesAreMultiplesOfThoseInside) {
+  Results results = synthetic::results({"bilinear"});
+  EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("across tiles")));
+  for (Record& record : results.records) record.group_step = GroupStep{1000, 0.03, 0.02};
+  EXPECT_THAT(
+      result_block(results, {kChart, {}}),
+      AllOf(HasSubstr("| step across tiles, 0.53° | step across tiles, 2° |"), HasSubstr("| 1.50 | 1.50 |")));
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}), Not(HasSubstr("across tiles")));
+  for (Record& record : results.records) record.group_step->inside = 0.0;
+  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("| – | – |"));
 }
 
 TEST(ResultBlock, ABriefOneOfOneLightHasFetchesInPenumbrae) {

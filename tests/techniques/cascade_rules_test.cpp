@@ -119,12 +119,12 @@ float4 Fragment(float4 position : SV_Position) : SV_Target
 
 TEST(CascadeRules, HoldWhereAPassOfAShaderCallsTheFilter) {
   const TechniqueList list = with_rules();
-  EXPECT_EQ(compiled_rules(list, list.find("fallback-low")).size(), 2U) << "by its keyword";
+  EXPECT_EQ(compiled_rules(list, list.find("screen-pcss-angular-24-16")).size(), 2U) << "by its keyword";
   EXPECT_EQ(compiled_rules(list, list.find("pcss-angular-24-16")).size(), 2U);
   EXPECT_TRUE(compiled_rules(list, list.find("tent-5-plane")).empty());
-  EXPECT_EQ(values_of(compiled_rules(list, list.find("fallback-low"))[0], list.find("fallback-low"))
-                .at("blockerSamples"),
-            std::vector<double>{8.0});
+  const Technique& screen = list.find("screen-pcss-angular-24-16");
+  EXPECT_EQ(values_of(compiled_rules(list, screen)[0], screen).at("blockerSamples"),
+            std::vector<double>{24.0});
 }
 
 TEST(CascadeRules, AreRowsOfTheirTechnique) {

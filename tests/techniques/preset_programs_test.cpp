@@ -36,18 +36,21 @@ std::vector<std::string> passes_of(const std::vector<PresetProgram>& programs) {
 }
 
 TEST(PresetPrograms, ArePassesOfTheChainWithTheKeywordsTheyDeclare) {
-  const std::vector<PresetProgram> high = programs("preset-high");
-  EXPECT_THAT(passes_of(high),
+  for (const char* preset : {"preset-low", "preset-high", "preset-reference"}) {
+    const std::vector<PresetProgram> those = programs(preset);
+    ASSERT_THAT(passes_of(those), ElementsAre("Resolve", "Resolve"))
+        << "kernels are no programs of the shader; those of its fallbacks, none twice";
+    EXPECT_THAT(those[0].keywords, ElementsAre("_PENUMBRA_PCSS_BOUNDED")) << preset;
+    EXPECT_THAT(those[1].keywords, ElementsAre("_PENUMBRA_TENT_7X7")) << "below shader target 4.5";
+  }
+}
+
+TEST(PresetPrograms, APassHasTheKeywordsThatItDeclares) {
+  const std::vector<PresetProgram> masked = programs("screen-pcss-angular-24-16-masked");
+  ASSERT_THAT(passes_of(masked),
               ElementsAre("PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Resolve"));
-  EXPECT_THAT(high[0].keywords, IsEmpty());
-  EXPECT_THAT(high[3].keywords, ElementsAre("_PENUMBRA_PCSS"));
-  EXPECT_THAT(high[4].keywords, ElementsAre("_PENUMBRA_TENT_7X7")) << "below shader target 4.5";
-  const std::vector<PresetProgram> low = programs("preset-low");
-  EXPECT_THAT(passes_of(low), ElementsAre("Resolve", "Resolve"))
-      << "its own and those of its fallbacks, none twice";
-  EXPECT_THAT(low[0].keywords, ElementsAre("_PENUMBRA_PCSS")) << "it filters where neighbours differ widely";
-  EXPECT_THAT(low[1].keywords, ElementsAre("_PENUMBRA_TENT_7X7"));
-  EXPECT_THAT(passes_of(programs("preset-reference")), ElementsAre("Resolve", "Resolve"));
+  for (std::size_t pass = 0; pass < 3; ++pass) EXPECT_THAT(masked[pass].keywords, IsEmpty());
+  EXPECT_THAT(masked[3].keywords, ElementsAre("_PENUMBRA_PCSS"));
 }
 
 TEST(PresetPrograms, AVariantIsOneKeywordOfEverySet) {

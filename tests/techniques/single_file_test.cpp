@@ -156,7 +156,7 @@ TEST_F(OwnSingleFile, WhatCannotBePastedIsRefusedAtItsLine) {
   EXPECT_THAT(refusal("#include \"None.hlsl\"\n"), HasSubstr("Own.hlsl:1: "));
   EXPECT_THAT(refusal("#include NAME\n"), HasSubstrs("Own.hlsl:1: ", "of a macro"));
   const TechniqueList list = read_own_techniques();
-  EXPECT_THROW((void)single_file(list, list.find("cell-pcss"), "1.2.3"), InputError);
+  EXPECT_THROW((void)single_file(list, list.find("tiled-pcss"), "1.2.3"), InputError);
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ study::SheetOptions sheet_options(const SheetArguments& arguments, const study::
     if (choice.kind == study::SheetPicture::mask &&
         std::none_of(subjects.begin(), subjects.end(), has_mask)) {
       throw InputError("", "--show mask: no technique of this sheet has a mask",
-                       "fallback-high and the techniques named ...-masked have one");
+                       "the techniques named ...-masked have one");
     }
     if (choice.kind == study::SheetPicture::debug_view &&
         std::none_of(subjects.begin(), subjects.end(), runs_over_the_screen)) {

@@ -112,20 +112,6 @@ def noise_rows(results):
     return measured(results, ["technique", *heads], rows, 1)
 
 
-CELL_PCSS_MAPS = (1024, 2048, 4096)
-
-
-def cell_pcss_noise(results):
-    """One row per size of the map and technique, by light."""
-    rows = [[f"{size}", own[0]["title"], *by_light(own, ERROR), *by_light(own, interval_of(flicker, 4)),
-             *by_light(own, FETCHES_ALONE)]
-            for size in CELL_PCSS_MAPS for (name,), own in groups(results[size]["records"], "technique")
-            if not name.endswith("-denoised")]
-    lights = light_heads(results[CELL_PCSS_MAPS[0]]["records"], "{}")
-    heads = [f"{what}, {light}" for what in ("RMSE in penumbra", "flicker", "fetches per pixel") for light in lights]
-    return measured(results[CELL_PCSS_MAPS[0]], ["map", "technique", *heads], rows, 2, and_so_on=True)
-
-
 def noise_pan(results):
     """One row per technique: change from frame to frame of a pan, by light."""
     kinds = {"static noise": "static_noise", "noise per frame": "per_frame_noise"}
@@ -136,37 +122,9 @@ def noise_pan(results):
     return measured(results, ["technique", *heads], rows, 1)
 
 
-RING_SUNS = (42, 8)
-
-
-def of_one_scene(record, key, digits):
-    """A figure of one scene with its interval over the picture's blocks, as the program writes them."""
-    interval = record["intervals"][key]
-    half = max(record[key] - interval["low"], interval["high"] - record[key])
-    return f"{record[key]:.{digits}f} ± {half:.{digits}f}"
-
-
-def ring_cells(results):
-    """One row per number of cells: the error, and the fetches of the windows, of each picture."""
-    pictures, rows = [], {}
-    for sun in RING_SUNS:
-        for (light, scene), records in groups(results[sun]["records"], "light_degrees", "scene"):
-            pictures.append(f"{scene}, sun {sun}° high, {light:g}° light")
-            for record in records:
-                cells = rows.setdefault(record["technique"], record["technique"].split("-")[1:3])
-                cells.append(f"{of_one_scene(record, 'rmse_penumbra', 4)}"
-                             f" ({figure(pass_fetches([record], 'ResolveTiles'), 2)})")
-    notes = " ".join(f"{made(results[sun])}." for sun in RING_SUNS)
-    return (f"{results[RING_SUNS[0]]['device']}; RMSE in penumbra ± half the width of its 95 % confidence interval over"
-            f" blocks of the picture (fetches per pixel of `ResolveTiles`). {notes}\n\n"
-            + table(["cells", "cells of the search", *pictures], rows.values(), 2))
-
-
 def parts(_):
     return {PAGE: {"screen-figures": screen_figures(read("screen-passes")),
                    "edges": edges(read("edges")),
                    "contact-shadows": with_and_without(read("contact-shadows"), read("contact-shadows-urp-bias")),
                    "contact-settings": trace_settings(read("contact-shadow-settings")),
-                   "noise": noise_rows(read("noise")),
-                   "cell-pcss-noise": cell_pcss_noise({size: read(f"cell-pcss-noise/{size}") for size in CELL_PCSS_MAPS}),
-                   "ring-cells": ring_cells({sun: read(f"rings/{sun}") for sun in RING_SUNS})}}
+                   "noise": noise_rows(read("noise"))}}

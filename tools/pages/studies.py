@@ -94,10 +94,8 @@ NAMES = (
     " single-loop-32-planes vssm-sat-32 vssm-mip-16 vssm-mip-32 mssm-sat-32 mssm-mip-16 evsm-mip").split()
 TECHNIQUES = " ".join([VARIANTS, *(f"--technique {name}" for name in NAMES)])
 
-PRESETS = " ".join(f"--technique {prefix}{preset} --title '{prefix}{preset}={title} {preset.capitalize()}'"
-                   for prefix, title, presets in (("preset-", "Penumbra", "low medium high ultra reference"),
-                                                  ("fallback-", "Fallback of", "low medium high ultra"))
-                   for preset in presets.split())
+QUALITIES = "low medium high ultra reference".split()
+PRESETS = "--technique " + ",".join(prefix + quality for prefix in ("preset-", "fallback-") for quality in QUALITIES)
 
 # The variants in a player: of each preset, and of URP's shaders.
 run("variants", f"scripts/pages --take receivers '{URP_PACKAGES}'", bool(URP))
@@ -117,9 +115,7 @@ measure("presets", COMMON, LIGHTS, PRESETS, URP, URP_UNBIASED, HDRP, EARLIER)
 # The operations of the presets, from the bytecode of Unity's compiler.
 measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --timing-repeats 0 --no-split", LIGHTS,
         SCENES,
-        "--size 960x540 --reference-samples 32 --seeds 1 --technique preset-low,preset-medium,preset-high,preset-ultra,"
-        "preset-reference,"
-        "fallback-low,fallback-medium,fallback-high,fallback-ultra")
+        "--size 960x540 --reference-samples 32 --seeds 1", PRESETS, "--technique screen-pcss-angular-24-16")
 
 # The cost and the savings of the masks, with the samples of High.
 measure("masks", VARIANTS, COMMON, LIGHTS, "--set blockerSamples=12 --set filterSamples=24 --technique screen-pcss-angular-24-16"
@@ -192,7 +188,7 @@ measure("screen-passes", VARIANTS, COMMON, "--pan-frames 3 --light 2", SCENES, "
         "pcss-angular-24-16-denoised", "pcss-angular-24-16-half", "pcss-angular-24-16-half-masked-denoised")))
 
 
-# Noise that turns disks, the denoiser, and Cell PCSS's grain and numbers of cells.
+# Noise that turns disks, and the denoiser.
 def measure_noise(name, *options):
     measure(name, "--technique-list tests/study/noise/NoiseStudy.technique.json --timing-repeats 0 --no-split",
             *options)
@@ -205,17 +201,6 @@ measure_noise("noise", f"--technique {HIGH} --technique {MEDIUM}", IN_SMALL, "--
 measure_noise("denoise-radius", "--technique pcss-24-16-gradient-denoised --set denoiseRadius=0,1,2,4,8", IN_SMALL)
 measure_noise("noise-pan",
               f"--technique {HIGH} --scene trees,street --light 2,5 --seeds 1 --pan-frames 4 --reference-samples 256")
-for size in (1024, 2048, 4096):
-    measure_noise(f"cell-pcss-noise/{size}",
-                  "--technique pcss-24-16-gradient,pcss-24-16-gradient-denoised,rings-5-3,rings-5-3-denoised"
-                  " --scene trees,street,poles-and-fence --light 0.53,2,5 --size 960x540 --seeds 4 --reference-samples"
-                  " 128"
-                  f" --map-size {size}")
-for height, scenes in ((42, "trees,street"), (8, "trees")):
-    measure_noise(f"rings/{height}",
-                  f"--technique rings-3-3,rings-4-3,rings-5-3,rings-6-3,rings-5-2,rings-5-4 --scene {scenes}"
-                  f" --sun {height} 40 --light 2,5 --size 1920x1080 --seeds 1 --reference-samples 64")
-
 # Shading each sample where a pixel of a multisampled picture sees several surfaces.
 measure("edges", PICTURES, "--map-size 2048 --light 0.53 --light 2", SCENES, "--edge-samples 4 --technique tent-5-plane"
         " --technique screen-pcss-angular-24-16 --technique screen-pcss-angular-24-16-edges")
@@ -233,10 +218,6 @@ measure("contact-shadow-settings", COMMON, "--light 0.53", CONTACTS,
         "0.05,0.15,0.5"
         " --set screen-tent-5-trace:traceSteps=12,24")
 
-# Cell PCSS's programs, and those that it is compared with, on five families of GPUs.
-run("cell-pcss-cost", f"{PENUMBRA} cost --technique cell-pcss,screen-pcss-angular-24-16,tent-7"
-    " --family polaris10,vega10,navi10,navi21,gfx1100 --format json --output Documentation~/results/cell-pcss-cost.json")
-
 # Techniques of each kind from FXC's bytecode, which Unity runs, beside glslang's modules.
 for front_end in ("glslang", "fxc"):
     measure(f"front-ends/{front_end}",
@@ -245,16 +226,15 @@ for front_end in ("glslang", "fxc"):
             "pcss-angular-24-16,"
             "pcss-angular-24-16-hdrp,godot-pcss-8,filament-pcss-16-16,unreal-smrt-7-8,single-loop-32,variance-32,"
             "exponential-32,"
-            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,cell-pcss,cell-pcss-half,cell-pcss-pixel,preset-low,"
-            "preset-medium,preset-high,"
-            "preset-ultra,preset-reference")
+            "moments-32,vssm-sat-32,mssm-sat-32,evsm-mip,pcss-bounded-16-16,tiled-pcss,tiled-pcss-half")
 
-# How much Cell PCSS changes from frame to frame.
-measure("cell-pcss-pan",
+# How much pictures change from frame to frame.
+measure("tiled-pcss-pan",
         "--cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 0.53,2 --size 480x270 --reference-samples"
         " 64"
         " --seeds 1 --pan-frames 8 --scene street,trees,contact-boxes,colonnade"
-        " --technique cell-pcss,cell-pcss-pixel,preset-reference,pcss-angular-64-64,screen-pcss-angular-24-16")
+        " --technique preset-medium,preset-high,preset-ultra,pcss-bounded-16-16,pcss-angular-64-64,"
+        "screen-pcss-angular-24-16")
 
 # How much of a penumbra narrower than a texel the texels' bits tell; soft shadows through distance fields, by the
 # penumbra's width, and of several objects.
@@ -278,48 +258,35 @@ measure("equal-fetches", VARIANTS, VIEW, "--map-size 2048 --technique tent-7-pla
 measure("equal-fetches-small-map", VIEW, "--map-size 1024 --technique pcss-angular-24-16,variance-32,exponential-32"
         " --technique log-exponential-16,exponential-variance-32,moments-32,moments-16,vssm-sat-32")
 
-# Cell PCSS beside PCSS and a tent, on pictures of which each pixel is one sample.
-# Nothing was tuned on the kept models, which come with the Debian packages assimp-testmodels and glmark2-data.
+# Tiled PCSS beside PCSS and a tent, on pictures of which each pixel is one sample; operations are those of FXC's
+# bytecode. Nothing was tuned on the kept models, which come with the Debian packages assimp-testmodels and
+# glmark2-data.
 MAPS = "--cascades 4 --map-size 2048"
-CELL_PCSS = f"{MAPS} --timing-repeats 0 --no-split {LIGHTS}"
-PEERS = "--technique cell-pcss,cell-pcss-pixel,pcss-angular-24-16,pcss-angular-64-64,tent-7"
-FULL_HD_PEERS = "--technique cell-pcss,screen-pcss-angular-24-16,pcss-angular-64-64,tent-7"
+TILED_PCSS = f"--front-end fxc {MAPS} --timing-repeats 0 --no-split"
+PEERS = ("--technique preset-low,preset-medium,preset-high,preset-ultra,preset-reference,pcss-bounded-16-16,"
+         "screen-pcss-angular-24-16,pcss-angular-64-64,tent-7")
 ALL_SCENES = SCENES + (",package:glmark2/horse,package:glmark2/bunny,package:glmark2/cat,package:assimp/milk-truck,"
                        "package:assimp/engine")
-measure("cell-pcss", CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 16", ALL_SCENES, PEERS)
-measure("cell-pcss-low-sun", CELL_PCSS, "--size 960x540 --reference-samples 128 --seeds 16 --sun 8 40", ALL_SCENES, PEERS)
-for name, sun in (("cell-pcss-full-hd", ""), ("cell-pcss-full-hd-low-sun", "--sun 8 40")):
-    measure(name, CELL_PCSS, "--size 1920x1080 --reference-samples 64 --seeds 16", sun, ALL_SCENES, FULL_HD_PEERS)
-measure("cell-pcss-kept", CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 16 --height 3 --scene"
-        " /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
-        "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds"
-        " --technique cell-pcss,pcss-angular-24-16,pcss-angular-64-64,tent-7")
-measure("cell-pcss-half", VARIANTS, CELL_PCSS, "--size 960x540 --reference-samples 256 --seeds 1", SCENES,
-        "--technique cell-pcss,cell-pcss-half,screen-pcss-angular-24-16-half")
+measure("tiled-pcss", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 4", ALL_SCENES, PEERS)
+for name, light_and_sun in (("tiled-pcss-low-sun", "--light 0.53,2,5,12 --sun 8 40"),
+                            ("tiled-pcss-wide-lights", "--light 8,12,20,30")):
+    measure(name, TILED_PCSS, light_and_sun, "--size 960x540 --reference-samples 256 --seeds 2", ALL_SCENES, PEERS)
+measure("tiled-pcss-full-hd", TILED_PCSS, "--light 0.53,2,5,12 --size 1920x1080 --reference-samples 64 --seeds 2",
+        ALL_SCENES, PEERS)
+measure("tiled-pcss-kept", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 4 --height 3"
+        " --scene /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
+        "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds", PEERS)
+measure("tiled-pcss-samples", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 2",
+        ALL_SCENES, "--technique screen-pcss-angular-24-16,pcss-angular-64-64,tiled-pcss"
+        " --set tiled-pcss:searchSamples=8,12,16,32,64 --set tiled-pcss:filterSamples=16,32,64")
 
-# The operations of FXC's bytecode, and the threads that run it.
-measure("cell-pcss-operations", "--front-end fxc", CELL_PCSS,
-        "--size 1920x1080 --reference-samples 32 --seeds 1", SCENES,
-        "--technique cell-pcss,screen-pcss-angular-24-16,tent-7")
-TIMED_SCENES = "--scene street,trees,contact-boxes,colonnade"
-measure("cell-pcss-times", VARIANTS, MAPS,
-        "--timing-repeats 5 --no-split --light 0.53,2,5 --size 960x540 --reference-samples 64 --seeds 1",
-        TIMED_SCENES, "--technique cell-pcss,cell-pcss-half,cell-pcss-pixel,screen-pcss-angular-24-16,"
-        "screen-pcss-angular-24-16-conservative,screen-tent-5")
-
-# On a GPU, PENUMBRA_GPU=NVIDIA for example: times, and the pictures of 1920 x 1080 with 16 seeds.
-ON_GPU = f"--device '{GPU}' {MAPS} --no-split"
-measure("cell-pcss-gpu-times/1920x1080", ON_GPU,
-        "--timing-repeats 20 --light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
-        TIMED_SCENES, "--technique cell-pcss,cell-pcss-half,cell-pcss-pixel,pcss-angular-24-16,pcss-angular-64-64,"
-        "pcss-angular-24-16-hdrp,tent-7", is_wanted=bool(GPU))
-measure("cell-pcss-gpu-times/3840x2160", ON_GPU,
-        "--timing-repeats 20 --light 0.53,2,5 --size 3840x2160 --reference-samples 32 --seeds 1",
-        "--scene street --technique cell-pcss,pcss-angular-24-16,pcss-angular-64-64,pcss-angular-24-16-hdrp,tent-7",
+# On a GPU, PENUMBRA_GPU=NVIDIA for example.
+ON_GPU = f"--device '{GPU}' {MAPS} --no-split --timing-repeats 20 --light 0.53,2,5 --seeds 1"
+GPU_PEERS = PEERS + ",pcss-angular-24-16,pcss-angular-24-16-hdrp"
+measure("gpu-times/1920x1080", ON_GPU, "--size 1920x1080 --reference-samples 64"
+        " --scene street,trees,contact-boxes,colonnade", GPU_PEERS, is_wanted=bool(GPU))
+measure("gpu-times/3840x2160", ON_GPU, "--size 3840x2160 --reference-samples 32 --scene street", GPU_PEERS,
         is_wanted=bool(GPU))
-measure("cell-pcss-gpu-full-hd", ON_GPU, "--timing-repeats 0", LIGHTS,
-        "--size 1920x1080 --reference-samples 64 --seeds 16", ALL_SCENES,
-        FULL_HD_PEERS, is_wanted=bool(GPU))
 
 # The pictures, each by the command below it on its page.
 run("pictures", "scripts/pictures")
@@ -334,13 +301,13 @@ class Shown(NamedTuple):
 EQUAL_BIAS = ("hard,four-tap,tent-5,tent-7,tent-5-plane,pcss-poisson-64,pcss-angular-24-16,pcss-angular-24-16-hdrp,"
               "variance-32,moments-32,unreal-smrt-7-8,godot-pcss-8,filament-pcss-16-16,filament-dpcf-12,single-loop-32,"
               "vssm-mip-32,evsm-mip")
-FULL = {"presets": "presets.md", "techniques": "filters.md", "cell-pcss": "cell-pcss.md"}  # with a chart
+FULL = {"presets": "presets.md", "techniques": "filters.md", "tiled-pcss": "tiled-pcss.md"}  # with a chart
 BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetches": "filters.md",
          "equal-fetches-small-map": "filters.md",
          "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md",
          "distance-field-scenes": "other-shadows.md",
-         "wires": "other-shadows.md", "cell-pcss-full-hd": "cell-pcss.md",
-         "cell-pcss-full-hd-low-sun": "cell-pcss.md", "cell-pcss-kept": "cell-pcss.md", "cell-pcss-half": "cell-pcss.md"}
+         "wires": "other-shadows.md", "tiled-pcss-full-hd": "tiled-pcss.md", "tiled-pcss-low-sun": "tiled-pcss.md",
+         "tiled-pcss-wide-lights": "tiled-pcss.md", "tiled-pcss-kept": "tiled-pcss.md"}
 
 
 def shown():

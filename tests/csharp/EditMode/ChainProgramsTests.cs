@@ -40,9 +40,9 @@ namespace Penumbra.Tests
         // The passes of the frame itself, and those that make the maps of techniques.
         private static readonly (string asset, string pass)[] AllPasses =
             Passes.Select(pass => (Asset(pass), pass))
-                .Union(TechniqueTable.Entries.SelectMany(entry => entry.formats).Where(format => format.graph != null)
-                           .SelectMany(format => format.graph.passes)
-                           .Select(pass => (pass.asset, pass.program))).ToArray();
+                .Union(TechniqueTable.Entries.SelectMany(entry => entry.formats.Select(format => format.graph)
+                                                             .Append(entry.halfGraph)).Where(graph => graph != null)
+                           .SelectMany(graph => graph.passes).Select(pass => (pass.asset, pass.program))).ToArray();
 
         // A program is for example "Resolve _PENUMBRA_PCSS": only the pass that filters, and the mask that foretells a
         // filter, declare keywords.
@@ -96,25 +96,21 @@ namespace Penumbra.Tests
         // This program is drawn in the place of PCSS below shader target 4.5.
         private const string Tent = "Resolve _PENUMBRA_TENT_7X7";
 
-        private static readonly string[] CellPcssKernels =
-        {
-            "kernel FirstLevels", "kernel NextLevel", "kernel ResetTiles", "kernel ClassifyTiles", "kernel ResolveTiles",
-            "kernel ResolveRest", "kernel ResolveAlone",
-        };
+        // The presets also keep the programs of what is drawn where the device cannot run their passes.
+        private static readonly string[] Fallback = { Tent, "Resolve _PENUMBRA_PCSS_BOUNDED" };
 
-        /// <summary>
-        /// The preset also keeps the programs of what is drawn where the device cannot run its passes.
-        /// </summary>
+        private static readonly string[] Kernels = { "Bounds", "DecideTiles", "FilterTiles", "SmoothNear" };
+        private static readonly string[] LastKernels = { "SmoothFar" }, HalfKernels = { "SmoothFarNoisy", "Upsample" };
+
+        private static IEnumerable<string> OfPreset(params string[] lastKernels) =>
+            Fallback.Concat(Kernels.Concat(lastKernels).Select(kernel => "kernel " + kernel));
+
         [Test]
         public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
         {
-            string[] filter = { Tent, "Resolve _PENUMBRA_PCSS" };
-            IEnumerable<string> masked = new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" }.Concat(filter);
-            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(filter.Concat(CellPcssKernels)));
-            Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(filter.Concat(CellPcssKernels)));
-            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked.Concat(CellPcssKernels)));
-            Assert.That(Kept(Of(QualityPreset.Ultra)), Is.EqualTo(masked.Concat(CellPcssKernels)));
-            Assert.That(Kept(Of(QualityPreset.Reference)), Is.EqualTo(filter));
+            foreach (QualityPreset preset in Enum.GetValues(typeof(QualityPreset)))
+                Assert.That(Kept(Of(preset)),
+                            Is.EqualTo(OfPreset(preset == QualityPreset.Low ? HalfKernels : LastKernels)), preset.ToString());
         }
 
         [Test]
@@ -125,7 +121,7 @@ namespace Penumbra.Tests
             tent.custom.mask = false;
             var features = new[] { tent, new PenumbraShadowsSettings { preset = QualityPreset.Reference } };
             Assert.That(Kept(ChainPrograms.Of(features, NoVolumes)),
-                        Is.EquivalentTo(new[] { "Resolve", "Resolve _PENUMBRA_PCSS", Tent }));
+                        Is.EquivalentTo(OfPreset(LastKernels).Append("Resolve")));
         }
 
         [Test]
@@ -163,19 +159,12 @@ namespace Penumbra.Tests
         [Test]
         public void APresetOfOneVolumeMeetsTheSwitchOfAnother()
         {
-            PenumbraShadowsVolume preset = Volume(one => one.preset.Set(QualityPreset.Reference));
-            PenumbraShadowsVolume both = Volume(one =>
-            {
-                one.preset.Set(QualityPreset.High);
-                one.halfResolution.Set(true);
-            });
-            Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.EquivalentTo(new[]
-            {
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS", Tent,
-            }.Concat(CellPcssKernels)));
-            ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
-            met.halfResolution = true;
-            Assert.That(Kept(Of(QualityPreset.High, preset, both)), Is.SupersetOf(Asked(met)));
+            ShadowOptions tent = ShadowPresets.Options(QualityPreset.Custom);
+            tent.technique = ShadowTechnique.Tent5x5;
+            PenumbraShadowsVolume preset = Volume(one => one.preset.Set(QualityPreset.High));
+            PenumbraShadowsVolume half = Volume(one => one.halfResolution.Set(true));
+            Assert.That(Kept(Of(tent, preset, half)),
+                        Is.EquivalentTo(OfPreset(LastKernels.Concat(HalfKernels).ToArray()).Append("Resolve")));
         }
 
         [Test]
@@ -187,14 +176,14 @@ namespace Penumbra.Tests
                 one.denoise.Set(true);
             });
             string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
-            Assert.That(Kept(Of(QualityPreset.Reference, volume)),
+            Assert.That(Kept(Of(PresetFallback.Options(QualityPreset.Medium), volume)),
                         Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS").Append(Tent)));
         }
 
         [Test]
         public void ContactShadowsAreKeptWhereAFeatureOrAVolumeHasThem()
         {
-            string[] alone = { "Resolve _PENUMBRA_PCSS", Tent };
+            IEnumerable<string> alone = OfPreset(LastKernels);
             var settings = new PenumbraShadowsSettings { preset = QualityPreset.Reference };
             Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)), Is.EquivalentTo(alone));
             PenumbraShadowsVolume volume = Volume(one => one.contactShadowMetres.Set(0.25f));

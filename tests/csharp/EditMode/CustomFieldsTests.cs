@@ -26,7 +26,7 @@ namespace Penumbra.Tests
             {
                 technique = ShadowTechnique.Tent3x3, angularDiameterDegrees = 7.0f, blockerSamples = 3, filterSamples = 5,
                 softnessCapMetres = 9.0f, minFilterTexels = 4.0f, lightBleeding = 0.5f, mapBlurTexels = 2.0f,
-                mapFormat = MapFormat.Bits16, rays = 2, samplesPerRay = 3, discRadiusMetres = 0.5f, filterCells = 4, mask = true,
+                mapFormat = MapFormat.Bits16, rays = 2, samplesPerRay = 3, discRadiusMetres = 0.5f, mask = true,
                 halfResolution = true, denoise = true,
             };
         }
@@ -117,21 +117,6 @@ namespace Penumbra.Tests
             Assert.That(Settings.custom.angularDiameterDegrees, Is.EqualTo(7.0f));
             Assert.That(Settings.custom.softnessCapMetres, Is.EqualTo(9.0f));
             Assert.That(Settings.custom.minFilterTexels, Is.EqualTo(1.0f));
-        }
-
-        /// <summary>The numbers of samples of what stands in are not Cell PCSS's, and are not shown.</summary>
-        [Test]
-        public void WhatStandsInForCellPcssBeginsAsItIsMeasuredToo()
-        {
-            Settings.preset = QualityPreset.Custom;
-            ShadowOptions expected = Settings.custom;
-            Choose(ShadowTechnique.CellPcss);
-            expected.technique = ShadowTechnique.CellPcss;
-            expected.blockerSamples = 24;
-            expected.filterSamples = 16;
-            expected.minFilterTexels = 1.25f;
-            expected.filterCells = 5;
-            Assert.That(Settings.custom, Is.EqualTo(expected), "the others stay");
         }
 
         [Test]

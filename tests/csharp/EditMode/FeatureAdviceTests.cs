@@ -52,7 +52,7 @@ namespace Penumbra.Tests
         {
             FeatureState state = Sound();
             state.shaderFound = false;
-            state.shaderErrors = "ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier (D3D)";
+            state.shaderErrors = "ShaderLibrary/ScreenTiles/TileDecision.hlsl, line 12: undeclared identifier (D3D)";
             Assert.That(FeatureAdvice.For(state).First().type, Is.EqualTo(MessageType.Error));
             Assert.That(FeatureAdvice.For(state).First().text, Does.EndWith("\n" + state.shaderErrors));
         }
@@ -98,17 +98,19 @@ namespace Penumbra.Tests
         }
 
         /// <summary>A preset is made to fall back; users who chose the technique may choose another.</summary>
-        [TestCase(QualityPreset.Medium, MessageType.Info, "The preset Medium draws Cell PCSS where the device can. This one cannot: ")]
-        [TestCase(QualityPreset.Custom, MessageType.Warning, "Cell PCSS cannot run here as it is set: ")]
+        [TestCase(QualityPreset.Medium, MessageType.Info,
+                  "The preset Medium draws Tiled PCSS where the device can. This one cannot: ")]
+        [TestCase(QualityPreset.Custom, MessageType.Warning, "Tiled PCSS cannot run here as it is set: ")]
         public void WhatIsDrawnInsteadIsSaidAndWhy(QualityPreset preset, MessageType type, string before)
         {
             FeatureState state = Sound();
             state.settings.preset = preset;
-            state.settings.custom.technique = ShadowTechnique.CellPcss;
+            state.settings.custom.technique = ShadowTechnique.TiledPcss;
             state.asked = state.drawn = state.settings.Options();
             state.replaced = "this device has no kernels";
-            state.drawn.technique = ShadowTechnique.Pcss;
-            Assert.That(Texts(state, type), Does.Contain(before + "this device has no kernels. Drawn instead: PCSS."));
+            state.drawn.technique = ShadowTechnique.PcssBounded;
+            Assert.That(Texts(state, type),
+                        Does.Contain(before + "this device has no kernels. Drawn instead: Bounded PCSS."));
         }
 
         [Test]
@@ -117,11 +119,13 @@ namespace Penumbra.Tests
             const string yellow = "The view Penumbra Mask is yellow everywhere: ";
             FeatureState state = Sound();
             state.settings.preset = QualityPreset.High;
-            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Cell PCSS has no mask."));
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Tiled PCSS has no mask."));
             state.asked = state.drawn = state.settings.Options();
             state.replaced = "this device has no kernels";
-            state.drawn.technique = ShadowTechnique.Pcss;
-            Assert.That(OfTheMask(state), Is.Null, "what is drawn instead has one");
+            state.drawn.technique = ShadowTechnique.PcssBounded;
+            Assert.That(OfTheMask(state), Is.EqualTo(yellow + "Mask is off."), "what is drawn instead can have one");
+            state.drawn.mask = true;
+            Assert.That(OfTheMask(state), Is.Null);
             state = Sound();
             PresetFallback.Choose(state.settings, QualityPreset.High);
             Assert.That(OfTheMask(state), Is.Null);
@@ -188,9 +192,9 @@ namespace Penumbra.Tests
             FeatureState state = Sound();
             state.openGl = true;
             Assert.That(FeatureAdvice.For(state), Is.Empty, "of a preset it is said once it has been drawn, with the reason");
-            state.settings.preset = QualityPreset.Reference;
-            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Tent 7x7").And.Contain("Vulkan"));
             state.settings.preset = QualityPreset.Custom;
+            state.settings.custom.technique = ShadowTechnique.Pcss;
+            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Tent 7x7").And.Contain("Vulkan"));
             state.settings.custom.technique = ShadowTechnique.Tent5x5;
             Assert.That(FeatureAdvice.For(state), Is.Empty);
         }
@@ -208,10 +212,10 @@ namespace Penumbra.Tests
                         Does.StartWith("VSM ").And.Contain("R32G32_SFloat").And.Contain("16 bits"));
             state.drawn.technique = ShadowTechnique.Tent7x7;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."));
-            state.asked.technique = ShadowTechnique.CellPcss;
-            state.drawn.technique = ShadowTechnique.Pcss;
+            state.asked.technique = ShadowTechnique.TiledPcss;
+            state.drawn.technique = ShadowTechnique.PcssBounded;
             Assert.That(Texts(state, MessageType.Warning).Single(),
-                        Does.StartWith("Cell PCSS ").And.EndsWith("Drawn instead: PCSS."));
+                        Does.StartWith("Tiled PCSS ").And.EndsWith("Drawn instead: Bounded PCSS."));
             state.openGl = true;
             Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."),
                         "which shaders compute there in the place of PCSS");

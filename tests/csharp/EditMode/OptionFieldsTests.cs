@@ -122,19 +122,6 @@ namespace Penumbra.Tests
             Assert.That(OptionFields.SoftnessCap.Counts(Options(ShadowTechnique.Pcss, 0.0f)), Is.False);
 
         [Test]
-        public void AtHalfResolutionCellPcssFiltersSomePixelsWithSamples()
-        {
-            ShadowOptions options = Options(ShadowTechnique.CellPcss, 2.0f);
-            foreach (OptionField samples in new[] { OptionFields.BlockerSamples, OptionFields.FilterSamples })
-            {
-                options.halfResolution = false;
-                Assert.That(samples.Counts(options), Is.False, samples.name);
-                options.halfResolution = true;
-                Assert.That(samples.Counts(options), samples.name);
-            }
-        }
-
-        [Test]
         public void TheAngleCountsEvenAtZero() =>
             Assert.That(OptionFields.AngularDiameter.Counts(Options(ShadowTechnique.Pcss, 0.0f)));
     }

@@ -1,8 +1,8 @@
 namespace Penumbra.Tests
 {
     /// <summary>
-    /// Draws presets as devices that cannot run Cell PCSS do: with PCSS in the passes over the screen. It serves
-    /// tests whose subject is those passes, not the presets.
+    /// Draws PCSS with the other options of a preset, in the passes over the screen. It serves tests whose subject is
+    /// those passes, not the presets. High and Ultra have the mask of four comparisons, as no preset does.
     /// </summary>
     internal static class PresetFallback
     {
@@ -10,6 +10,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions options = ShadowPresets.Options(preset);
             options.technique = ShadowTechnique.Pcss;
+            options.mask = preset == QualityPreset.High || preset == QualityPreset.Ultra;
             return options;
         }
 

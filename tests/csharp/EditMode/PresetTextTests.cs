@@ -27,13 +27,10 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "Cell PCSS, 3 filter cells, at half resolution, sharp edges by PCSS; on devices " +
-                                     "that cannot run it PCSS, 8 blocker and 16 filter samples, at half resolution.")]
-        [TestCase(QualityPreset.Medium, "Cell PCSS, 3 filter cells; on devices that cannot run it PCSS, 8 blocker and " +
-                                        "16 filter samples.")]
-        [TestCase(QualityPreset.Ultra, "Cell PCSS, 5 filter cells; on devices that cannot run it PCSS, 16 blocker and " +
-                                       "32 filter samples, where the mask finds a penumbra.")]
-        [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]
+        [TestCase(QualityPreset.Low, "Tiled PCSS, 8 blocker and 16 filter samples, at half resolution; on devices that " +
+                                     "cannot run it Bounded PCSS.")]
+        [TestCase(QualityPreset.Reference, "Tiled PCSS, 128 blocker and 128 filter samples; on devices that cannot run it " +
+                                           "Bounded PCSS.")]
         public void APresetIsSaidInWords(QualityPreset preset, string words) =>
             Assert.That(PresetText.Describe(ShadowPresets.Options(preset)), Is.EqualTo(words));
 
@@ -43,19 +40,19 @@ namespace Penumbra.Tests
             ShadowOptions options = PresetFallback.Options(QualityPreset.High);
             options.denoise = true;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("PCSS, 12 blocker and 24 filter samples, where the mask finds a penumbra, denoised."));
+                        Is.EqualTo("PCSS, 32 blocker and 32 filter samples, where the mask finds a penumbra, denoised."));
             options.technique = ShadowTechnique.Tent5x5;
             Assert.That(PresetText.Describe(options),
                         Is.EqualTo("Tent 5x5, 9 fetches of the shadow map, no contact hardening."));
             options = ShadowPresets.Options(QualityPreset.Ultra);
-            options.denoise = options.halfResolution = true;
+            options.mask = options.denoise = options.halfResolution = true;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("Tiled PCSS, 64 blocker and 64 filter samples, at half resolution; on devices that " +
+                                   "cannot run it Bounded PCSS, where the mask finds a penumbra, denoised."));
             options.mask = false;
+            options.technique = ShadowTechnique.PcssBounded;
             Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Cell PCSS, 5 filter cells, at half resolution, sharp edges by PCSS; on devices " +
-                                   "that cannot run it PCSS, 16 blocker and 32 filter samples, at half resolution, denoised."));
-            options.technique = ShadowTechnique.CellPcssPixel;
-            Assert.That(PresetText.Describe(options),
-                        Is.EqualTo("Cell PCSS, per pixel, all texels around a pixel in place of samples, at half resolution."));
+                        Is.EqualTo("Bounded PCSS, 64 blocker and 64 filter samples, at half resolution, denoised."));
         }
     }
 }

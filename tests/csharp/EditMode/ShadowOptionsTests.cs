@@ -12,7 +12,7 @@ namespace Penumbra.Tests
         {
             technique = ShadowTechnique.Pcss, angularDiameterDegrees = number, softnessCapMetres = number,
             minFilterTexels = number, blockerSamples = count, filterSamples = count, lightBleeding = number,
-            mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count, filterCells = count,
+            mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count,
         };
 
         [TestCase(float.NaN, int.MinValue)]
@@ -26,11 +26,10 @@ namespace Penumbra.Tests
             Assert.That(options.angularDiameterDegrees, Is.InRange(0.0f, 30.0f));
             Assert.That(options.softnessCapMetres, Is.InRange(0.0f, 100.0f));
             Assert.That(options.minFilterTexels, Is.InRange(0.0f, 8.0f));
-            Assert.That(options.blockerSamples, Is.InRange(1, 64));
-            Assert.That(options.filterSamples, Is.InRange(1, 64));
+            Assert.That(options.blockerSamples, Is.InRange(1, 128));
+            Assert.That(options.filterSamples, Is.InRange(1, 128));
             Assert.That(options.rays, Is.InRange(1, 64));
             Assert.That(options.samplesPerRay, Is.InRange(1, 64));
-            Assert.That(options.filterCells, Is.InRange(3, 5));
             Assert.That(options.lightBleeding, Is.InRange(0.0f, 0.95f));
             Assert.That(options.mapBlurTexels, Is.InRange(0.0f, 4.0f));
             Assert.That(options.discRadiusMetres, Is.InRange(0.0f, 1.0f));

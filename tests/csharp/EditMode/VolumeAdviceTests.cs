@@ -39,6 +39,8 @@ namespace Penumbra.Tests
 
         private static void Denoise(PenumbraShadowsVolume volume) => volume.denoise.overrideState = true;
 
+        private static void Mask(PenumbraShadowsVolume volume) => volume.mask.overrideState = true;
+
         private static void HalfResolution(PenumbraShadowsVolume volume) => volume.halfResolution.overrideState = true;
 
         private static void LightBleeding(PenumbraShadowsVolume volume) => volume.lightBleeding.overrideState = true;
@@ -69,11 +71,10 @@ namespace Penumbra.Tests
             Assert.That(Shown(State(Preset(QualityPreset.Low))),
                         Is.EqualTo(new[]
                         {
-                            "Technique", "Angular Diameter", "Blocker Samples", "Filter Samples", "Filter Cells",
-                            "Softness Cap", "Half Resolution",
+                            "Technique", "Angular Diameter", "Blocker Samples", "Filter Samples", "Softness Cap",
+                            "Half Resolution",
                         }));
-            Assert.That(Shown(State(Preset(QualityPreset.Medium))), Does.Not.Contain("Blocker Samples"));
-            Assert.That(Shown(State(Preset(QualityPreset.Reference))), Does.Contain("Filter Samples"));
+            Assert.That(Shown(State(Technique(ShadowTechnique.PcssBounded))), Does.Contain("Mask").And.Contain("Denoise"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssHdrp))), Does.Not.Contain("Softness Cap"));
             Assert.That(Shown(State(Technique(ShadowTechnique.PcssPoisson))), Does.Not.Contain("Filter Samples"));
             Assert.That(Shown(State(Angle(0.0f))), Does.Not.Contain("Denoise"));
@@ -158,29 +159,30 @@ namespace Penumbra.Tests
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
             Assert.That(Texts(State(Preset(QualityPreset.High) + HalfResolution, feature)).Single(),
                         Does.StartWith("Half Resolution overrides the preset"));
-            Assert.That(Texts(State(Preset(QualityPreset.Reference) + Denoise, feature)).Single(),
-                        Does.StartWith("Denoise overrides the preset"));
-            Assert.That(Texts(State(Preset(QualityPreset.Reference) + Denoise + Samples, feature)).Single(),
-                        Does.StartWith("Filter Samples and Denoise override the preset"));
+            Assert.That(Texts(State(Preset(QualityPreset.Reference) + Samples, feature)).Single(),
+                        Does.StartWith("Filter Samples overrides the preset"));
+            Assert.That(Texts(State(Preset(QualityPreset.Reference) + HalfResolution + Samples, feature)).Single(),
+                        Does.StartWith("Filter Samples and Half Resolution override the preset"));
         }
 
-        /// <summary>Options of the fallback do not end the preset's figures, which are Cell PCSS's.</summary>
+        /// <summary>Options of the fallback do not end the preset's figures, which are Tiled PCSS's.</summary>
         [Test]
         public void OptionsOfWhatStandsInForAPresetAreNamed()
         {
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
-            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
-                        Is.EqualTo("Filter Samples and Denoise have no effect with Cell PCSS, only with PCSS on devices that " +
-                                   "cannot run Cell PCSS."));
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Mask, feature)).Single(),
+                        Is.EqualTo("Mask and Denoise have no effect with Tiled PCSS, only with Bounded PCSS on devices " +
+                                   "that cannot run Tiled PCSS."));
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + LightBleeding, feature)),
                         Is.EqualTo(new[]
                         {
-                            "Light Bleeding Reduction has no effect with Cell PCSS. Clear the checkbox, or change the " +
+                            "Light Bleeding Reduction has no effect with Tiled PCSS. Clear the checkbox, or change the " +
                             "technique or preset.",
-                            "Denoise has no effect with Cell PCSS, only with PCSS on devices that cannot run Cell PCSS.",
+                            "Denoise has no effect with Tiled PCSS, only with Bounded PCSS on devices that cannot run " +
+                            "Tiled PCSS.",
                         }));
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Angle(0.0f), feature)).Single(),
-                        Does.StartWith("Denoise has no effect with Cell PCSS. "), "nor with PCSS at 0 degrees");
+                        Does.StartWith("Denoise has no effect with Tiled PCSS. "), "nor with what stands in at 0 degrees");
         }
 
         [Test]
@@ -189,7 +191,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void OptionsWithoutAPresetAreNobodysFigures() =>
-            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Reference))), Is.Empty);
+            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Pcss))), Is.Empty);
 
         [Test]
         public void WhatHasNoEffectIsNamedWithTheTechnique()
@@ -208,10 +210,10 @@ namespace Penumbra.Tests
         {
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5))).Single(),
                         Does.StartWith("Denoise has no effect with Tent 5x5, which the feature selects."));
-            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.Reference))), Is.Empty);
+            Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(ShadowTechnique.Pcss))), Is.Empty);
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.High))).Single(),
-                        Is.EqualTo("Denoise has no effect with Tent 5x5 or Cell PCSS, which the feature selects, only with " +
-                                   "PCSS on devices that cannot run Cell PCSS."));
+                        Is.EqualTo("Denoise has no effect with Tent 5x5 or Tiled PCSS, which the feature selects, only with " +
+                                   "Bounded PCSS on devices that cannot run Tiled PCSS."));
         }
 
         [Test]

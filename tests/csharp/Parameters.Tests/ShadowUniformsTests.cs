@@ -95,7 +95,7 @@ public class ShadowUniformsTests
             var uniforms = new ShadowUniforms(parameters, Layout, Count());
             AssertWithin(uniforms.MainLightParams, new Vector4(3, 0.26795f, 63, 1));
             AssertWithin(new[] { uniforms.PcssAngular.Vector0, uniforms.PcssAngular.Vector1 },
-                         new Vector4(64, 64, 8, 64), new Vector4(1e6f, 1e6f, 0, 0));
+                         new Vector4(128, 128, 8, 64), new Vector4(1e6f, 1e6f, 0, 0));
             AssertWithin(new[] { uniforms.PcssClassic.Vector0 }, new Vector4(128, 1e6f, 64, 0));
             AssertWithin(new[] { uniforms.PcssHdrp.Vector0, uniforms.PcssHdrp.Vector1 },
                          new Vector4(64, 64, 8, 64), new Vector4(1e6f, 1e6f, 1000, 1000));

@@ -87,6 +87,39 @@ public sealed class AddedTechniqueTests : FeatureTests
         Assert.That(Vector(mips[0], "_PenumbraSourceSize"), Is.EqualTo(Size(2048.0f, 2048.0f)));
     }
 
+    /// <summary>The package has no pass that draws into two textures, so the test gives Means a second map.</summary>
+    [Test]
+    public void APassDrawsLevelsOfTwoMapsFromCopiesOfBoth()
+    {
+        AddedTechniques.AddMeans();
+        TechniqueGraph graph = AddedTechniques.Place.Entry().formats[0].graph;
+        GraphPass columns = graph.passes.Single(pass => pass.program == "Columns");
+        GraphPass mips = graph.passes.Single(pass => pass.eachMip);
+        int second = graph.textures.Length;
+        graph.textures = graph.textures
+            .Append(new GraphTexture("second", GraphExtent.Map, GraphicsFormat.R32_UInt, mips: 2)).ToArray();
+        graph.filterTextures =
+            graph.filterTextures.Append(GraphBinding.Texture("_PenumbraSecondTexture", second)).ToArray();
+        columns.writes = mips.writes = columns.writes.Append(GraphBinding.Texture(second)).ToArray();
+        mips.reads = mips.reads.Append(GraphBinding.Texture("_PenumbraSecondSource", second)).ToArray();
+        List<FakeDevice.DrawCall> draws = Draws(new FakeScene());
+        FakeDevice.DrawCall resolve = draws.Last();
+        string[] maps = { resolve.Textures["_PenumbraBlurredTexture"], resolve.Textures["_PenumbraSecondTexture"] };
+        foreach (string pass in new[] { "Columns", "Mips" })
+        {
+            FakeDevice.DrawCall[] of = Of(draws, pass);
+            string level = pass == "Mips" ? " mip 1" : "";
+            Assert.That(of.Select(draw => draw.Target), Is.All.EqualTo(maps[0] + " + " + maps[1] + level));
+            Assert.That(of.Select(draw => draw.Load), Is.All.EqualTo(RenderBufferLoadAction.Load), "the other tiles stay");
+            Assert.That(of.Select(draw => draw.Viewport.Value).Distinct().Count(), Is.EqualTo(4), "tiles");
+        }
+        string[] sources = { "_PenumbraSourceTexture", "_PenumbraSecondSource" };
+        Assert.That(urp.Device.Copies, Is.EqualTo(maps.Select(
+            (map, i) => map + " slice 0 mip 0 0 0 2048x2048 to " + Of(draws, "Mips")[0].Textures[sources[i]] +
+                        " slice 0 mip 0 0 0")));
+        Assert.That(maps.Concat(sources.Select(source => Of(draws, "Mips")[0].Textures[source])), Is.Unique);
+    }
+
     [Test]
     public void KernelsRunInOrderWithTheirGroups()
     {
@@ -164,11 +197,15 @@ public sealed class AddedTechniqueTests : FeatureTests
     }
 
     [Test]
-    public void KernelsOverTheScreenAreNotForBothEyesAtOnce()
+    public void KernelsOverTheScreenAreForBothEyesAtOnceIfTheyDeclareIt()
     {
-        AddedTechniques.AddBlocks();
+        ComputeShader kernels = AddedTechniques.AddBlocks();
         ExpectSkipped("kernel 'Mark' uses textures of the screen, and ", new FakeScene { Views = 2 });
         Assert.That(Draws(new FakeScene { Views = 1 }), Is.Not.Empty);
+        kernels.KeywordNames.Add("_PENUMBRA_BOTH_EYES");
+        List<FakeDevice.DrawCall> draws = Draws(new FakeScene { Views = 2 });
+        Assert.That(draws[0].Groups, Is.EqualTo("11 6 2"));
+        Assert.That(draws[1].Textures["_List"], Is.EqualTo("Structured of " + 2 * 943 + " x 4"), "room for both");
     }
 
     private void ExpectSkipped(string what, FakeScene of = null)
@@ -228,6 +265,14 @@ public sealed class AddedTechniqueTests : FeatureTests
     {
         AddedTechniques.AddBlocks().Kernels.Single(kernel => kernel.Name == "Shade").IsSupported = false;
         ExpectSkipped("this device cannot run kernel 'Shade' of Blocks.compute");
+    }
+
+    [Test]
+    public void ADeviceThatReadsNoGroupsFromABufferIsNamed()
+    {
+        AddedTechniques.AddBlocks();
+        SystemInfo.supportsIndirectArgumentsBuffer = false;
+        ExpectSkipped("pass 'Shade' reads how often it runs from a buffer, which this device cannot do");
     }
 
     [Test]

@@ -56,11 +56,11 @@ public sealed class DebugViewTests : FeatureTests
         }
     }
 
-    /// <summary>Cell PCSS's kernels read no mask; the option is there for what is drawn in its place.</summary>
+    /// <summary>Tiled PCSS's kernels read no mask; the option is there for what is drawn in its place.</summary>
     [Test]
-    public void CellPcssHasNoMaskAndItsFallbackHas()
+    public void TiledPcssHasNoMaskAndItsFallbackHas()
     {
-        feature.Settings.preset = QualityPreset.High;
+        feature.Settings.custom.technique = ShadowTechnique.TiledPcss;
         feature.Settings.debugView = DebugView.PenumbraMask;
         foreach (bool kernels in new[] { true, false })
         {

@@ -13,7 +13,7 @@ internal static class FakeShader
     private const string TraceFile = "PenumbraScreenTrace.shader";
     private const string FarFile = "PenumbraFar.shader";
     private const string SumsFile = "SummedAreas.compute";
-    private const string CellPcssFile = "PenumbraCellPcss.compute";
+    private const string TiledPcssFile = "PenumbraTiledPcss.compute";
 
     /// <summary>The shader of passes over the shadow map; imported, as far as the editor goes.</summary>
     internal static Shader Maps { get; private set; }
@@ -24,8 +24,8 @@ internal static class FakeShader
     /// <summary>The kernels of summed-area tables; imported, too.</summary>
     internal static ComputeShader Sums { get; private set; }
 
-    /// <summary>The kernels of Cell PCSS; imported, too.</summary>
-    internal static ComputeShader CellPcss { get; private set; }
+    /// <summary>The kernels of Tiled PCSS; imported, too.</summary>
+    internal static ComputeShader TiledPcss { get; private set; }
 
     /// <summary>The frame's own shader.</summary>
     internal static Shader Screen { get; private set; }
@@ -40,7 +40,7 @@ internal static class FakeShader
         AssetDatabase.Assets[folder + TraceFile] = Install("Hidden/Penumbra/ScreenTrace", TraceFile);
         AssetDatabase.Assets[folder + FarFile] = Far = Install("Hidden/Penumbra/Far", FarFile);
         AssetDatabase.Assets[folder + SumsFile] = Sums = Kernels(SumsFile);
-        AssetDatabase.Assets[folder + CellPcssFile] = CellPcss = Kernels(CellPcssFile);
+        AssetDatabase.Assets[folder + TiledPcssFile] = TiledPcss = Kernels(TiledPcssFile);
         return Screen = Install(PenumbraShadows.ShaderName, FrameFile);
     }
 

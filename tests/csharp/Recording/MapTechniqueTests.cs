@@ -46,6 +46,8 @@ public sealed class MapTechniqueTests : FeatureTests
         {
             Assert.That(resolve.Textures, Contains.Key(texture.property));
             Assert.That(resolve.Textures[texture.property], Is.Not.EqualTo(resolve.Target));
+            Assert.That(urp.Device.Textures[texture.property], Is.EqualTo(resolve.Textures[texture.property]),
+                        "forward shaders find it, too");
         }
         Assert.That(feature.Replaced, Is.Null);
     }
@@ -141,7 +143,7 @@ public sealed class MapTechniqueTests : FeatureTests
     {
         angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
         minFilterTexels = 3.5f, lightBleeding = 0.7f, mapBlurTexels = 3.25f, rays = 3, samplesPerRay = 4,
-        discRadiusMetres = 0.75f, filterCells = 4,
+        discRadiusMetres = 0.75f,
     };
 
     // The struct of a uniform, with the values of a measured technique.
@@ -181,7 +183,8 @@ public sealed class MapTechniqueTests : FeatureTests
     [TestCase(ShadowTechnique.PcssGodot, MapFormat.Bits32, "godot-pcss-8")]
     [TestCase(ShadowTechnique.DpcfFilament, MapFormat.Bits32, "filament-dpcf-12")]
     [TestCase(ShadowTechnique.PcssFilament, MapFormat.Bits32, "filament-pcss-16-16")]
-    [TestCase(ShadowTechnique.CellPcss, MapFormat.Bits32, "cell-pcss")]
+    [TestCase(ShadowTechnique.TiledPcss, MapFormat.Bits32, "tiled-pcss")]
+    [TestCase(ShadowTechnique.PcssBounded, MapFormat.Bits32, "pcss-bounded-16-16")]
     public void PassesAndFiltersAreToldWhatIsMeasured(ShadowTechnique technique, MapFormat format, string measured)
     {
         ShadowOptions options = Odd();
@@ -214,98 +217,23 @@ public sealed class MapTechniqueTests : FeatureTests
                         "_PenumbraSingleLoopParameters0",
                     }));
 
-    [Test]
-    public void ThePassesThatDrawTheVisibilityHaveNoResolve()
-    {
-        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-        Render();
-        Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
-        Assert.That(feature.Replaced, Is.Null);
-        Assert.That(Passes().Where(pass => pass != "clear").Distinct(),
-                    Is.EqualTo(TechniqueTable.Graph("cell-pcss").passes.Select(pass => pass.program)));
-    }
-
-    private void ExpectPcss(string reason)
-    {
-        FakeDevice.DrawCall resolve = Resolve(ShadowTechnique.CellPcss);
-        Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_PCSS" }));
-        Assert.That(feature.Replaced, Does.Contain(reason));
-        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Pcss));
-    }
-
-    [Test]
-    public void OnOpenGlCellPcssIsPcss()
-    {
-        SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
-        ExpectPcss("OpenGL does not define");
-    }
-
-    [Test]
-    public void WithoutAFormatCellPcssIsPcss()
-    {
-        SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_UInt;
-        ExpectPcss("cannot write textures of R32G32B32A32_UInt");
-    }
-
-    [Test]
-    public void WithoutKernelsCellPcssIsPcss()
-    {
-        SystemInfo.supportsComputeShaders = false;
-        ExpectPcss("is a compute shader, which this device does not support");
-    }
-
-    [Test]
-    public void WithoutIndirectDispatchCellPcssIsPcss()
-    {
-        SystemInfo.supportsIndirectArgumentsBuffer = false;
-        ExpectPcss("pass 'ResolveTiles' reads how often it runs from a buffer");
-    }
-
-    /// <summary>Vulkan guarantees groups of 128 threads.</summary>
-    [Test]
-    public void WithSmallThreadGroupsCellPcssIsPcss()
-    {
-        SystemInfo.maxComputeWorkGroupSize = 128;
-        ExpectPcss("has groups of 256 threads, and this device allows 128");
-    }
-
-    [Test]
-    public void ForBothEyesAtOnceCellPcssIsDrawn()
-    {
-        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-        scene.Views = 2;
-        Render();
-        Assert.That(feature.Replaced, Is.Null);
-        Assert.That(urp.Device.Draws.Last().Pass, Is.EqualTo("ResolveAlone"));
-    }
-
-    [Test]
-    public void BelowTarget45NeitherCellPcssNorPcssIsDrawnButATent()
-    {
-        SystemInfo.graphicsShaderLevel = 35;
-        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-        Render();
-        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
-        Assert.That(feature.Replaced, Does.Contain("shader model 4.5"));
-    }
-
     /// <summary>The shader fails to compile for a while, as it does while a file is edited.</summary>
     [Test]
     public void AShaderThatCompilesAgainIsDrawnWithAfterItsImport()
     {
-        feature.Settings.custom.technique = ShadowTechnique.CellPcss;
-        ComputeShader.Kernel[] kernels = FakeShader.CellPcss.Kernels.ToArray();
-        FakeShader.CellPcss.Kernels.Clear();
+        feature.Settings.custom.technique = ShadowTechnique.TiledPcss;
+        ComputeShader.Kernel[] kernels = FakeShader.TiledPcss.Kernels.ToArray();
+        FakeShader.TiledPcss.Kernels.Clear();
         Render();
         Assert.That(feature.Replaced, Does.Contain("does not compile"));
-        FakeShader.CellPcss.Kernels.AddRange(kernels);
+        FakeShader.TiledPcss.Kernels.AddRange(kernels);
         Import("Assets/Lake.png");
         Render();
         Assert.That(feature.Replaced, Is.Not.Null, "no shader");
-        Import("Packages/com.penumbra.shadows/Shaders/PenumbraCellPcss.compute");
+        Import("Packages/com.penumbra.shadows/Shaders/PenumbraTiledPcss.compute");
         Render();
         Assert.That(feature.Replaced, Is.Null);
-        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.CellPcss));
+        Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.TiledPcss));
     }
 
     // Unity looks for the method by this name and these parameters.

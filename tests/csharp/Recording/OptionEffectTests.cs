@@ -5,7 +5,7 @@ public sealed class OptionEffectTests
 {
     private static readonly (OptionField option, string[] fields)[] OfFilters =
     {
-        (OptionFields.BlockerSamples, new[] { "blockerSamples", "samples" }),
+        (OptionFields.BlockerSamples, new[] { "blockerSamples", "searchSamples", "samples" }),
         (OptionFields.FilterSamples, new[] { "filterSamples" }),
         (OptionFields.SoftnessCap, new[] { "maxPenumbraMetres" }),
         (OptionFields.MinFilter, new[] { "minFilterTexels" }),
@@ -30,6 +30,8 @@ public sealed class OptionEffectTests
     [TestCase(ShadowTechnique.Pcss, "PcssAngularParameters")]
     [TestCase(ShadowTechnique.PcssPoisson, "PcssClassicParameters")]
     [TestCase(ShadowTechnique.PcssHdrp, "PcssHdrpParameters")]
+    [TestCase(ShadowTechnique.PcssBounded, "PcssBoundedParameters")]
+    [TestCase(ShadowTechnique.TiledPcss, "PcssBoundedParameters")]
     public void IsThatOfTheFilter(ShadowTechnique technique, string structure)
     {
         string[] taken = structure == null ? new string[0] : Fields(structure);

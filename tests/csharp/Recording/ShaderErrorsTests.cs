@@ -25,7 +25,7 @@ public sealed class ShaderErrorsTests : FeatureTests
     [Test]
     public void WarningsAreNoErrors()
     {
-        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
+        ShaderUtil.Messages[FakeShader.TiledPcss] = new[]
         {
             Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
         };
@@ -35,17 +35,18 @@ public sealed class ShaderErrorsTests : FeatureTests
     [Test]
     public void AKernelsErrorHasItsFileAndLine()
     {
-        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
+        ShaderUtil.Messages[FakeShader.TiledPcss] = new[]
         {
             Message("signed division", "", 3, ShaderCompilerMessageSeverity.Warning),
-            Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileReceiver.hlsl", 12),
+            Message("undeclared identifier 'a'", "ShaderLibrary/ScreenTiles/TileDecision.hlsl", 12),
         };
-        Assert.That(Errors, Is.EqualTo("ShaderLibrary/ScreenTiles/TileReceiver.hlsl, line 12: undeclared identifier 'a' (D3D)"));
+        Assert.That(Errors, Is.EqualTo("ShaderLibrary/ScreenTiles/TileDecision.hlsl, line 12: undeclared identifier 'a' (D3D)"));
     }
 
     [Test]
     public void AnErrorOfThePassesIsOfTheAssetIfNoIncludeIsNamed()
     {
+        PresetFallback.Choose(feature.Settings, QualityPreset.Low);
         ShaderUtil.Messages[Shader.Find(PenumbraShadows.ShaderName)] = new[] { Message("syntax error", "", 7) };
         Assert.That(Errors, Is.EqualTo(PenumbraShadows.ShaderFile + ", line 7: syntax error (D3D)"));
     }
@@ -61,7 +62,7 @@ public sealed class ShaderErrorsTests : FeatureTests
     [Test]
     public void OfManyErrorsAFewAreSaidAndEachOnce()
     {
-        ShaderUtil.Messages[FakeShader.CellPcss] = new[]
+        ShaderUtil.Messages[FakeShader.TiledPcss] = new[]
         {
             Message("a", "", 1), Message("a", "", 1), Message("b", "", 2), Message("c", "", 3), Message("d", "", 4),
             Message("e", "", 5),

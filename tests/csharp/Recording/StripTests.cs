@@ -45,7 +45,7 @@ public sealed class StripTests : FeatureTests
         var kept = new List<string>();
         foreach ((Shader one, Dictionary<string, List<HashSet<string>>> variants) in Shaders())
             kept.AddRange(Kept(programs, one, variants));
-        foreach (ComputeShader one in new[] { FakeShader.Sums, FakeShader.CellPcss })
+        foreach (ComputeShader one in new[] { FakeShader.Sums, FakeShader.TiledPcss })
             foreach (ComputeShader.Kernel kernel in one.Kernels)
                 kept.AddRange(KeptOfKernel(programs, one, kernel.Name, bothEyes: false));
         return kept.ToArray();
@@ -70,8 +70,8 @@ public sealed class StripTests : FeatureTests
     private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
     {
         if (draw.Groups != null)
-            return Text(Kernel(draw.Pass), FakeShader.CellPcss.Kernels.Any(kernel => kernel.Name == draw.Pass)
-                                               ? draw.Keywords.Intersect(FakeShader.CellPcss.KeywordNames) : new string[0]);
+            return Text(Kernel(draw.Pass), FakeShader.TiledPcss.Kernels.Any(kernel => kernel.Name == draw.Pass)
+                                               ? draw.Keywords.Intersect(FakeShader.TiledPcss.KeywordNames) : new string[0]);
         IEnumerable<string> declared = variants[draw.Pass].SelectMany(set => set);
         return Text(draw.Pass, draw.Keywords.Intersect(declared));
     }
@@ -208,22 +208,26 @@ public sealed class StripTests : FeatureTests
 
     [TestCaseSource(nameof(WithoutKernels))]
     public void ApisOnWhichNoKernelRunsHaveNone(object platform) =>
-        Assert.That(KeptOfKernel(Programs(QualityPreset.Ultra), FakeShader.CellPcss, "ResolveRest", true,
+        Assert.That(KeptOfKernel(Programs(QualityPreset.Ultra), FakeShader.TiledPcss, "FilterTiles", true,
                                  (ShaderCompilerPlatform)platform), Is.Empty);
 
     [Test]
     public void KernelsForBothEyesAreKeptBesideThoseForOneInAProjectWithXr()
     {
-        const string rest = "kernel ResolveRest", eyes = " _PENUMBRA_BOTH_EYES";
-        string[] Kept(QualityPreset preset, bool xr) =>
-            KeptOfKernel(Programs(preset), FakeShader.CellPcss, "ResolveRest", xr).ToArray();
+        const string eyes = " _PENUMBRA_BOTH_EYES";
+        string[] Kept(QualityPreset preset, string kernel, bool xr) =>
+            KeptOfKernel(Programs(preset), FakeShader.TiledPcss, kernel, xr).ToArray();
         // The presets draw at half resolution and at full.
-        foreach (QualityPreset preset in new[] { QualityPreset.Low, QualityPreset.Ultra })
+        foreach ((QualityPreset preset, string last, string other) in new[]
+                 {
+                     (QualityPreset.Low, "Upsample", "SmoothFar"), (QualityPreset.Ultra, "SmoothFar", "Upsample"),
+                 })
         {
-            Assert.That(Kept(preset, false), Is.EqualTo(new[] { rest }));
-            Assert.That(Kept(preset, true), Is.EquivalentTo(new[] { rest, rest + eyes }));
+            string program = "kernel " + last;
+            Assert.That(Kept(preset, last, false), Is.EqualTo(new[] { program }));
+            Assert.That(Kept(preset, last, true), Is.EquivalentTo(new[] { program, program + eyes }));
+            Assert.That(Kept(preset, other, true), Is.Empty);
         }
-        Assert.That(Kept(QualityPreset.Reference, true), Is.Empty);
     }
 
     /// <summary>The feature's asset refers to the compute shaders of all techniques.</summary>
@@ -250,7 +254,7 @@ public sealed class StripTests : FeatureTests
                     Is.EqualTo(new[]
                     {
                         "Resolve _PENUMBRA_TENT_7X7", "Resolve STEREO_INSTANCING_ON _PENUMBRA_TENT_7X7",
-                        "Resolve _PENUMBRA_PCSS", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS",
+                        "Resolve _PENUMBRA_PCSS_BOUNDED", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS_BOUNDED",
                     }));
     }
 

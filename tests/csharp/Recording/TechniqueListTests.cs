@@ -21,29 +21,27 @@ public sealed class TechniqueListTests : FeatureTests
     [TestCase(ShadowTechnique.Pcss, "screen-pcss-angular-24-16")]
     [TestCase(ShadowTechnique.PcssPoisson, "pcss-poisson-32")]
     [TestCase(ShadowTechnique.PcssHdrp, "pcss-angular-24-16-hdrp")]
+    [TestCase(ShadowTechnique.TiledPcss, "tiled-pcss")]
     public void ReportsCallATechniqueAsTheInspectorDoes(ShadowTechnique technique, string entry)
     {
         string title = Technique(entry).GetProperty("title").GetString();
         Assert.That(title, Does.Match("^" + Regex.Escape(TechniqueName.Of(technique)) + "( [0-9o]|,|$)"));
     }
 
-    [Test]
-    public void APresetsTitleNamesItsTechnique()
+    [TestCaseSource(nameof(Presets))]
+    public void ReportsCallAPresetByItsName(QualityPreset preset)
     {
-        foreach (QualityPreset preset in Presets())
-        {
-            string title = Technique(Named("preset", preset)).GetProperty("title").GetString();
-            string name = TechniqueName.Of(ShadowPresets.Options(preset).technique);
-            Assert.That(title, Does.StartWith("Preset " + preset + ": " + name));
-        }
+        Assert.That(Technique(Named("preset", preset)).GetProperty("title").GetString(), Is.EqualTo("Penumbra " + preset));
+        Assert.That(Technique(Named("fallback", preset)).GetProperty("title").GetString(),
+                    Is.EqualTo("Fallback of " + preset));
     }
 
     private static float Value(string technique, string field) => Values(technique).GetProperty(field).GetSingle();
 
-    [TestCase("fallback-high")]
-    [TestCase("fallback-ultra")]
-    public void TheMaskIsTheStudys(string masked)
+    [Test]
+    public void TheMaskIsTheStudys()
     {
+        const string masked = "screen-pcss-angular-24-16-masked";
         Assert.That(MaskParameters.Default.maskFilterTexels, Is.EqualTo(Value(masked, "maskFilterTexels")));
         Assert.That((float)MaskParameters.Default.maskLargestRadius, Is.EqualTo(Value(masked, "maskLargestRadius")));
         // The pass takes the cap of the filter for it.
@@ -90,7 +88,7 @@ public sealed class TechniqueListTests : FeatureTests
         }
         HasItsValues(settings.parameters);
         if (clouds) HasItsValues(settings.cloudLayer);
-        ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);  // PCSS without a mask
+        ShadowOptions options = PresetFallback.Options(QualityPreset.Medium);  // PCSS without a mask
         options.farShadows = mode;
         options.clouds = clouds;
         JsonElement[] passes = Technique(technique).GetProperty("passes").EnumerateArray().ToArray();
@@ -111,8 +109,7 @@ public sealed class TechniqueListTests : FeatureTests
 
     private static readonly Dictionary<string, GraphicsFormat> Formats = new Dictionary<string, GraphicsFormat>
     {
-        ["r8"] = GraphicsFormat.R8_UNorm, ["r32f"] = GraphicsFormat.R32_SFloat,
-        ["rgba32f"] = GraphicsFormat.R32G32B32A32_SFloat, ["rgba32ui"] = GraphicsFormat.R32G32B32A32_UInt,
+        ["r8"] = GraphicsFormat.R8_UNorm, ["r32f"] = GraphicsFormat.R32_SFloat, ["r32ui"] = GraphicsFormat.R32_UInt,
     };
 
     private static string[] Programs(string technique) =>
@@ -128,9 +125,8 @@ public sealed class TechniqueListTests : FeatureTests
         ShadowChain chain = ShadowChain.Of(options);
         IEnumerable<string> keywords =
             technique.GetProperty("keywords").EnumerateArray().Select(keyword => keyword.GetString());
-        // Kernels declare no technique's; with half resolution, upsampling filters where neighbours differ widely.
-        if (options.DrawsVisibility && !options.HalvesResolution)
-            keywords = keywords.Append(options.technique.Entry().keyword);
+        // Kernels declare no technique's.
+        if (options.DrawsVisibility) keywords = keywords.Append(options.technique.Entry().keyword);
         Assert.That(chain.Keywords, Is.EquivalentTo(keywords), name);
         Assert.That(chain.Steps.Select(step => step.pass.program), Is.EqualTo(Programs(name)), name);
         var placed = new Dictionary<string, int>();
@@ -166,40 +162,30 @@ public sealed class TechniqueListTests : FeatureTests
 
     /// <summary>The kernels are told the values that they were measured with.</summary>
     [TestCaseSource(nameof(Presets))]
-    public void APresetsOptionsAreTheStudys(QualityPreset preset)
+    public void WhatAPresetTellsIsTheStudys(QualityPreset preset)
     {
-        ShadowOptions options = ShadowPresets.Options(preset);
+        feature.Settings.preset = preset;
         string name = Named("preset", preset);
-        if (options.technique == ShadowTechnique.CellPcss)
-            Assert.That((float)options.filterCells, Is.EqualTo(Value(name, "filterCells")));
-        else HasSamplesOf(name, options);
-        HasWidthsOf(name, options);
+        Assert.That(Render(), Is.EqualTo(Programs(name)));
+        HasValuesOf(name);
     }
 
-    private static void HasSamplesOf(string name, in ShadowOptions options)
-    {
-        Assert.That((float)options.Parameters().BlockerSamples, Is.EqualTo(Value(name, "blockerSamples")));
-        Assert.That((float)options.Parameters().FilterSamples, Is.EqualTo(Value(name, "filterSamples")));
-    }
-
-    private static void HasWidthsOf(string name, in ShadowOptions options)
-    {
-        Assert.That(options.Parameters().MaxPenumbraMetres, Is.EqualTo(Value(name, "maxPenumbraMetres")));
-        Assert.That(options.Parameters().MinFilterTexels, Is.EqualTo(Value(name, "minFilterTexels")));
-    }
+    private void HasValuesOf(string name) =>
+        Assert.That(urp.Device.Uniforms["_PenumbraPcssBoundedParameters0"],
+                    Is.EqualTo(new Vector4(Value(name, "searchSamples"), Value(name, "filterSamples"),
+                                           Value(name, "maxPenumbraMetres"), 0.0f)));
 
     /// <summary>Without compute shaders, a preset draws what was measured as its fallback.</summary>
     [TestCaseSource(nameof(Presets))]
     public void WhatAPresetFallsBackToIsTheStudys(QualityPreset preset)
     {
-        string name = Named(preset == QualityPreset.Reference ? "preset" : "fallback", preset);
+        string name = Named("fallback", preset);
         feature.Settings.preset = preset;
         SystemInfo.supportsComputeShaders = false;
         Assert.That(Render(), Is.EqualTo(Programs(name)));
-        Assert.That(feature.Replaced != null, Is.EqualTo(name.StartsWith("fallback")));
+        Assert.That(feature.Replaced, Is.Not.Null);
         HasPassesOf(name, feature.Drawn);
-        HasSamplesOf(name, feature.Drawn);
-        HasWidthsOf(name, feature.Drawn);
+        HasValuesOf(name);
     }
 
     [Test]

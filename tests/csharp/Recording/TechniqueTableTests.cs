@@ -153,7 +153,7 @@ public sealed class TechniqueTableTests : FeatureTests
         TechniqueTable.Forget();
         var file = new TextAsset(LoadedTechniques.Text().Replace("\n", "\r\n"));
         Assert.That(TechniqueTable.Load(file), TechniqueTable.Problem);
-        Assert.That(TechniqueTable.Graph("cell-pcss").buffers[0].indirect);
+        Assert.That(TechniqueTable.Graph("variance-32").filtersLinearly);
     }
 
     private static string Refusal(string from, string to)

@@ -81,6 +81,17 @@ bool has_operations(const Results& results) {
                      [](const Record& record) { return record.operations_per_pixel.has_value(); });
 }
 
+// A picture from one noise seed says nothing of grain.
+bool has_grain(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return record.metrics.variance.has_value(); });
+}
+
+bool has_group_steps(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return record.group_step.has_value(); });
+}
+
 // A figure of the tables: its column's head, and its cell.
 struct FigureColumn {
   const char* head;
@@ -95,6 +106,9 @@ const FigureColumn kLeaks{"light leaks, %",
                           [](const SummaryLine& line) { return figure_text(line.leak_rate, 100.0); }};
 const FigureColumn kFalseShadow{
     "false shadow, %", [](const SummaryLine& line) { return figure_text(line.false_shadow_rate, 100.0); }};
+const FigureColumn kGrain{"grain", [](const SummaryLine& line) { return figure_text(line.grain); }};
+const FigureColumn kGroupStep{"step across tiles",
+                              [](const SummaryLine& line) { return figure_text(line.group_step); }};
 const FigureColumn kFetches{"fetches per pixel",
                             [](const SummaryLine& line) { return fetches_text(line.fetches); }};
 const FigureColumn kPenumbraFetches{
@@ -204,23 +218,37 @@ std::string how_to_read(const Results& results, BlockForm form) {
             "choice of pixels and says nothing of other scenes"
           : "Each figure is a mean over the scenes ± half the width of its 95 % confidence interval, which "
             "covers the choice of scenes and of pixels";
-  return fmt::format(
-      "Errors and rates are measured against ray tracing. {}; where the "
-      "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
-      "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
-      "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
-      "technique that can stop early does all its work; of the presets and Cell PCSS, whose pixels share "
-      "fetches, over the whole picture.{}{}",
-      figure, kLeakAbove, kFalseShadowBelow,
-      has_map_passes(results) ? " Both include the passes over the shadow map, divided by the pixels of the "
-                                "pictures, which are of " +
-                                    picture_sizes(results) + "."
-                              : "",
-      form == BlockForm::full && has_operations(results)
-          ? " Operations: scalar arithmetic that all passes execute as FXC has optimised it, per pixel of "
-            "the "
-            "picture."
-          : "");
+  std::string text = fmt::format(
+      "Errors and rates are measured against ray tracing. {}; where the interval is cut off at 0 or 100 %, "
+      "[a, b] gives "
+      "its ends. Light leaks: share of the pixels in full shadow whose visibility is above {}. False shadow: "
+      "share of "
+      "the fully lit pixels whose visibility is below {}.",
+      figure, kLeakAbove, kFalseShadowBelow);
+  if (has_grain(results))
+    text += " Grain: the root of the mean variance between pictures of different noise, in penumbra.";
+  const bool full = form == BlockForm::full;
+  if (full && has_group_steps(results))
+    text +=
+        " Step across tiles: the step of the error between neighbours on both sides of a border of 8 x 8 "
+        "pixels, as a "
+        "multiple of that between other neighbours.";
+  if (full || !has_operations(results))
+    text +=
+        " Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a technique that "
+        "can stop "
+        "early does all its work; of techniques with passes over the screen, over the whole picture.";
+  if (has_map_passes(results))
+    text +=
+        " Fetches and operations include the passes over the shadow map, divided by the pixels of the "
+        "pictures, "
+        "which are of " +
+        picture_sizes(results) + ".";
+  if (has_operations(results))
+    text +=
+        " Operations: scalar arithmetic that all passes execute as FXC has optimised it, per pixel of the "
+        "picture.";
+  return text;
 }
 
 // Returns what the passes over the map take, which does not depend on the picture's size, and the other
@@ -279,11 +307,17 @@ std::string samples_text(const Results& results) {
   return fmt::format("{}:\n\n", fmt::join(samples, "; "));
 }
 
+std::vector<FigureColumn> brief_columns(const Results& results) {
+  std::vector<FigureColumn> columns{kPenumbraError, kError, kLeaks, kFalseShadow};
+  if (has_grain(results)) columns.push_back(kGrain);
+  columns.push_back(has_operations(results) ? kOperations : kFetches);
+  return columns;
+}
+
 std::string brief_block(const Results& results) {
-  const std::string table =
-      light_sizes(results).size() == 1
-          ? mean_table(results)
-          : table_by_light(results, {kPenumbraError, kLeaks, kFalseShadow, kFetches}, title_of);
+  const std::string table = light_sizes(results).size() == 1
+                                ? mean_table(results)
+                                : table_by_light(results, brief_columns(results), title_of);
   return samples_text(results) + table + "\n" + how_to_read(results, BlockForm::brief) + "  \n" +
          command(results);
 }
@@ -295,6 +329,8 @@ std::string cost_table(const Results& results, const FactsOfTechniques& facts) {
   std::vector<std::vector<std::string>> rows;
   for (const Choice& choice : choices(results)) rows.push_back({markdown_code(choice.label)});
   add_by_light(results, light_sizes(results), kError, heads, rows);
+  if (has_grain(results)) add_by_light(results, light_sizes(results), kGrain, heads, rows);
+  if (has_group_steps(results)) add_by_light(results, light_sizes(results), kGroupStep, heads, rows);
   add_by_light(results, light_sizes(results), kFetches, heads, rows);
   add_by_light(results, middle, kPenumbraFetches, heads, rows);
   if (has_operations(results)) add_by_light(results, light_sizes(results), kOperations, heads, rows);

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
-#include <string_view>
 #include <tuple>
-
-#include "techniques/settings_emit.h"
 
 namespace penumbra::study {
 namespace {
@@ -66,11 +64,18 @@ std::optional<double> of_all_passes(const std::optional<double>& fetches, const 
   return fetches ? std::optional(*fetches + metrics.preprocess_fetches_per_pixel) : std::nullopt;
 }
 
+std::optional<double> step_ratio(const std::optional<GroupStep>& step) {
+  if (!step || !step->across || !step->inside || *step->inside == 0.0) return std::nullopt;
+  return *step->across / *step->inside;
+}
+
 SummaryLine line_of(const Results& results, const Choice& choice, double light_degrees) {
   SceneFigures rmse;
   SceneFigures rmse_all;
   SceneFigures leaks;
   SceneFigures false_shadows;
+  SceneFigures grain;
+  SceneFigures group_steps;
   SceneFigures fetches;
   SceneFigures fetches_in_penumbra;
   SceneFigures operations;
@@ -83,6 +88,8 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
     rmse_all.add(metrics.rmse_all, metrics.intervals.rmse_all);
     leaks.add(metrics.leak_rate, metrics.intervals.leak_rate);
     false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
+    if (metrics.variance) grain.add(std::sqrt(*metrics.variance), std::nullopt);
+    group_steps.add(step_ratio(record->group_step), std::nullopt);
     fetches.add(of_all_passes(metrics.fetches_mean, metrics), metrics.intervals.fetches_mean);
     fetches_in_penumbra.add(of_all_passes(metrics.fetches_penumbra_mean, metrics), std::nullopt);
     operations.add(record->operations_per_pixel, std::nullopt);
@@ -93,6 +100,8 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   line.rmse_all = rmse_all.mean(1.0);
   line.leak_rate = leaks.mean(1.0);
   line.false_shadow_rate = false_shadows.mean(1.0);
+  line.grain = grain.mean(1.0);
+  line.group_step = group_steps.mean(std::numeric_limits<double>::infinity());
   line.fetches = fetches.mean(std::numeric_limits<double>::infinity());
   line.fetches_in_penumbra = fetches_in_penumbra.mean(std::numeric_limits<double>::infinity());
   line.operations = operations.mean(std::numeric_limits<double>::infinity());
@@ -239,10 +248,6 @@ std::vector<Headline> headlines(const Results& results) {
 
 std::string short_title(const std::string& name, const std::string& title) {
   if (title.empty()) return name;
-  constexpr std::string_view kPreset = "Preset ";
-  const std::size_t colon = title.find(": ");
-  if (name.starts_with(techniques::preset_prefix) && title.starts_with(kPreset) && colon != std::string::npos)
-    return "Penumbra " + title.substr(kPreset.size(), colon - kPreset.size());
   const bool has_file = title.starts_with(name + " (") && title.ends_with(")");
   return has_file ? name : title;
 }

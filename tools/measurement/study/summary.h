@@ -34,6 +34,10 @@ struct SummaryLine {
   std::optional<Estimate> rmse_all{};
   std::optional<Estimate> leak_rate{};
   std::optional<Estimate> false_shadow_rate{};
+  // The root of the mean variance between noise seeds, in penumbra; absent where a scene has one seed.
+  std::optional<Estimate> grain{};
+  // The step of the error across borders of groups of pixels, as a multiple of that inside (GroupStep).
+  std::optional<Estimate> group_step{};
   std::optional<Estimate> fetches{};              // per pixel of the frame, preparation included
   std::optional<Estimate> fetches_in_penumbra{};  // the same of the pixels in penumbra alone
   std::optional<Estimate> operations{};           // scalar operations per pixel; absent in older files
@@ -74,9 +78,8 @@ struct Headline {
 // every scene and light.
 std::vector<Headline> headlines(const Results& results);
 
-// Returns the title without its details: for a quality preset, without its passes ("Penumbra High" for
-// "Preset High: PCSS 12+24, masked"); for an adapter, without its file ("mine" for "mine (Mine.hlsl)"). Every
-// other title is unchanged. Without a title it is the name.
+// Returns an adapter's title without its file: "mine" for "mine (Mine.hlsl)". Every other title is unchanged.
+// Without a title it is the name.
 std::string short_title(const std::string& name, const std::string& title);
 
 }  // namespace penumbra::study

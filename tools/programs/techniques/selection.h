@@ -28,7 +28,7 @@ struct Selection {
   std::string technique_half_resolution;  // the same passes for every second pixel; may be empty
   FilterCall filter;                      // filter of that technique
   std::vector<GraphTexture> textures;     // textures of its graph that the filter reads
-  bool is_sampled = false;                // see Technique::is_sampled()
+  bool is_sampled = false;                // a filter of which Technique::is_sampled() is true
   bool widens_with_disc = false;          // penumbrae are as wide as the light's disc makes them
   // These structs are set by the feature's C#; values and options set others.
   std::vector<std::string> computed_parameters;

@@ -150,8 +150,8 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   if (!selection.draws_visibility) selection.filter = *technique.graph.filter();
   for (const GraphTexture& texture : technique.graph.textures)
     if (selection.filter.takes(texture.name)) selection.textures.push_back(texture);
-  selection.is_sampled = technique.is_sampled();
-  selection.widens_with_disc = object.boolean("widens_with_disc", selection.is_sampled);
+  selection.is_sampled = technique.is_sampled() && !selection.draws_visibility;
+  selection.widens_with_disc = object.boolean("widens_with_disc", technique.is_sampled());
   selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
   read_computed_parameters(object, list, technique, selection);
   read_16_bits(object, list, selection);

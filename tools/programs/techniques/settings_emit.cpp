@@ -148,79 +148,28 @@ constexpr const char* kPresetRow = R"(            // {title}
             }},
 )";
 
-// Returns null if the preset draws what it is named after.
-const PresetChoice* choice_of(const TechniqueList& list, const Technique& preset) {
+const PresetChoice& choice_of(const TechniqueList& list, const Technique& preset) {
   for (const PresetChoice& choice : list.presets)
-    if (choice.preset == preset.name) return &choice;
-  return nullptr;
+    if (choice.preset == preset.name) return choice;
+  throw InputError(preset.where, "the preset '" + preset.name + "' has no fallback",
+                   "give it an entry in \"presets\", with what is drawn where its passes cannot run");
 }
 
-std::string technique_of(const TechniqueList& list, const Technique& preset) {
-  if (const PresetChoice* choice = choice_of(list, preset)) return choice->selection;
-  const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
-  const auto found =
-      std::find_if(list.selections.begin(), list.selections.end(), [&](const Selection& selection) {
-        return selection.value && !selection.draws_visibility && selection.keyword == keyword;
-      });
-  if (found == list.selections.end() || preset.keywords.size() > 1 || preset.graph.filter() == nullptr)
-    throw InputError(preset.where,
-                     "the renderer feature has no technique for the keywords of '" + preset.name + "'",
-                     "a preset of a selection's passes has an entry in \"presets\"");
-  return found->name;
-}
-
-// Returns null if the preset needs none.
-const Technique* fallback_of(const TechniqueList& list, const Technique& preset) {
-  const PresetChoice* choice = choice_of(list, preset);
-  return choice == nullptr ? nullptr : &list.find(choice->fallback);
-}
-
-// Returns "Preset High: Cell PCSS; else Fallback of High: PCSS 12+24".
-std::string title_of(const TechniqueList& list, const Technique& preset) {
-  const Technique* fallback = fallback_of(list, preset);
-  return fallback == nullptr ? preset.title : preset.title + "; else " + fallback->title;
-}
-
-// Returns a value of the preset, or of its fallback.
-std::string value_or(const TechniqueList& list, const Technique& preset, const char* field,
-                     const std::string& otherwise) {
-  const Technique* fallback = fallback_of(list, preset);
-  const auto& values =
-      fallback != nullptr && fallback->values.contains(field) ? fallback->values : preset.values;
-  const auto found = values.find(field);
-  if (found == values.end()) return otherwise;
-  const double value = found->second.front();
-  return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
-}
-
-// Returns the value of the field that the option sets; null where the preset's selection has no such option.
-const double* drawn_value(const TechniqueList& list, const Technique& preset, const std::string& option) {
-  const PresetChoice* choice = choice_of(list, preset);
-  if (choice == nullptr) return nullptr;
-  for (const Selection& selection : list.selections)
-    if (selection.name == choice->selection && selection.options.contains(option))
-      return &preset.values.at(selection.options.at(option)).front();
-  return nullptr;
-}
-
-// Numbers that no preset chooses are those with which the first technique with the option is measured.
-std::vector<std::pair<std::string, std::string>> of_other_techniques(const TechniqueList& list,
-                                                                     const Technique& preset) {
-  const std::vector<std::string> chosen = {"blockerSamples", "filterSamples", "softnessCapMetres",
-                                           "minFilterTexels"};
+// Returns the values of the options that are numbers. Those that the preset's selection lacks are those with
+// which the first selection with the option is measured.
+std::vector<std::pair<std::string, std::string>> numbers_of(const TechniqueList& list,
+                                                            const Technique& preset) {
+  const std::string& own = choice_of(list, preset).selection;
   std::vector<std::pair<std::string, std::string>> values;
   for (const FeatureOption& option : list.options) {
-    if (!option.range || std::find(chosen.begin(), chosen.end(), option.name) != chosen.end()) continue;
-    const auto found =
-        std::find_if(list.selections.begin(), list.selections.end(),
-                     [&](const Selection& selection) { return selection.options.contains(option.name); });
-    if (found == list.selections.end()) continue;
-    const double* drawn = drawn_value(list, preset, option.name);
-    const double value = drawn != nullptr
-                             ? *drawn
-                             : list.find(found->technique).values.at(found->options.at(option.name)).front();
+    const Selection* with_option = nullptr;
+    for (const Selection& selection : list.selections)
+      if (selection.options.contains(option.name) && (with_option == nullptr || selection.name == own))
+        with_option = &selection;
+    if (!option.range || with_option == nullptr) continue;
+    const Technique& measured = with_option->name == own ? preset : list.find(with_option->technique);
     values.emplace_back(option.name,
-                        option.type == "int" ? std::to_string(static_cast<int>(value)) : csharp_float(value));
+                        number(option, measured.values.at(with_option->options.at(option.name)).front()));
   }
   return values;
 }
@@ -231,29 +180,25 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   const auto set = [&](const std::string& field, const std::string& value) {
     options.push_back(field + " = " + value);
   };
-  set("technique", "ShadowTechnique." + technique_of(list, preset));
+  set("technique", "ShadowTechnique." + choice_of(list, preset).selection);
   set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
-  set("blockerSamples", value_or(list, preset, "blockerSamples", "1"));
-  set("filterSamples", value_or(list, preset, "filterSamples", "1"));
-  set("softnessCapMetres", value_or(list, preset, "maxPenumbraMetres", "100.0f"));
-  set("minFilterTexels", value_or(list, preset, "minFilterTexels", "1.25f"));
-  for (const auto& [option, value] : of_other_techniques(list, preset)) set(option, value);
+  for (const auto& [option, value] : numbers_of(list, preset)) set(option, value);
   set("mapFormat", "MapFormat.Bits32");
+  const Technique& fallback = list.find(choice_of(list, preset).fallback);
   const auto has_pass = [&](const char* name) {
     const auto in = [&](const Technique& technique) {
       const std::vector<GraphPass>& passes = technique.graph.passes;
       return std::any_of(passes.begin(), passes.end(),
                          [&](const GraphPass& pass) { return pass.name == name; });
     };
-    const Technique* fallback = fallback_of(list, preset);
-    return in(preset) || (fallback != nullptr && in(*fallback));
+    return in(preset) || in(fallback);
   };
   const bool conservative = has_pass("ConservativeMask");
   set("mask", flag(conservative || has_pass("PenumbraMask")));
   set("conservativeMask", flag(conservative));
   set("halfResolution", flag(has_pass(upsampling_pass)));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
-  return fmt::format(kPresetRow, fmt::arg("title", title_of(list, preset)),
+  return fmt::format(kPresetRow, fmt::arg("title", preset.title),
                      fmt::arg("options", csharp_list(options, 16)));
 }
 

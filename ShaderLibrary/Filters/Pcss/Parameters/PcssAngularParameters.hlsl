@@ -7,9 +7,9 @@
 
 struct PcssAngularParameters
 {
-    // fetches: samples of the blocker search, 1 to 64
+    // fetches: samples of the blocker search, 1 to 128
     int blockerSamples;
-    // fetches: samples of the filter, 1 to 64
+    // fetches: samples of the filter, 1 to 128
     int filterSamples;
     // 1: radial distribution of the search samples: 0 equally many per octave of radius, 1 uniform over the area, 2
     // density 1/r

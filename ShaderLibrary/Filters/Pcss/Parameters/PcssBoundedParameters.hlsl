@@ -7,9 +7,9 @@
 
 struct PcssBoundedParameters
 {
-    // fetches: samples of the blocker search, 1 to 64
+    // fetches: samples of the blocker search, 1 to 128
     int searchSamples;
-    // fetches: samples of the filter in penumbrae wider than 4.25 texels, 1 to 64
+    // fetches: samples of the filter in penumbrae wider than 4.25 texels, 1 to 128
     int filterSamples;
     // m: largest penumbra width, from visibility 0 to 1
     float maxPenumbraMetres;

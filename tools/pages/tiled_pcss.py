@@ -1,67 +1,50 @@
-"""Tables of Documentation~/cell-pcss.md."""
+"""Tables of Documentation~/tiled-pcss.md."""
 import math
 
-from figures import (DOCUMENTATION, ERROR, RESULTS, by_light, code, distinct, groups, interval_of, light_heads, made,
-                     mean_and_interval, measured, read, read_json, sample, scenes)
+from figures import (DOCUMENTATION, ERROR, RESULTS, against, by_light, code, distinct, groups, interval_of,
+                     light_heads, made, mean, measured, read, read_json, sample)
 from markdown import Problem, table
 from screen_passes import noise_pan
 
-
-def cycles_of_programs(cost, family, technique):
-    """Cycles of 64 lanes by program, of the variant for a map in which near is 1."""
-    return {row["entry"]: row["figures"]["inverse_throughput_cycles"] for row in cost["rows"]
-            if row["family"] == family
-            and any(variant["technique"] == technique and "UNITY_REVERSED_Z" in variant["keywords"]
-                    for variant in row["variants"])}
+PCSS, MANY_SAMPLES = "screen-pcss-angular-24-16", "pcss-angular-64-64"
 
 
-def cycles_per_pixel(record, programs):
-    """A filter alone is one program, which runs once for each pixel."""
-    passes = record.get("passes") or [{"pass": program, "invocations_per_pixel": 1.0} for program in programs]
-    missing = [of["pass"] for of in passes if of["pass"] not in programs or "invocations_per_pixel" not in of]
-    if missing or not programs:
-        raise Problem(f"the cost of {record['technique']} lacks {', '.join(missing) or 'a program'}; measure both"
-                      f" again")
-    return sum(of["invocations_per_pixel"] * programs[of["pass"]] / 64 for of in passes)
+def same_order(records, others):
+    """The others' records in the order of the records' scenes."""
+    by_scene = {record["scene"]: record for record in others}
+    return [by_scene[record["scene"]] for record in records]
 
 
-FAMILIES = ("polaris10", "navi21")  # of which the others differ little
+def of_light(records, like):
+    return [record for record in records if record["light_degrees"] == like[0]["light_degrees"]]
 
 
-def weighted_costs(results, cost):
-    """The compiler's cycles per pixel, each pass weighted by the threads that it has: one row per family and technique;
-    then operations that are executed."""
-    of_cost = {variant["technique"] for row in cost["rows"] for variant in row["variants"]}
-    techniques = {name: own for (name,), own in groups(results["records"], "technique") if name in of_cost}
-    rows = []
-    for family in FAMILIES:
-        for name, own in techniques.items():
-            programs = cycles_of_programs(cost, family, name)
-            rows.append([f"cycles, {family}", code(name),
-                         *by_light(own, interval_of(lambda record: cycles_per_pixel(record, programs), 0, math.inf))])
-    rows += [["operations of bytecode", code(name), *by_light(own, interval_of("operations_per_pixel", 0, math.inf))]
-             for name, own in techniques.items()]
-    return (f"{cost['driver']}, {scenes(results['records'])}. "
-            f"Command of the cycles: `{cost['command']}`. "
-            f"Of the threads and operations: {made(results).removeprefix('Command: ')}.\n\n"
-            + table(["per pixel", "technique", *light_heads(results["records"])], rows, 2))
+def share_of(key, others):
+    """A cell of records: the mean over the scenes of a figure, as a share of the others' mean."""
+    def cell(records):
+        return f"{mean(one[key] for one in records) / mean(one[key] for one in of_light(others, records)):.2f}"
+    return cell
 
 
-def figures_of_passes(results, technique, key, head):
-    """A figure of each pass of the technique: one row per pass; means over the scenes."""
-    records = [record for record in results["records"] if record["technique"] == technique]
-
-    def cell(name):
-        return lambda own: mean_and_interval([of[key] for record in own for of in record["passes"]
-                                              if of["pass"] == name], 3, math.inf)
-
-    return table([head, *light_heads(records)],
-                 [[code(name), *by_light(records, cell(name))] for name in distinct(records[0]["passes"], "pass")], 1)
+def difference_from(key, others, digits):
+    """A cell of records: the mean, and in parentheses its difference from the others', paired by scene."""
+    def cell(records):
+        paired = same_order(records, of_light(others, records))
+        return against([one[key] for one in records], [one[key] for one in paired], digits)
+    return cell
 
 
-def times_of_passes(results, technique):
-    """Milliseconds of a GPU, waits for the passes before included."""
-    return figures_of_passes(results, technique, "time_ms_median", f"pass of `{technique}`, ms")
+def beside_pcss(results):
+    """Errors beside those of PCSS with many samples, and operations beside those of PCSS 24+16: one row per
+    technique."""
+    own = {name: records for (name,), records in groups(results["records"], "technique")}
+    if not {PCSS, MANY_SAMPLES} <= set(own):
+        raise Problem(f"the results lack {PCSS} or {MANY_SAMPLES}, which the others are compared with")
+    rows = [[code(name), *by_light(records, difference_from("rmse_penumbra", own[MANY_SAMPLES], 4)),
+             *by_light(records, share_of("operations_per_pixel", own[PCSS]))] for name, records in own.items()]
+    head = ["technique", *light_heads(results["records"], "RMSE in penumbra, {}"),
+            *light_heads(results["records"], "operations, {}")]
+    return measured(results, head, rows, 1)
 
 
 def times_of_gpu(results):
@@ -141,11 +124,10 @@ def texel_errors(results, figure):
 
 def parts(_):
     texels = read_json(RESULTS / "texel-edges.json")
-    at_full_hd = read("cell-pcss-gpu-times/1920x1080")
-    return {DOCUMENTATION / "cell-pcss.md": {
-        "cell-pcss-pan": noise_pan(read("cell-pcss-pan")),
-        "cell-pcss-cycles": weighted_costs(read("cell-pcss-operations"), read_json(RESULTS / "cell-pcss-cost.json")),
-        "cell-pcss-gpu-times": times_of_gpu(at_full_hd),
-        "cell-pcss-gpu-passes": times_of_passes(at_full_hd, "cell-pcss"),
-        "cell-pcss-gpu-times-4k": times_of_gpu(read("cell-pcss-gpu-times/3840x2160")),
+    return {DOCUMENTATION / "tiled-pcss.md": {
+        "tiled-pcss-beside-pcss": beside_pcss(read("tiled-pcss-full-hd")),
+        "tiled-pcss-samples": beside_pcss(read("tiled-pcss-samples")),
+        "tiled-pcss-pan": noise_pan(read("tiled-pcss-pan")),
+        "gpu-times": times_of_gpu(read("gpu-times/1920x1080")),
+        "gpu-times-4k": times_of_gpu(read("gpu-times/3840x2160")),
         "texel-errors": texel_errors(texels, "penumbra")}}

@@ -1,0 +1,246 @@
+// Compares the passes of Tiled PCSS over the built-in scenes with its filter alone, and with each other: what
+// they decide for whole tiles is what the filter gives at each pixel; borders, other cascades' texels, half
+// resolution and both eyes change no more than they may.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include "resolve/drawn_scenes.h"
+#include "resolve/kept_runners.h"
+#include "resolve/run_once.h"
+#include "resolve/shortened_graph.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr std::size_t kCascades = 4;
+
+// Fills a tile of a map of 32 bits.
+void fill_tile(scene::Frame& frame, int cascade, float depth) {
+  const int side = frame.cascades.tile_resolution;
+  const int tiles_across = frame.atlas.width / side;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int row = cascade / tiles_across * side + y;
+      const int column = cascade % tiles_across * side + x;
+      const auto texel = static_cast<std::size_t>(row * frame.atlas.width + column);
+      frame.atlas.depth[texel] = depth;
+      std::memcpy(&frame.atlas.texels[texel * sizeof depth], &depth, sizeof depth);
+    }
+}
+
+class TiledPcss : public testing::TestWithParam<bool> {
+ protected:
+  static GraphRunner& chain(const std::string& name, bool classified = false) {
+    static KeptRunners runners;
+    return runners.of(name + (classified ? ", classified" : ""), GetParam(), [&] {
+      ShadowGraph graph = library_graph(name, GetParam());
+      if (classified) show_tile_classes(graph.graph);
+      return graph;
+    });
+  }
+
+  static std::vector<float> picture_of(GraphRunner& chain, const scene::Frame& frame) {
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    return chain.run(FrameOnDevice(test_device(), frame), &camera, kOnce).visibility[0];
+  }
+
+  struct Pictures {
+    std::vector<float> filtered;  // answers of the filter alone, as a screen pass
+    std::vector<float> classified;
+    std::vector<float> tiled;
+  };
+
+  static Pictures pictures_of(const scene::Frame& frame) {
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    return {chain("fallback-medium").run(on_device, &camera, kOnce).visibility[0],
+            chain("tiled-pcss", true).run(on_device, &camera, kOnce).visibility[0],
+            chain("tiled-pcss").run(on_device, &camera, kOnce).visibility[0]};
+  }
+
+  struct Classes {
+    int lit = 0;
+    int dark = 0;
+    int undecided = 0;
+    int dark_at_creases = 0;  // called dark, and partly lit by the filter
+    double apart = 0.0;       // sum of differences from the filter's answer over the undecided
+
+    void add(const Classes& other) {
+      lit += other.lit;
+      dark += other.dark;
+      dark_at_creases += other.dark_at_creases;
+      undecided += other.undecided;
+      apart += other.apart;
+    }
+  };
+
+  static Classes expect_decided_as_filtered(const Pictures& pictures, const std::string& what) {
+    Classes classes;
+    for (std::size_t i = 0; i < pictures.classified.size(); ++i) {
+      const float decided = pictures.classified[i];
+      const float shown = pictures.tiled[i];
+      if (decided == -1.0F) {
+        ++classes.undecided;
+        classes.apart += std::abs(static_cast<double>(shown - pictures.filtered[i]));
+        EXPECT_TRUE(shown >= 0.0F && shown <= 1.0F) << what << ", pixel " << i << ": " << shown;
+        continue;
+      }
+      if (decided == 1.0F) {
+        EXPECT_EQ(pictures.filtered[i], 1.0F) << what << ", pixel " << i;
+      } else if (pictures.filtered[i] > 0.0F) {
+        ++classes.dark_at_creases;
+      }
+      EXPECT_EQ(decided, shown) << what << ", pixel " << i;
+      (decided == 1.0F ? classes.lit : classes.dark) += 1;
+    }
+    return classes;
+  }
+};
+
+TEST_P(TiledPcss, DecidesForTilesWhatTheFilterGives) {
+  Classes all;
+  for (const std::string& scene : scenes_for_small_pictures()) {
+    for (const auto& [cascades, degrees] : {std::pair(4, 0.53), {4, 2.0}, {4, 5.0}, {1, 2.0}}) {
+      const Classes here =
+          expect_decided_as_filtered(pictures_of(under_disc(drawn(scene, cascades, GetParam()), degrees)),
+                                     scene + ", " + std::to_string(degrees) + " degrees");
+      EXPECT_GT(here.lit + here.dark, 0) << scene << ", " << degrees;
+      // Samples scatter by some hundredths, which are smoothed in one of the pictures.
+      EXPECT_LT(here.apart / here.undecided, 0.06) << scene << ", " << degrees;
+      all.add(here);
+    }
+  }
+  EXPECT_GT(all.lit, 20000);
+  EXPECT_GT(all.dark, 1000);
+  // A tile has the planes of its quads of pixels, and the filter a plane for each pixel.
+  EXPECT_LT(all.dark_at_creases, all.dark / 1000);
+  EXPECT_GT(all.undecided, 20000);
+}
+
+// The maps are the pipeline's: any number of cascades in the atlas, and depths of 16 bits as well.
+TEST_P(TiledPcss, DecidesOverEveryMapWhatTheFilterGives) {
+  for (const scene::DepthFormat format : {scene::DepthFormat::d16, scene::DepthFormat::d32}) {
+    Classes all;
+    for (int cascades = 1; cascades <= 4; ++cascades) {
+      const std::string what = (format == scene::DepthFormat::d16 ? "16" : "32") +
+                               (" bits, " + std::to_string(cascades)) + " cascades";
+      const Classes here = expect_decided_as_filtered(
+          pictures_of(under_disc(drawn("street", cascades, GetParam(), format), 2.0)), what);
+      EXPECT_GT(here.lit, 0) << what;
+      EXPECT_GT(here.undecided, 0) << what;
+      all.add(here);
+    }
+    EXPECT_GT(all.lit, 2000);
+    EXPECT_GT(all.dark, 2000);
+    EXPECT_LT(all.dark_at_creases, all.dark / 1000);
+  }
+}
+
+// Pixels of a border between cascades may read the next one: their tiles are not decided, and all are
+// filtered.
+TEST_P(TiledPcss, FiltersTheBorderBetweenCascades) {
+  scene::Frame frame = drawn("trees", 4, GetParam());
+  const int without_border = expect_decided_as_filtered(pictures_of(frame), "trees").undecided;
+  frame.settings.cascade_choices.blend = {0.3, false};
+  const Classes classes = expect_decided_as_filtered(pictures_of(frame), "trees with a border");
+  EXPECT_GT(classes.lit, 0);
+  EXPECT_GT(classes.undecided, without_border);
+}
+
+// With static noise the picture is the same each time: nothing depends on the order of threads.
+TEST_P(TiledPcss, DrawsTheSamePictureAgain) {
+  const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
+  EXPECT_EQ(pictures_of(frame).tiled, pictures_of(frame).tiled);
+}
+
+// The texels of a cascade's tile may be anything, far, near or NaN. Pixels that read another cascade hardly
+// change: a block of the bounds may hold texels of both, so that the search is wider and its samples lie
+// elsewhere, and pixels at the border of two cascades are smoothed together.
+TEST_P(TiledPcss, ReadsNoTexelOfOtherCascades) {
+  GraphRunner& tiled = chain("tiled-pcss");
+  for (const auto& [map_size, degrees] : {std::pair(0, 2.0), {528, 8.0}}) {
+    SCOPED_TRACE(map_size);
+    const scene::Frame frame =
+        under_disc(drawn("street", kCascades, GetParam(), scene::DepthFormat::d32, map_size), degrees);
+    const std::vector<float> picture = picture_of(tiled, frame);
+    std::vector<std::array<float, kCascades>> changes(picture.size());
+    for (std::size_t cascade = 0; cascade < kCascades; ++cascade)
+      for (const float poison : {0.0F, 1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        scene::Frame poisoned = frame;
+        fill_tile(poisoned, static_cast<int>(cascade), poison);
+        const std::vector<float> after = picture_of(tiled, poisoned);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          EXPECT_TRUE(after[i] >= 0.0F && after[i] <= 1.0F) << "pixel " << i << ": " << after[i];
+          changes[i].at(cascade) = std::max(changes[i].at(cascade), std::abs(after[i] - picture[i]));
+        }
+      }
+    int changed = 0;
+    int noisy = 0;
+    int wrong = 0;
+    for (std::array<float, kCascades>& of_pixel : changes) {
+      std::sort(of_pixel.begin(), of_pixel.end(), std::greater<>());
+      changed += of_pixel[0] > 0.5F ? 1 : 0;
+      noisy += of_pixel[1] > 0.05F ? 1 : 0;
+      wrong += of_pixel[1] > 0.1F ? 1 : 0;
+    }
+    const int pixels = static_cast<int>(changes.size());
+    EXPECT_GT(changed, pixels / 4);
+    EXPECT_LT(noisy, pixels / 100);
+    EXPECT_LT(wrong, pixels / 1000) << "a texel of another cascade taken for a blocker changes it by up to 1";
+  }
+}
+
+// At half resolution the pixels that are filtered differ from those of the full picture by noise and
+// smoothing alone.
+TEST_P(TiledPcss, FiltersTheSamePixelsAtHalfResolution) {
+  for (const auto& [scene, degrees] : {std::pair("street", 0.53), {"trees", 2.0}, {"slabs", 5.0}}) {
+    const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
+    const CameraImage camera = camera_image(frame, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    const std::vector<float> full = chain("tiled-pcss").run(on_device, &camera, kOnce).visibility[0];
+    const std::vector<float> half = chain("tiled-pcss-half").run(on_device, &camera, kOnce).visibility[0];
+    double apart = 0.0;
+    for (std::size_t i = 0; i < full.size(); ++i) apart += std::abs(static_cast<double>(half[i] - full[i]));
+    EXPECT_LT(apart / static_cast<double>(full.size()), 0.03) << scene;
+  }
+}
+
+// There are two cameras side by side: each eye's picture is that which the kernels draw for it alone.
+TEST_P(TiledPcss, DrawsBothEyesAtOnceAsEachAlone) {
+  for (const char* name : {"tiled-pcss", "tiled-pcss-half"}) {
+    ShadowGraph of_both_eyes = library_graph(name, GetParam());
+    of_both_eyes.keywords.emplace_back("_PENUMBRA_BOTH_EYES");
+    for (techniques::GraphTexture& texture : of_both_eyes.graph.textures)
+      if (texture.extent == techniques::ExtentOf::screen) texture.layers = 2;
+    GraphRunner runner(test_device(), compile(of_both_eyes));
+    const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 2.0);
+    const scene::Frame other = under_disc(drawn("slabs", 4, GetParam()), 2.0);
+    const CameraImage left = camera_image(frame, RowOrder::top_first);
+    // The right eye has a picture of its own: what another camera sees of another scene, as the same map
+    // would shadow it.
+    const CameraImage right = camera_image(other, RowOrder::top_first);
+    const FrameOnDevice on_device(test_device(), frame);
+    const auto alone = [&](const CameraImage& eye) {
+      return chain(name).run(on_device, &eye, kOnce).visibility[0];
+    };
+    RunOptions options = kOnce;
+    options.second_eye = &right;
+    const std::vector<float> both = runner.run(on_device, &left, options).visibility[0];
+    std::vector<float> expected = alone(left);
+    const std::vector<float> second = alone(right);
+    EXPECT_NE(expected, second);
+    expected.insert(expected.end(), second.begin(), second.end());
+    EXPECT_EQ(both, expected) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothDirections, TiledPcss, testing::Bool(), direction_name);
+
+}  // namespace
+}  // namespace penumbra::resolve
