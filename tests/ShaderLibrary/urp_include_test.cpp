@@ -143,8 +143,7 @@ TEST(UrpIncludeOfMaps, BindsThemAndTheShadowMap) {
     const shaders::CompileResult result = compile_umbrella(defines);
     for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
-    for (const char* name :
-         {"_MainLightShadowmapTexture", "_PenumbraDepthPlanesTexture"})
+    for (const char* name : {"_MainLightShadowmapTexture", "_PenumbraDepthPlanesTexture"})
       EXPECT_TRUE(binds(result, name)) << name;
   }
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {

@@ -77,7 +77,8 @@ bool near(const glm::vec3& a, const glm::dvec3& b, double tolerance = 2e-3) {
 class DebugViews : public testing::TestWithParam<std::tuple<int, bool, RowOrder>> {
  protected:
   int cascades() const { return std::get<0>(GetParam()); }
-  Views views(const std::string& scene, const std::string& preset = "screen-pcss-angular-24-16-masked") const {
+  Views views(const std::string& scene,
+              const std::string& preset = "screen-pcss-angular-24-16-masked") const {
     return Views(drawn(scene, cascades(), std::get<1>(GetParam())), preset, std::get<2>(GetParam()));
   }
 };

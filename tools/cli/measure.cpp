@@ -125,6 +125,7 @@ struct MeasureOptions : StudyOptions {
   VariedSubjects varied{{}, {}, {}, false};
   std::optional<int> timing_repeats;  // absent: the number that the kind of device needs
   bool no_split = false;
+  bool flip = false;
   int pan_frames = 0;
   int penumbra_pixels = 0;
   int edge_samples = 0;
@@ -204,6 +205,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.seed = options.seed;
   settings.noise_seeds = options.noise_seeds;
   settings.split_error = !options.no_split;
+  settings.flip = options.flip;
   settings.pan_frames = options.pan_frames;
   settings.edge_samples = options.edge_samples;
   if (options.edge_samples > 0 && settings.split_error)
@@ -414,6 +416,11 @@ void add_measure(CLI::App& app, Context& context) {
       ->group("Study");
   command
       ->add_flag("--no-split", options->no_split, "Do not split the error into map, algorithm and sampling")
+      ->group("Study");
+  command
+      ->add_flag("--flip", options->flip,
+                 "Measure how much the picture lit by each technique's shadows differs from the one lit by "
+                 "ray-traced shadows, too, by FLIP")
       ->group("Study");
   command
       ->add_option("--pan-frames", options->pan_frames,

@@ -267,13 +267,17 @@ PEERS = ("--technique preset-low,preset-medium,preset-high,preset-ultra,preset-r
          "screen-pcss-angular-24-16,pcss-angular-64-64,tent-7")
 ALL_SCENES = SCENES + (",package:glmark2/horse,package:glmark2/bunny,package:glmark2/cat,package:assimp/milk-truck,"
                        "package:assimp/engine")
-measure("tiled-pcss", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 4", ALL_SCENES, PEERS)
-for name, light_and_sun in (("tiled-pcss-low-sun", "--light 0.53,2,5,12 --sun 8 40"),
-                            ("tiled-pcss-wide-lights", "--light 8,12,20,30")):
-    measure(name, TILED_PCSS, light_and_sun, "--size 960x540 --reference-samples 256 --seeds 2", ALL_SCENES, PEERS)
-measure("tiled-pcss-full-hd", TILED_PCSS, "--light 0.53,2,5,12 --size 1920x1080 --reference-samples 64 --seeds 2",
+measure("tiled-pcss", TILED_PCSS, "--flip --light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 2",
         ALL_SCENES, PEERS)
-measure("tiled-pcss-kept", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 4 --height 3"
+FEW_PEERS = ("--technique preset-low,preset-medium,preset-high,preset-ultra,screen-pcss-angular-24-16,"
+             "pcss-angular-64-64")
+measure("tiled-pcss-low-sun", TILED_PCSS, "--light 0.53,2,5,12 --sun 8 40 --size 960x540 --reference-samples 128"
+        " --seeds 1", ALL_SCENES, FEW_PEERS)
+measure("tiled-pcss-wide-lights", TILED_PCSS, "--light 8,12,20,30 --size 960x540 --reference-samples 128 --seeds 1",
+        ALL_SCENES, FEW_PEERS)
+measure("tiled-pcss-full-hd", TILED_PCSS, "--light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
+        ALL_SCENES, FEW_PEERS)
+measure("tiled-pcss-kept", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 2 --height 3"
         " --scene /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
         "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds", PEERS)
 measure("tiled-pcss-samples", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 2",

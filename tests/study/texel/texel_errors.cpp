@@ -1,6 +1,6 @@
 // Measures how much of a penumbra narrower than a texel can be told from the texels' bits: errors of several
 // estimators, on random blockers of one height. It writes JSON, from which scripts/pages makes the tables
-// of Documentation~/cell-pcss.md.
+// of Documentation~/tiled-pcss.md.
 #include <fmt/format.h>
 
 #include <cmath>

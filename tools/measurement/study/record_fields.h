@@ -219,6 +219,7 @@ void fields(Archive& archive, Field<Archive, Record>& record, std::string_view k
   archive.optional("seam", record.seam);
   archive.optional("far_seam", record.far_seam);
   archive.optional("group_step", record.group_step);
+  archive.optional("flip", record.flip, 0.0, 1.0);
   fields(archive, record.time, kind);
   archive.object("reference", record.reference);
 }

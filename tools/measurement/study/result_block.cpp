@@ -87,6 +87,11 @@ bool has_grain(const Results& results) {
                      [](const Record& record) { return record.metrics.variance.has_value(); });
 }
 
+bool has_flip(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return record.flip.has_value(); });
+}
+
 bool has_group_steps(const Results& results) {
   return std::any_of(results.records.begin(), results.records.end(),
                      [](const Record& record) { return record.group_step.has_value(); });
@@ -106,6 +111,8 @@ const FigureColumn kLeaks{"light leaks, %",
                           [](const SummaryLine& line) { return figure_text(line.leak_rate, 100.0); }};
 const FigureColumn kFalseShadow{
     "false shadow, %", [](const SummaryLine& line) { return figure_text(line.false_shadow_rate, 100.0); }};
+const FigureColumn kFlip{"FLIP of the lit picture",
+                         [](const SummaryLine& line) { return figure_text(line.flip); }};
 const FigureColumn kGrain{"grain", [](const SummaryLine& line) { return figure_text(line.grain); }};
 const FigureColumn kGroupStep{"step across tiles",
                               [](const SummaryLine& line) { return figure_text(line.group_step); }};
@@ -225,6 +232,11 @@ std::string how_to_read(const Results& results, BlockForm form) {
       "share of "
       "the fully lit pixels whose visibility is below {}.",
       figure, kLeakAbove, kFalseShadowBelow);
+  if (has_flip(results))
+    text +=
+        " FLIP (Andersson et al. 2020): how much the picture lit by these shadows differs from the one lit "
+        "by ray-traced "
+        "ones for an eye that flips between them, 0 to 1.";
   if (has_grain(results))
     text += " Grain: the root of the mean variance between pictures of different noise, in penumbra.";
   const bool full = form == BlockForm::full;
@@ -309,6 +321,7 @@ std::string samples_text(const Results& results) {
 
 std::vector<FigureColumn> brief_columns(const Results& results) {
   std::vector<FigureColumn> columns{kPenumbraError, kError, kLeaks, kFalseShadow};
+  if (has_flip(results)) columns.push_back(kFlip);
   if (has_grain(results)) columns.push_back(kGrain);
   columns.push_back(has_operations(results) ? kOperations : kFetches);
   return columns;
@@ -329,6 +342,7 @@ std::string cost_table(const Results& results, const FactsOfTechniques& facts) {
   std::vector<std::vector<std::string>> rows;
   for (const Choice& choice : choices(results)) rows.push_back({markdown_code(choice.label)});
   add_by_light(results, light_sizes(results), kError, heads, rows);
+  if (has_flip(results)) add_by_light(results, light_sizes(results), kFlip, heads, rows);
   if (has_grain(results)) add_by_light(results, light_sizes(results), kGrain, heads, rows);
   if (has_group_steps(results)) add_by_light(results, light_sizes(results), kGroupStep, heads, rows);
   add_by_light(results, light_sizes(results), kFetches, heads, rows);

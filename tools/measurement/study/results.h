@@ -158,6 +158,7 @@ struct Record {
   std::optional<Seam> seam;        // present with several cascades; absent in older files
   std::optional<Seam>
       far_seam{};  // present with by_distance: all pixels, between the last cascade and what is beyond
+  std::optional<double> flip{};           // mean FLIP of the lit picture; absent unless it was asked for
   std::optional<GroupStep> group_step{};  // absent in older files
   std::optional<Timing> time;
   ReferenceNote reference;

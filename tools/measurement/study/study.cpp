@@ -16,6 +16,7 @@
 #include "study/case_setup.h"
 #include "study/colour_map.h"
 #include "study/kept_records.h"
+#include "study/lit_difference.h"
 #include "study/prepared_subject.h"
 #include "study/recording.h"
 
@@ -81,11 +82,11 @@ constexpr double kWarmUpSeconds = 0.5;
 // settings on which records depend beyond the keys of views, subjects and debug views.
 void add_settings(platform::ContentHash& hash, const StudySettings& settings) {
   const auto& [scenes, light_degrees, frame, penumbra_pixels, reference_samples, seed, noise_seeds,
-               timing_repeats, split_error, pictures, pan_frames, edge_samples, window, debug_views, answered,
-               bake, jobs, compiler, cache] = settings;
+               timing_repeats, split_error, flip, pictures, pan_frames, edge_samples, window, debug_views,
+               answered, bake, jobs, compiler, cache] = settings;
   const auto add = [&](const auto&... values) { (platform::add_all(hash, values), ...); };
-  add(reference_samples, seed, noise_seeds, timing_repeats, split_error, pictures, pan_frames, edge_samples,
-      window);
+  add(reference_samples, seed, noise_seeds, timing_repeats, split_error, flip, pictures, pan_frames,
+      edge_samples, window);
 }
 
 class Study {
@@ -110,6 +111,7 @@ class Study {
       for (const double degrees : settings_.light_degrees) {
         if (scene.spot_light) scene.spot_light->source_radius_metres = source_radius_metres(degrees);
         const CaseSetup setup = cases_.build(scene, rasteriser, degrees);
+        lit_.reset();
         note_little_penumbra(setup);
         outcome_.frames.push_back(measured_frame(setup));
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
@@ -194,6 +196,7 @@ class Study {
     outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
                                          prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));
+    if (settings_.flip) outcome_.records.back().flip = lit(setup).of(answer.visibility.front());
     outcome_.pictures.push_back(settings_.pictures ? pictures_of(setup, subject, answer) : PictureRow{});
     if (subject.graph.graph.over_screen())
       outcome_.pictures.back().debug_views =
@@ -204,6 +207,14 @@ class Study {
     }
     note_unset(subject, answer.unset_uniforms);
     return answer.unset_uniforms;
+  }
+
+  // It is made with the first subject of a case that is measured anew: it takes long, and much memory.
+  const LitDifference& lit(const CaseSetup& setup) {
+    if (!lit_)
+      lit_.emplace(setup.scene, setup.views.front().frame, setup.t1.visibility, setup.light_degrees,
+                   settings_, progress_);
+    return *lit_;
   }
 
   std::map<std::string, PackedPicture> debug_views(const FrameOfCase& frame,
@@ -235,6 +246,7 @@ class Study {
   CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
   std::map<std::string, resolve::DebugView> debug_views_;  // keyed by pass
+  std::optional<LitDifference> lit_;                       // of the case that is measured
   StudyOutcome outcome_;
 };
 

@@ -81,6 +81,7 @@ struct StudySettings {
   int noise_seeds = 16;
   int timing_repeats = 5;
   bool split_error = true;  // measures T2 and T3
+  bool flip = false;        // measures FLIP of the lit picture; scenes need materials that can be lit
   bool pictures = true;     // if false, the outcome's are empty
   int pan_frames = 0;       // frames of a slow pan, for shimmer; none if below 2
   // With 2, 4 or 8, only pixels whose so many samples see several surfaces count, against the mean of the
