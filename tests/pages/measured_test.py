@@ -1,4 +1,5 @@
 """Tables of measured figures: means, intervals, pairs and orders of rows, from records that are made up."""
+import math
 import re
 import sys
 import unittest
@@ -14,6 +15,7 @@ import presets  # noqa: E402
 import results_table  # noqa: E402
 import screen_passes  # noqa: E402
 import tiled_pcss  # noqa: E402
+import time_model  # noqa: E402
 
 PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings",
          "intervals")  # parts of a record with fields of their own
@@ -285,6 +287,51 @@ class TimesOfGpu(unittest.TestCase):
             tiled_pcss.times_of_gpu(results(self.timed("a", 1.0, "CPU time")))
         with self.assertRaisesRegex(markdown.Problem, "not times of a GPU"):
             tiled_pcss.times_of_gpu(results(record("tiled-pcss", time_ms_median=None, time_kind="GPU time")))
+
+
+class TimeModel(unittest.TestCase):
+    SHARES = {"a": 0.5, "b": 0.25, "c": 1.0}
+
+    def runs(self, shares):
+        counts = [record(name, scene, operations_per_pixel=1000.0 * (1 + len(name + scene)))
+                  for name in shares for scene in "xy"]
+        times = [record(one["technique"], one["scene"], time_ms_median=time_model.DISPATCH_MS + time_model.peak_ms(
+            one["operations_per_pixel"], time_model.TIMED_TERAFLOPS) / shares[one["technique"]]) for one in counts]
+        gone = record("gone", "x", time_ms_median=1.0)  # whose operations nobody can count any more
+        return results(*times, gone), results(*counts)
+
+    def test_the_share_of_the_peak_rate_is_found(self):
+        fitted = time_model.fit(*self.runs(self.SHARES))
+        self.assertEqual(list(fitted.shares), list(self.SHARES))
+        for name, share in self.SHARES.items():
+            self.assertAlmostEqual(fitted.shares[name], share)
+        self.assertAlmostEqual(fitted.log_share, math.log(0.5))
+        # Two degrees of freedom, a deviation of log 2.
+        self.assertAlmostEqual(fitted.error, 4.303 * math.log(2.0) * math.sqrt(4.0 / 3.0))
+
+    def test_a_technique_that_is_left_out_is_predicted_by_the_others(self):
+        ratios = time_model.left_out(*self.runs(self.SHARES))
+        self.assertAlmostEqual(ratios["c"], 1.0 / math.sqrt(0.5 * 0.25))
+        self.assertAlmostEqual(ratios["b"], 0.25 / math.sqrt(0.5))
+
+    def test_two_techniques_say_nothing_of_a_third(self):
+        with self.assertRaisesRegex(markdown.Problem, "fewer than three"):
+            time_model.fit(*self.runs({"a": 0.5, "b": 0.25}))
+
+    def test_a_prediction_has_memory_and_dispatches(self):
+        gpu = time_model.Gpu("g", 2.0, 100.0)
+        one = record("preset-low", operations_per_pixel=0.0, map_size=2048, passes=[
+            {"pass": "A", "texels_written_per_pixel": 1.0}, {"pass": "B", "texels_written_per_pixel": 0.25}])
+        fitted = time_model.Fit(math.log(0.5), math.log(2.0), {})
+        rest = 4.0 * (2.5 * 1920 * 1080 + 2048 ** 2) / 1e8 + 2 * time_model.DISPATCH_MS
+        for found in time_model.predicted_ms(one, gpu, fitted):
+            self.assertAlmostEqual(found, rest)
+        one["operations_per_pixel"] = 500.0
+        low, middle, high = time_model.predicted_ms(one, gpu, fitted)
+        # 500 operations of 2073600 pixels at 10^12 a second take 1.0368 ms; at half the rate twice as long.
+        self.assertAlmostEqual(middle - rest, 2.0736)
+        self.assertAlmostEqual(low - rest, 1.0368)
+        self.assertAlmostEqual(high - rest, 4.1472)
 
 
 class ScreenFigures(unittest.TestCase):

@@ -30,6 +30,7 @@ TEST_P(BuiltIn, IsTheSameToTheByteEverywhere) {
       {"street", "b9e85a3580ae0e28f5dd4390ae4fc01b931d0e855e5a42e7e3c108c95c223da1"},
       {"garden", "49b06af10b503e49e1b7ae199d654ad2f4f585cf34a914bef63b25f7e6f3783d"},
       {"spot-table", "7036c8ed6c27e2f7f886de8597257e939b7839b5306a0939e9863d7f9d460480"},
+      {"overlaps", "efc34cebca352a9fbad7c5ad2f81915c63bda66fcc9027108b3dd703caeeed3f"},
       {"wires-and-smoke", "9fbabed107752ad0e99b9e0256d90efb4b09dc7d368905858f68116c56806577"},
   };
   EXPECT_EQ(content_hash(scene), golden.at(GetParam()));
@@ -134,7 +135,7 @@ TEST_P(BuiltIn, ShowsLightAndShadow) {
 // landscape_test.cpp has the others.
 std::vector<std::string> names_with_near_shadows() {
   std::vector<std::string> names = built_in_names();
-  for (const auto& more : {spot_scene_names(), blended_scene_names()})
+  for (const auto& more : {spot_scene_names(), blended_scene_names(), overlap_scene_names()})
     names.insert(names.end(), more.begin(), more.end());
   return names;
 }

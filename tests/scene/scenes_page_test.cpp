@@ -37,6 +37,7 @@ std::string row(const std::string& name) {
 TEST(ScenesPage, SaysOfEveryBuiltInSceneItsSunDistanceAndTriangles) {
   std::vector<std::string> sunlit = built_in_names();
   for (const std::string& name : blended_scene_names()) sunlit.push_back(name);
+  for (const std::string& name : overlap_scene_names()) sunlit.push_back(name);
   for (const std::string& name : landscape_scene_names()) sunlit.push_back(name);
   for (const std::string& name : sunlit) {
     const Scene scene = built_in(name);

@@ -54,6 +54,16 @@ TEST(EarlierRows, AreAddedBehindTheOthersWithHowTheyWereMeasured) {
                     HasSubstr("Command: `penumbra measure --technique bilinear`.\n")));
 }
 
+// A table of results has fewer digits than a run.
+TEST(EarlierRows, OfATableStandBesideNewOnes) {
+  Results measured = before();
+  for (Record& record : measured.records) record.reference.noise_floor = 0.006597053252417021;
+  Results results = now();
+  for (Record& record : results.records) record.reference.noise_floor = 0.006597053252417021;
+  add_earlier_rows(results, parse_results(to_table(measured), "before.tsv"), kTents, "before.tsv");
+  EXPECT_EQ(results.records.size(), 2 * now().records.size());
+}
+
 TEST(EarlierRows, TakenASecondTimeKeepTheRunThatMeasuredThem) {
   Results first = now();
   first.commit = "fedcba9876543210";

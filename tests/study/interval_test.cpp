@@ -77,10 +77,53 @@ INSTANTIATE_TEST_SUITE_P(Scenes, MeanCoverage, testing::Values(3U, 4U, 8U));
 TEST(MeanInterval, CountsBothLevels) {
   const std::vector<SceneFigure> alike(8, SceneFigure{0.3, 0.04});
   const Interval pixels = mean_interval(alike, 0.0, 1.0).value();
-  EXPECT_NEAR(pixels.standard_error, 0.04 / std::sqrt(7.0), 0.002) << "what the scenes' own errors leave";
+  EXPECT_NEAR(pixels.standard_error, 0.04 / std::sqrt(7.0), 1e-12) << "what the scenes' own errors leave";
   std::vector<SceneFigure> different(8, SceneFigure{0.3, 0.0});
   for (std::size_t k = 0; k < different.size(); ++k) different[k].value += k % 2 == 0 ? 0.05 : -0.05;
-  EXPECT_NEAR(mean_interval(different, 0.0, 1.0)->standard_error, 0.05 / std::sqrt(7.0), 0.002);
+  EXPECT_NEAR(mean_interval(different, 0.0, 1.0)->standard_error, 0.05 / std::sqrt(7.0), 1e-12);
+}
+
+// One scene of eleven is an outlier, which few draws take too seldom or too often.
+TEST(MeanInterval, IsWhatManyDrawsApproach) {
+  std::vector<SceneFigure> scenes(11, SceneFigure{0.02, 0.01});
+  scenes[4] = {0.6, 0.05};
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> any(0, scenes.size() - 1);
+  std::normal_distribution<double> normal;
+  constexpr int kDraws = 200'000;
+  double sum = 0.0, squares = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const SceneFigure& scene = scenes[any(random)];
+      mean += (scene.value + scene.standard_error * normal(random)) / static_cast<double>(scenes.size());
+    }
+    sum += mean;
+    squares += mean * mean;
+  }
+  const double variance = squares / kDraws - (sum / kDraws) * (sum / kDraws);
+  EXPECT_NEAR(mean_interval(scenes, 0.0, 1.0)->standard_error / std::sqrt(1.1 * variance), 1.0, 0.01);
+}
+
+// The linearised error of a ratio of sums, and of its root (Cochran, "Sampling Techniques", section 6.3).
+TEST(BlockInterval, IsNearTheLinearisedOne) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<BlockSums> blocks(300);
+  BlockSums all;
+  for (BlockSums& block : blocks) {
+    block = {40.0 * std::pow(uniform(random), 6.0), 20.0 + 20.0 * uniform(random)};
+    all.sum += block.sum;
+    all.count += block.count;
+  }
+  const double mean = all.sum / all.count;
+  double squares = 0.0;
+  for (const BlockSums& block : blocks) squares += std::pow(block.sum - mean * block.count, 2.0);
+  const double error = std::sqrt(squares * 300.0 / 299.0) / all.count;
+  EXPECT_NEAR(block_interval(blocks, Figure::mean, kNoBound)->standard_error / error, 1.0, 0.07);
+  EXPECT_NEAR(
+      block_interval(blocks, Figure::root_of_mean, kNoBound)->standard_error * 2.0 * std::sqrt(mean) / error,
+      1.0, 0.07);
 }
 
 TEST(MeanInterval, FewerScenesAreLessSure) {

@@ -186,6 +186,22 @@ TEST(ResultBlock, GrainIsTheRootOfTheVarianceAndStandsWhereThereAreSeveralSeeds)
     EXPECT_THAT(result_block(results, {kChart, {}, form}), Not(HasSubstr("rain")));
 }
 
+TEST(ResultBlock, FlipAndOverlapsStandWhereTheyWereMeasured) {
+  Results results = synthetic::results({"bilinear"});
+  for (const BlockForm form : {BlockForm::brief, BlockForm::full})
+    EXPECT_THAT(result_block(results, {kChart, {}, form}),
+                AllOf(Not(HasSubstr("FLIP")), Not(HasSubstr("overlap"))));
+  for (Record& record : results.records) {
+    record.flip = 0.0125;
+    record.overlap = OverlapRecord{100, 0.25, 0.0};
+  }
+  for (const BlockForm form : {BlockForm::brief, BlockForm::full})
+    EXPECT_THAT(
+        result_block(results, {kChart, {}, form}),
+        AllOf(HasSubstr("| RMSE where shadows overlap, 2° |"), HasSubstr("| FLIP of the lit picture, 2° |"),
+              HasSubstr("| 0.250 | 0.250 |"), HasSubstr("| 0.013 | 0.013 |")));
+}
+
 TEST(ResultBlock, StepsAcrossTilesAreMultiplesOfThoseInside) {
   Results results = synthetic::results({"bilinear"});
   EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("across tiles")));

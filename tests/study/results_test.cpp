@@ -116,6 +116,7 @@ class RandomResults {
     record.settings.reversed_z = coin();
     if (coin()) record.settings.cascade_choices.blend = {0.5 + 0.5 * share(), coin()};
     if (coin()) record.seam = Seam{random_() % 9, figure(), figure()};
+    if (coin()) record.overlap = OverlapRecord{random_() % 9, figure(), figure()};
     if (coin()) record.flip = share();
     if (coin()) record.group_step = GroupStep{random_() % 9, figure(), figure()};
     record.settings.cascade_choices.light_fit =

@@ -29,8 +29,8 @@ std::vector<KnownName> scenes() {
   for (const std::string& name : scene::scene_names()) names.push_back({name, ""});
   for (const std::string& name : scene::built_in_names())
     described(names, name, scene::built_in_description(name));
-  for (const auto& more :
-       {scene::spot_scene_names(), scene::blended_scene_names(), scene::landscape_scene_names()})
+  for (const auto& more : {scene::spot_scene_names(), scene::blended_scene_names(),
+                           scene::overlap_scene_names(), scene::landscape_scene_names()})
     for (const std::string& name : more) names.push_back({name, scene::built_in_description(name)});
   for (const scene::PackageModel& model : scene::package_models())
     described(names, "package:" + model.name,

@@ -125,6 +125,7 @@ struct MeasureOptions : StudyOptions {
   VariedSubjects varied{{}, {}, {}, false};
   std::optional<int> timing_repeats;  // absent: the number that the kind of device needs
   bool no_split = false;
+  bool overlaps = false;
   bool flip = false;
   int pan_frames = 0;
   int penumbra_pixels = 0;
@@ -205,6 +206,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.seed = options.seed;
   settings.noise_seeds = options.noise_seeds;
   settings.split_error = !options.no_split;
+  settings.overlaps = options.overlaps;
   settings.flip = options.flip;
   settings.pan_frames = options.pan_frames;
   settings.edge_samples = options.edge_samples;
@@ -416,6 +418,10 @@ void add_measure(CLI::App& app, Context& context) {
       ->group("Study");
   command
       ->add_flag("--no-split", options->no_split, "Do not split the error into map, algorithm and sampling")
+      ->group("Study");
+  command
+      ->add_flag("--overlaps", options->overlaps,
+                 "Measure the error where shadows of low and of high casters lie over each other, too")
       ->group("Study");
   command
       ->add_flag("--flip", options->flip,

@@ -8,6 +8,7 @@ from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, 
                      light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes,
                      techniques_by_light, with_interval, write_json)
 from markdown import Problem, table
+import time_model
 
 PAGE = DOCUMENTATION / "presets.md"
 
@@ -182,6 +183,8 @@ TAKES = {"receivers": take_receivers}
 def parts(_):
     return {PAGE: {"preset-steps": preset_steps(read("presets")),
                    "preset-operations": executed_operations(read("preset-operations")),
+                   "predicted-times": time_model.predictions(read("tiled-pcss-full-hd"), read("gpu-times/1920x1080"),
+                                                             read("gpu-operations"), 2.0),
                    "masks": masks(read("masks")),
                    "sample-split": sample_split(read("sample-split")),
                    "player-programs": player_programs(read_json(VARIANTS / "presets.json")),

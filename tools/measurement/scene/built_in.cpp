@@ -41,6 +41,14 @@ constexpr std::array blended_entries{
           wires_and_smoke},
 };
 
+// In these scenes shadows of low and of high casters lie over each other.
+constexpr std::array overlap_entries{
+    Entry{"overlaps",
+          "low casters in the shadow of high ones: a table and a rail under trees, poles before eaves, two "
+          "fences",
+          overlaps},
+};
+
 // These scenes have ground beyond the shadow distance.
 constexpr std::array landscape_entries{
     Entry{"valley-5", "a valley of 10 km x 10 km under a sun 5 degrees high, with trees near the camera",
@@ -65,6 +73,8 @@ const Entry& entry_of(std::string_view name) {
     if (name == entry.name) return entry;
   for (const Entry& entry : blended_entries)
     if (name == entry.name) return entry;
+  for (const Entry& entry : overlap_entries)
+    if (name == entry.name) return entry;
   for (const Entry& entry : landscape_entries)
     if (name == entry.name) return entry;
   throw InputError("", "unknown scene '" + std::string(name) + "'",
@@ -85,6 +95,10 @@ std::vector<std::string> blended_scene_names() {
   return names_of(blended_entries);
 }
 
+std::vector<std::string> overlap_scene_names() {
+  return names_of(overlap_entries);
+}
+
 std::vector<std::string> landscape_scene_names() {
   return names_of(landscape_entries);
 }
@@ -93,6 +107,7 @@ std::vector<std::string> all_built_in_names() {
   std::vector<std::string> names = built_in_names();
   for (const std::string& name : spot_scene_names()) names.push_back(name);
   for (const std::string& name : blended_scene_names()) names.push_back(name);
+  for (const std::string& name : overlap_scene_names()) names.push_back(name);
   for (const std::string& name : landscape_scene_names()) names.push_back(name);
   return names;
 }

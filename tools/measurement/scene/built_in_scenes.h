@@ -18,6 +18,7 @@ Scene street();
 Scene garden_scene();
 Scene spot_table();
 Scene wires_and_smoke();
+Scene overlaps();
 Scene valley_5();
 Scene valley_20();
 Scene valley_20_clouds();

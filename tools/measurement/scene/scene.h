@@ -101,7 +101,11 @@ std::vector<std::string> blended_scene_names();
 // shadow distance.
 std::vector<std::string> landscape_scene_names();
 
-// Returns the names of all four kinds.
+// Returns the names of built-in scenes in which shadows of low and of high casters lie over each other. They
+// are measured only when they are named: they are a hard case, and no sample of scenes.
+std::vector<std::string> overlap_scene_names();
+
+// Returns the names of all five kinds.
 std::vector<std::string> all_built_in_names();
 
 // Returns a built-in scene of any kind; throws InputError naming the nearest known name otherwise. The same

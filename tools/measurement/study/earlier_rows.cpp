@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
@@ -27,9 +28,16 @@ std::string seen_in(const Record& record) {
                      record.map_format, record.cascades, record.reference.samples);
 }
 
+// A table of results has seven digits of the noise floor.
+bool same_reference(const ReferenceNote& note, const ReferenceNote& other) {
+  return note.kind == other.kind && note.samples == other.samples &&
+         std::abs(note.noise_floor - other.noise_floor) <=
+             1e-6 * std::max(note.noise_floor, other.noise_floor);
+}
+
 bool same_sample(const Record& record, const Record& other) {
   return record.map_size == other.map_size && record.map_format == other.map_format &&
-         record.cascades == other.cascades && record.reference == other.reference &&
+         record.cascades == other.cascades && same_reference(record.reference, other.reference) &&
          record.metrics.pixels == other.metrics.pixels &&
          record.metrics.penumbra_pixels == other.metrics.penumbra_pixels;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 
 namespace penumbra::study {
@@ -65,7 +64,6 @@ std::string text_of(const std::optional<Estimate>& estimate, double scale, int m
 }
 
 constexpr std::size_t kBlockReplicates = 1000;
-constexpr std::size_t kSceneReplicates = 2000;
 constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
 
 // The standard's engine is the same everywhere, while its distributions are not.
@@ -75,15 +73,7 @@ class Draws {
     return static_cast<std::size_t>((static_cast<std::uint64_t>(engine_()) * count) >> 32U);
   }
 
-  // Returns a draw of the standard normal distribution (Box & Muller 1958).
-  double normal() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-
  private:
-  double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }  // [0, 1)
-
   std::mt19937 engine_{13};
 };
 
@@ -109,14 +99,16 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-// Returns the interval around a figure that is derived from `count` independent samples. Resampling them with
-// replacement underestimates the variance by the factor (count - 1) / count.
-Interval interval_of(double figure, const std::vector<double>& replicates, std::size_t count, double least,
-                     double most) {
-  const auto n = static_cast<double>(count);
-  const double error = std::sqrt(n / (n - 1.0)) * standard_deviation(replicates);
-  const double reach = student_quantile(n - 1.0) * error;
+// Returns the interval around a figure that is derived from `count` independent samples.
+Interval interval_of(double figure, double error, std::size_t count, double least, double most) {
+  const double reach = student_quantile(static_cast<double>(count) - 1.0) * error;
   return {std::clamp(figure - reach, least, most), std::clamp(figure + reach, least, most), error};
+}
+
+// Resampling with replacement underestimates the variance by the factor (count - 1) / count.
+double unbiased(double deviation, std::size_t count) {
+  const auto n = static_cast<double>(count);
+  return std::sqrt(n / (n - 1.0)) * deviation;
 }
 
 double value_of(const BlockSums& total, Figure figure) {
@@ -147,7 +139,8 @@ std::optional<Interval> block_interval(std::span<const BlockSums> blocks, Figure
     for (std::size_t k = 0; k < counted.size(); ++k) add(total, counted[draws.index(counted.size())]);
     replicate = value_of(total, figure);
   }
-  return interval_of(value_of(all, figure), replicates, counted.size(), 0.0, most);
+  const double error = unbiased(standard_deviation(replicates), counted.size());
+  return interval_of(value_of(all, figure), error, counted.size(), 0.0, most);
 }
 
 std::optional<Interval> mean_interval(std::span<const SceneFigure> scenes, double least, double most) {
@@ -161,18 +154,11 @@ std::optional<Interval> mean_interval(std::span<const SceneFigure> scenes, doubl
     return Interval{std::clamp(mean - kNormalQuantile * error, least, most),
                     std::clamp(mean + kNormalQuantile * error, least, most), error};
   }
-  Draws draws;
-  std::vector<double> replicates(kSceneReplicates);
-  for (double& replicate : replicates) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-      const SceneFigure& scene = scenes[draws.index(scenes.size())];
-      const double noise = scene.standard_error > 0.0 ? scene.standard_error * draws.normal() : 0.0;
-      sum += std::clamp(scene.value + noise, least, most);
-    }
-    replicate = sum / count;
-  }
-  return interval_of(mean, replicates, scenes.size(), least, most);
+  // A resampled mean is a sum of independent draws, so its variance is known without drawing any.
+  double squares = 0.0;
+  for (const SceneFigure& scene : scenes)
+    squares += (scene.value - mean) * (scene.value - mean) + scene.standard_error * scene.standard_error;
+  return interval_of(mean, unbiased(std::sqrt(squares) / count, scenes.size()), scenes.size(), least, most);
 }
 
 std::string figure_text(const std::optional<Estimate>& estimate, double scale, int most_decimals) {

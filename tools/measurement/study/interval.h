@@ -4,7 +4,7 @@
 // Within a picture, errors of neighbouring pixels are correlated, so blocks of pixels are resampled instead
 // of pixels (the block bootstrap; Davison & Hinkley, "Bootstrap Methods and their Application", 1997, section
 // 8.3). Over scenes it has two levels: scenes are resampled, and within each scene its figure with that
-// scene's own standard error.
+// scene's own standard error. The variance of such a mean has a closed form, which the draws approach.
 //
 // The replicates' standard deviation is the figure's standard error; the interval extends by Student's t
 // times this error to both sides, with as many degrees of freedom as there are blocks or scenes, less one.

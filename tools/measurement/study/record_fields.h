@@ -142,6 +142,13 @@ void fields(Archive& archive, Field<Archive, GroupStep>& step) {
 }
 
 template <typename Archive>
+void fields(Archive& archive, Field<Archive, OverlapRecord>& overlap) {
+  archive.count("pixels", overlap.pixels);
+  archive.figure("rmse", overlap.rmse, 0.0, 1.0);
+  archive.figure("bias", overlap.bias, -1.0, 1.0);
+}
+
+template <typename Archive>
 void fields(Archive& archive, Field<Archive, Seam>& seam) {
   archive.count("pairs", seam.pairs);
   archive.figure("step", seam.step, 0.0, 2.0);
@@ -219,6 +226,7 @@ void fields(Archive& archive, Field<Archive, Record>& record, std::string_view k
   archive.optional("seam", record.seam);
   archive.optional("far_seam", record.far_seam);
   archive.optional("group_step", record.group_step);
+  archive.optional("overlap", record.overlap);
   archive.optional("flip", record.flip, 0.0, 1.0);
   fields(archive, record.time, kind);
   archive.object("reference", record.reference);

@@ -288,6 +288,12 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   return record;
 }
 
+OverlapRecord overlap_record(const CaseSetup& setup, const Answer& answer,
+                             std::span<const std::uint8_t> overlaps) {
+  const Metrics metrics = measure(images_of(setup, answer, overlaps));
+  return {metrics.pixels, metrics.rmse_all, metrics.bias};
+}
+
 PictureRow pictures_of(const CaseSetup& setup, const Subject& subject, const Answer& answer) {
   const PixelGrid grid{setup.t1.width, setup.t1.height, setup.t1.valid};
   PictureRow row;

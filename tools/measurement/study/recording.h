@@ -19,6 +19,10 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
                  const std::optional<PictureWindow>& window,
                  const std::optional<reference::VisibilityImage>& unlimited, const std::string& device);
 
+// The error of the answer on the pixels of reference::shadow_overlaps().
+OverlapRecord overlap_record(const CaseSetup& setup, const Answer& answer,
+                             std::span<const std::uint8_t> overlaps);
+
 PictureRow pictures_of(const CaseSetup& setup, const Subject& subject, const Answer& answer);
 
 }  // namespace penumbra::study

@@ -87,6 +87,11 @@ bool has_grain(const Results& results) {
                      [](const Record& record) { return record.metrics.variance.has_value(); });
 }
 
+bool has_overlaps(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return record.overlap.has_value(); });
+}
+
 bool has_flip(const Results& results) {
   return std::any_of(results.records.begin(), results.records.end(),
                      [](const Record& record) { return record.flip.has_value(); });
@@ -111,6 +116,8 @@ const FigureColumn kLeaks{"light leaks, %",
                           [](const SummaryLine& line) { return figure_text(line.leak_rate, 100.0); }};
 const FigureColumn kFalseShadow{
     "false shadow, %", [](const SummaryLine& line) { return figure_text(line.false_shadow_rate, 100.0); }};
+const FigureColumn kOverlap{"RMSE where shadows overlap",
+                            [](const SummaryLine& line) { return figure_text(line.rmse_overlap); }};
 const FigureColumn kFlip{"FLIP of the lit picture",
                          [](const SummaryLine& line) { return figure_text(line.flip); }};
 const FigureColumn kGrain{"grain", [](const SummaryLine& line) { return figure_text(line.grain); }};
@@ -232,6 +239,9 @@ std::string how_to_read(const Results& results, BlockForm form) {
       "share of "
       "the fully lit pixels whose visibility is below {}.",
       figure, kLeakAbove, kFalseShadowBelow);
+  if (has_overlaps(results))
+    text +=
+        " Shadows overlap where the highest caster over a receiver is four times as far away as the lowest.";
   if (has_flip(results))
     text +=
         " FLIP (Andersson et al. 2020): how much the picture lit by these shadows differs from the one lit "
@@ -321,6 +331,7 @@ std::string samples_text(const Results& results) {
 
 std::vector<FigureColumn> brief_columns(const Results& results) {
   std::vector<FigureColumn> columns{kPenumbraError, kError, kLeaks, kFalseShadow};
+  if (has_overlaps(results)) columns.push_back(kOverlap);
   if (has_flip(results)) columns.push_back(kFlip);
   if (has_grain(results)) columns.push_back(kGrain);
   columns.push_back(has_operations(results) ? kOperations : kFetches);
@@ -342,6 +353,7 @@ std::string cost_table(const Results& results, const FactsOfTechniques& facts) {
   std::vector<std::vector<std::string>> rows;
   for (const Choice& choice : choices(results)) rows.push_back({markdown_code(choice.label)});
   add_by_light(results, light_sizes(results), kError, heads, rows);
+  if (has_overlaps(results)) add_by_light(results, light_sizes(results), kOverlap, heads, rows);
   if (has_flip(results)) add_by_light(results, light_sizes(results), kFlip, heads, rows);
   if (has_grain(results)) add_by_light(results, light_sizes(results), kGrain, heads, rows);
   if (has_group_steps(results)) add_by_light(results, light_sizes(results), kGroupStep, heads, rows);

@@ -131,6 +131,16 @@ struct DistanceRecord {
   bool operator==(const DistanceRecord&) const = default;
 };
 
+// The figures of the pixels on which shadows of low and of high casters overlap
+// (reference::shadow_overlaps()).
+struct OverlapRecord {
+  std::size_t pixels = 0;
+  std::optional<double> rmse;
+  std::optional<double> bias;
+
+  bool operator==(const OverlapRecord&) const = default;
+};
+
 struct Record {
   std::string scene;
   std::string technique;
@@ -158,8 +168,9 @@ struct Record {
   std::optional<Seam> seam;        // present with several cascades; absent in older files
   std::optional<Seam>
       far_seam{};  // present with by_distance: all pixels, between the last cascade and what is beyond
-  std::optional<double> flip{};           // mean FLIP of the lit picture; absent unless it was asked for
-  std::optional<GroupStep> group_step{};  // absent in older files
+  std::optional<OverlapRecord> overlap{};  // absent unless it was asked for
+  std::optional<double> flip{};            // mean FLIP of the lit picture; absent unless it was asked for
+  std::optional<GroupStep> group_step{};   // absent in older files
   std::optional<Timing> time;
   ReferenceNote reference;
 

@@ -11,6 +11,7 @@
 #include "platform/hashed_fields.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
+#include "reference/shadow_overlaps.h"
 #include "resolve/debug_view.h"
 #include "resolve/graph_resources.h"
 #include "study/case_setup.h"
@@ -82,10 +83,10 @@ constexpr double kWarmUpSeconds = 0.5;
 // settings on which records depend beyond the keys of views, subjects and debug views.
 void add_settings(platform::ContentHash& hash, const StudySettings& settings) {
   const auto& [scenes, light_degrees, frame, penumbra_pixels, reference_samples, seed, noise_seeds,
-               timing_repeats, split_error, flip, pictures, pan_frames, edge_samples, window, debug_views,
-               answered, bake, jobs, compiler, cache] = settings;
+               timing_repeats, split_error, overlaps, flip, pictures, pan_frames, edge_samples, window,
+               debug_views, answered, bake, jobs, compiler, cache] = settings;
   const auto add = [&](const auto&... values) { (platform::add_all(hash, values), ...); };
-  add(reference_samples, seed, noise_seeds, timing_repeats, split_error, flip, pictures, pan_frames,
+  add(reference_samples, seed, noise_seeds, timing_repeats, split_error, overlaps, flip, pictures, pan_frames,
       edge_samples, window);
 }
 
@@ -112,6 +113,7 @@ class Study {
         if (scene.spot_light) scene.spot_light->source_radius_metres = source_radius_metres(degrees);
         const CaseSetup setup = cases_.build(scene, rasteriser, degrees);
         lit_.reset();
+        overlaps_.reset();
         note_little_penumbra(setup);
         outcome_.frames.push_back(measured_frame(setup));
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
@@ -196,6 +198,7 @@ class Study {
     outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
                                          prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));
+    if (settings_.overlaps) outcome_.records.back().overlap = overlap_record(setup, answer, overlaps(setup));
     if (settings_.flip) outcome_.records.back().flip = lit(setup).of(answer.visibility.front());
     outcome_.pictures.push_back(settings_.pictures ? pictures_of(setup, subject, answer) : PictureRow{});
     if (subject.graph.graph.over_screen())
@@ -207,6 +210,14 @@ class Study {
     }
     note_unset(subject, answer.unset_uniforms);
     return answer.unset_uniforms;
+  }
+
+  const std::vector<std::uint8_t>& overlaps(const CaseSetup& setup) {
+    if (!overlaps_)
+      overlaps_ = reference::shadow_overlaps(setup.scene, setup.views.front().frame.receivers,
+                                             {setup.scene.light_direction, setup.light_degrees}, setup.t1,
+                                             settings_.jobs);
+    return *overlaps_;
   }
 
   // It is made with the first subject of a case that is measured anew: it takes long, and much memory.
@@ -246,6 +257,7 @@ class Study {
   CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
   std::map<std::string, resolve::DebugView> debug_views_;  // keyed by pass
+  std::optional<std::vector<std::uint8_t>> overlaps_;      // of the case that is measured
   std::optional<LitDifference> lit_;                       // of the case that is measured
   StudyOutcome outcome_;
 };

@@ -81,6 +81,7 @@ struct StudySettings {
   int noise_seeds = 16;
   int timing_repeats = 5;
   bool split_error = true;  // measures T2 and T3
+  bool overlaps = false;    // measures the error where shadows of low and high casters overlap
   bool flip = false;        // measures FLIP of the lit picture; scenes need materials that can be lit
   bool pictures = true;     // if false, the outcome's are empty
   int pan_frames = 0;       // frames of a slow pan, for shimmer; none if below 2

@@ -74,6 +74,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   SceneFigures rmse_all;
   SceneFigures leaks;
   SceneFigures false_shadows;
+  SceneFigures overlap;
   SceneFigures flip;
   SceneFigures grain;
   SceneFigures group_steps;
@@ -89,6 +90,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
     rmse_all.add(metrics.rmse_all, metrics.intervals.rmse_all);
     leaks.add(metrics.leak_rate, metrics.intervals.leak_rate);
     false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
+    if (record->overlap) overlap.add(record->overlap->rmse, std::nullopt);
     flip.add(record->flip, std::nullopt);
     if (metrics.variance) grain.add(std::sqrt(*metrics.variance), std::nullopt);
     group_steps.add(step_ratio(record->group_step), std::nullopt);
@@ -102,6 +104,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   line.rmse_all = rmse_all.mean(1.0);
   line.leak_rate = leaks.mean(1.0);
   line.false_shadow_rate = false_shadows.mean(1.0);
+  line.rmse_overlap = overlap.mean(1.0);
   line.flip = flip.mean(1.0);
   line.grain = grain.mean(1.0);
   line.group_step = group_steps.mean(std::numeric_limits<double>::infinity());

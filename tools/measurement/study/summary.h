@@ -34,7 +34,8 @@ struct SummaryLine {
   std::optional<Estimate> rmse_all{};
   std::optional<Estimate> leak_rate{};
   std::optional<Estimate> false_shadow_rate{};
-  std::optional<Estimate> flip{};  // of the lit picture; absent where it was not measured
+  std::optional<Estimate> rmse_overlap{};  // where shadows overlap; absent where it was not measured
+  std::optional<Estimate> flip{};          // of the lit picture; absent where it was not measured
   // The root of the mean variance between noise seeds, in penumbra; absent where a scene has one seed.
   std::optional<Estimate> grain{};
   // The step of the error across borders of groups of pixels, as a multiple of that inside (GroupStep).
