@@ -9,33 +9,33 @@ namespace Penumbra.Editor
         {
             new[]  // Penumbra Low
             {
-                new PresetFigure(0.53f, 0.158f, 10.6f),
-                new PresetFigure(2f, 0.094f, 16.9f),
-                new PresetFigure(5f, 0.069f, 24.0f),
+                new PresetFigure(0.53f, 0.152f, 14.3f),
+                new PresetFigure(2f, 0.091f, 18.1f),
+                new PresetFigure(5f, 0.077f, 21.8f),
             },
             new[]  // Penumbra Medium
             {
-                new PresetFigure(0.53f, 0.134f, 8.5f),
-                new PresetFigure(2f, 0.072f, 17.2f),
-                new PresetFigure(5f, 0.055f, 28.1f),
+                new PresetFigure(0.53f, 0.134f, 25.5f),
+                new PresetFigure(2f, 0.074f, 34.1f),
+                new PresetFigure(5f, 0.058f, 44.1f),
             },
             new[]  // Penumbra High
             {
-                new PresetFigure(0.53f, 0.133f, 8.6f),
-                new PresetFigure(2f, 0.071f, 17.5f),
-                new PresetFigure(5f, 0.053f, 28.6f),
+                new PresetFigure(0.53f, 0.134f, 33.2f),
+                new PresetFigure(2f, 0.071f, 46.4f),
+                new PresetFigure(5f, 0.052f, 61.7f),
             },
             new[]  // Penumbra Ultra
             {
-                new PresetFigure(0.53f, 0.133f, 8.7f),
-                new PresetFigure(2f, 0.070f, 17.8f),
-                new PresetFigure(5f, 0.052f, 29.1f),
+                new PresetFigure(0.53f, 0.134f, 45.5f),
+                new PresetFigure(2f, 0.071f, 66.7f),
+                new PresetFigure(5f, 0.051f, 91.6f),
             },
             new[]  // Penumbra Reference
             {
-                new PresetFigure(0.53f, 0.139f, 77.4f),
-                new PresetFigure(2f, 0.077f, 86.8f),
-                new PresetFigure(5f, 0.055f, 95.4f),
+                new PresetFigure(0.53f, 0.134f, 70.3f),
+                new PresetFigure(2f, 0.071f, 107.6f),
+                new PresetFigure(5f, 0.051f, 152.2f),
             },
         };
     }
