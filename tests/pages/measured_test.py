@@ -291,14 +291,21 @@ class TimesOfGpu(unittest.TestCase):
 
 class TimeModel(unittest.TestCase):
     SHARES = {"a": 0.5, "b": 0.25, "c": 1.0}
+    H200 = time_model.gpu_of("NVIDIA H200 NVL")
 
     def runs(self, shares):
         counts = [record(name, scene, operations_per_pixel=1000.0 * (1 + len(name + scene)))
                   for name in shares for scene in "xy"]
         times = [record(one["technique"], one["scene"], time_ms_median=time_model.DISPATCH_MS + time_model.peak_ms(
-            one["operations_per_pixel"], time_model.TIMED_TERAFLOPS) / shares[one["technique"]]) for one in counts]
-        gone = record("gone", "x", time_ms_median=1.0)  # whose operations nobody can count any more
-        return results(*times, gone), results(*counts)
+            one["operations_per_pixel"], self.H200.teraflops) / shares[one["technique"]] + time_model.map_ms(
+                {"map_size": 2048}, self.H200), map_size=2048) for one in counts]
+        gone = record("gone", "x", time_ms_median=1.0, map_size=2048)  # whose operations nobody can count any more
+        return {**results(*times, gone), "device": "NVIDIA H200"}, results(*counts)
+
+    def test_a_gpu_whose_peak_rate_is_not_known_is_refused(self):
+        times, counts = self.runs(self.SHARES)
+        with self.assertRaisesRegex(markdown.Problem, "peak rate of 'Other' is not known"):
+            time_model.fit({**times, "device": "Other"}, counts)
 
     def test_the_share_of_the_peak_rate_is_found(self):
         fitted = time_model.fit(*self.runs(self.SHARES))

@@ -1,9 +1,9 @@
 """Milliseconds that presets would take on GPUs, from the operations of their bytecode: a prediction, not a measurement.
 
 A pass of the filters takes the time in which the GPU executes its operations, at a share of its peak rate that is fitted
-to the times of gpu-times/1920x1080. The share of each technique differs from their mean; the spread over techniques
-gives the error of a prediction. Besides, textures pass through memory at its bandwidth, and each dispatch waits for the
-one before.
+to the times of gpu-times/1920x1080. Fetches, divergence and what a driver's compiler changes are in that share. The
+share of each technique differs from their mean; the spread over techniques gives the error of a prediction. Besides,
+textures pass through memory at its bandwidth, and each dispatch waits for the one before.
 """
 import math
 from typing import NamedTuple
@@ -11,9 +11,8 @@ from typing import NamedTuple
 from figures import STUDENT, code, distinct, groups, mean
 from markdown import Problem, table
 
-TIMED_TERAFLOPS = 67.0  # of the NVIDIA H200, of 32 bits, as its maker says; an FMA counts twice
 PIXELS = 1920 * 1080
-# The wait between two dispatches that depend on each other; cell-pcss's emptiest pass took 3 microseconds on the H200.
+# Of each dispatch, beside its work: a little more than the 3 microseconds that cell-pcss's emptiest pass took on the H200.
 DISPATCH_MS = 0.005
 
 
@@ -24,8 +23,15 @@ class Gpu(NamedTuple):
 
 
 # Makers' specifications.
-GPUS = (Gpu("NVIDIA H200", TIMED_TERAFLOPS, 4800.0), Gpu("GeForce RTX 4080", 48.7, 717.0),
+GPUS = (Gpu("NVIDIA H200", 67.0, 4800.0), Gpu("GeForce RTX 4080", 48.7, 717.0),
         Gpu("GeForce RTX 4060", 15.1, 272.0), Gpu("Radeon RX 6600", 8.9, 224.0), Gpu("Steam Deck", 1.6, 88.0))
+
+
+def gpu_of(device):
+    for gpu in GPUS:
+        if gpu.name in device:
+            return gpu
+    raise Problem(f"the peak rate of '{device}' is not known: add it to GPUS of tools/pages/time_model.py")
 
 
 class Fit(NamedTuple):
@@ -40,12 +46,14 @@ def peak_ms(operations_per_pixel, teraflops):
 
 
 def fit(times, counts):
-    """From the times and the operations of the same techniques in the same pictures."""
+    """From the times and the operations of the same techniques, of one pass each, in the same pictures."""
+    gpu = gpu_of(times["device"])
     operations = {(one["technique"], one["scene"], one["light_degrees"]): one["operations_per_pixel"]
                   for one in counts["records"]}
     shares = {}
     for (technique,), records in groups(times["records"], "technique"):
-        pairs = [(peak_ms(operations[key], TIMED_TERAFLOPS), one["time_ms_median"] - DISPATCH_MS) for one in records
+        pairs = [(peak_ms(operations[key], gpu.teraflops), one["time_ms_median"] - DISPATCH_MS - map_ms(one, gpu))
+                 for one in records
                  if (key := (technique, one["scene"], one["light_degrees"])) in operations]
         if pairs:
             shares[technique] = math.exp(mean(math.log(peak / taken) for peak, taken in pairs))
@@ -64,10 +72,15 @@ def left_out(times, counts):
             for shares in (fit(times, counts).shares,) for technique, share in shares.items()}
 
 
+def map_ms(record, gpu):
+    """The map comes from memory once, with 4 bytes for each texel."""
+    return 4.0 * record["map_size"] ** 2 / (gpu.gigabytes_per_second * 1e6)
+
+
 def memory_ms(record, gpu):
-    """Every texel that a pass writes goes to memory and comes back, and the map comes once; 4 bytes each."""
+    """Every texel that a pass writes goes to memory and comes back, too."""
     texels = sum(one["texels_written_per_pixel"] for one in record["passes"]) * PIXELS
-    return 4.0 * (2.0 * texels + record["map_size"] ** 2) / (gpu.gigabytes_per_second * 1e6)
+    return map_ms(record, gpu) + 8.0 * texels / (gpu.gigabytes_per_second * 1e6)
 
 
 def predicted_ms(record, gpu, fitted):
@@ -93,8 +106,10 @@ def predictions(results, times, counts, light):
     shares = ", ".join(f"{code(name)} {share:.2f}" for name, share in fitted.shares.items())
     missed = ", ".join(f"{code(name)} {ratio:.2f}" for name, ratio in left_out(times, counts).items())
     return (f"Predicted, not measured: milliseconds at 1920 x 1080 under a light of {light:g}°, mean of"
-            f" {len(distinct(results['records'], 'scene'))} scenes, and the 95 % interval for a technique that was not"
-            f" fitted. Share of the peak rate on an {times['device']}: {shares}. Predicted time over measured time of each"
-            f" of these, when it is left out of the fit: {missed}. Commands: `{times['command']}`,"
+            f" {len(distinct(results['records'], 'scene'))} scenes. In parentheses: the 95 % prediction interval over the"
+            f" {len(fitted.shares)} filters that were fitted, all of one pass; it covers neither other GPUs, nor the choice"
+            f" of scenes, nor kernels that wait for each other. Operations of FXC's bytecode per operation that the"
+            f" {times['device']} could execute at its peak: {shares}. Predicted time over measured time of each of these,"
+            f" when it is left out of the fit: {missed}. Commands: `{times['command']}`,"
             f" `{counts['command']}`, `{results['command']}`.\n\n"
             + table(["preset", *(f"{gpu.name}, ms" for gpu in GPUS)], rows, 1))
