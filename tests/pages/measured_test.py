@@ -262,6 +262,13 @@ class BesidePcss(unittest.TestCase):
                       text)
         self.assertIn("| `tiled-pcss` | 0.2200 (+0.0000 ± 0.0248) | 0.2500 (+0.0000 ± 0.0248) | 0.30 | 0.30 |", text)
 
+    def test_another_error_is_paired_in_the_same_way(self):
+        own = [{**one, "overlap": {"rmse": 2.0 * one["rmse_penumbra"]}} for one in (
+            *self.of("screen-pcss-angular-24-16", 1000.0, 0.2, 0.3), *self.of("pcss-angular-64-64", 2500.0, 0.1, 0.2))]
+        text = tiled_pcss.beside_pcss(results(*own), figures.part_of("overlap", "rmse"), "overlap")
+        self.assertIn("| technique | overlap, 2° | overlap, 5° |", text)
+        self.assertIn("| `screen-pcss-angular-24-16` | 0.5400 (+0.2000 ± 0.0000) |", text)
+
     def test_without_what_others_are_compared_with_there_is_no_table(self):
         with self.assertRaisesRegex(markdown.Problem, "lack screen-pcss-angular-24-16 or"):
             tiled_pcss.beside_pcss(results(*self.of("tiled-pcss", 300.0, 0.1)))

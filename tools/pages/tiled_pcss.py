@@ -2,7 +2,7 @@
 import math
 
 from figures import (DOCUMENTATION, ERROR, RESULTS, against, by_light, code, distinct, groups, interval_of,
-                     light_heads, made, mean, measured, read, read_json, sample)
+                     light_heads, made, mean, measured, of_key, part_of, read, read_json, sample)
 from markdown import Problem, table
 from screen_passes import noise_pan
 
@@ -30,19 +30,19 @@ def difference_from(key, others, digits):
     """A cell of records: the mean, and in parentheses its difference from the others', paired by scene."""
     def cell(records):
         paired = same_order(records, of_light(others, records))
-        return against([one[key] for one in records], [one[key] for one in paired], digits)
+        return against([of_key(key)(one) for one in records], [of_key(key)(one) for one in paired], digits)
     return cell
 
 
-def beside_pcss(results):
+def beside_pcss(results, error="rmse_penumbra", what="RMSE in penumbra"):
     """Errors beside those of PCSS with many samples, and operations beside those of PCSS 24+16: one row per
     technique."""
     own = {name: records for (name,), records in groups(results["records"], "technique")}
     if not {PCSS, MANY_SAMPLES} <= set(own):
         raise Problem(f"the results lack {PCSS} or {MANY_SAMPLES}, which the others are compared with")
-    rows = [[code(name), *by_light(records, difference_from("rmse_penumbra", own[MANY_SAMPLES], 4)),
+    rows = [[code(name), *by_light(records, difference_from(error, own[MANY_SAMPLES], 4)),
              *by_light(records, share_of("operations_per_pixel", own[PCSS]))] for name, records in own.items()]
-    head = ["technique", *light_heads(results["records"], "RMSE in penumbra, {}"),
+    head = ["technique", *light_heads(results["records"], what + ", {}"),
             *light_heads(results["records"], "operations, {}")]
     return measured(results, head, rows, 1)
 
@@ -127,6 +127,8 @@ def parts(_):
     return {DOCUMENTATION / "tiled-pcss.md": {
         "tiled-pcss-beside-pcss": beside_pcss(read("tiled-pcss-full-hd")),
         "tiled-pcss-samples": beside_pcss(read("tiled-pcss-samples")),
+        "tiled-pcss-overlap-differences": beside_pcss(read("tiled-pcss-overlaps"), part_of("overlap", "rmse"),
+                                                      "RMSE where shadows overlap"),
         "tiled-pcss-pan": noise_pan(read("tiled-pcss-pan")),
         "gpu-times": times_of_gpu(read("gpu-times/1920x1080")),
         "gpu-times-4k": times_of_gpu(read("gpu-times/3840x2160")),
