@@ -53,9 +53,8 @@ constexpr Magnified kMagnified[] = {
     {"far-horizon", 1e-3},
     {"blob", 0.02}};
 
-// In the scenes beside the colonnade more is magnified. A pixel of Cell PCSS is resolved alone by surfaces
-// whose normals are rounded otherwise; a ray, a sample's surface or a disk may be decided the other way at a
-// pixel.
+// In the scenes beside the colonnade more is magnified. A ray, a sample's surface or a disk may be decided
+// the other way at a pixel.
 constexpr Magnified kElsewhere[] = {{"moments-32", 0.7},
                                     {"moments-16", 0.02},
                                     {"variance-quarter", 0.03},
@@ -88,13 +87,12 @@ struct Fetching {
   const char* pass;
   double share;
 };
-constexpr Fetching kFetching[] = {{"FarShadows", 0.05},       {"ConservativeMask", 0.01},
-                                  {"ClassifyTiles", 0.02},    {"filter", 0.08},  // vssm-sat-32 has this share
-                                  {"FilterUnrealSmrt", 2e-5},  // a ray may end a step earlier
-                                  {"MarkSamples", 0.002},      // a sample's surface is decided otherwise
-                                  {"MarkSurfaces", 0.02},      // a comparison of depths decides otherwise
-                                  {"ShadePixels", 5e-4},      {"ShadeSamples", 0.01},
-                                  {"MeanOfSamples", 0.001}};
+constexpr Fetching kFetching[] = {
+    {"FarShadows", 0.05},       {"ConservativeMask", 0.01}, {"filter", 0.08},  // vssm-sat-32 has this share
+    {"FilterUnrealSmrt", 2e-5},                                                // a ray may end a step earlier
+    {"MarkSamples", 0.002},  // a sample's surface is decided otherwise
+    {"MarkSurfaces", 0.02},  // a comparison of depths decides otherwise
+    {"ShadePixels", 5e-4},      {"ShadeSamples", 0.01},     {"MeanOfSamples", 0.001}};
 
 // In the scenes beside the colonnade more is fetched otherwise.
 constexpr Fetching kFetchingElsewhere[] = {
