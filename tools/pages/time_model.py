@@ -12,7 +12,8 @@ from figures import STUDENT, code, distinct, groups, mean
 from markdown import Problem, table
 
 PIXELS = 1920 * 1080
-# Of each dispatch, beside its work: a little more than the 3 microseconds that cell-pcss's emptiest pass took on the H200.
+# Every dispatch costs this beside its work. It is a little more than the 3 microseconds that the emptiest pass of
+# cell-pcss took on the H200.
 DISPATCH_MS = 0.005
 
 

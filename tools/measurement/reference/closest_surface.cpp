@@ -13,21 +13,12 @@
 namespace penumbra::reference {
 namespace {
 
-// The ray points straight down.
 std::optional<double> height_below(const EmbreeScene& rays, double above, glm::vec2 xz) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit ray{};
-  ray.ray.org_x = xz.x;
-  ray.ray.org_y = static_cast<float>(above);
-  ray.ray.org_z = xz.y;
-  ray.ray.dir_y = -1.0F;
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
-  ray.ray.mask = ~0U;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(rays.handle(), &context, &ray);
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return static_cast<double>(ray.ray.org_y) - static_cast<double>(ray.ray.tfar);
+  const auto top = static_cast<float>(above);
+  const std::optional<float> drop =
+      rays.first_hit({xz.x, top, xz.y}, {0.0F, -1.0F, 0.0F}, std::numeric_limits<float>::infinity());
+  if (!drop) return std::nullopt;
+  return static_cast<double>(top) - static_cast<double>(*drop);
 }
 
 using Feature = TrianglePoint::Feature;

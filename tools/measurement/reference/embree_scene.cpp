@@ -78,6 +78,25 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
   }
 }
 
+std::optional<float> EmbreeScene::first_hit(const glm::vec3& from, const glm::vec3& direction,
+                                            float farthest) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray{};
+  ray.ray.org_x = from.x;
+  ray.ray.org_y = from.y;
+  ray.ray.org_z = from.z;
+  ray.ray.dir_x = direction.x;
+  ray.ray.dir_y = direction.y;
+  ray.ray.dir_z = direction.z;
+  ray.ray.tfar = farthest;
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(handle(), &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return ray.ray.tfar;
+}
+
 void EmbreeScene::attach(const scene::Mesh& mesh, const std::vector<std::uint32_t>& indices,
                          unsigned geometry_id) {
   const std::unique_ptr<RTCGeometryTy, void (*)(RTCGeometry)> geometry(

@@ -12,7 +12,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/cut_out.h"
@@ -42,6 +44,10 @@ class EmbreeScene {
   std::size_t triangle(unsigned geometry, unsigned primitive) const {
     return triangles_.empty() ? primitive : triangles_[geometry][primitive];
   }
+
+  // Returns how far along `direction` a ray first meets a surface, in lengths of `direction`, if that is less
+  // than `farthest`.
+  std::optional<float> first_hit(const glm::vec3& from, const glm::vec3& direction, float farthest) const;
 
  private:
   void attach(const scene::Mesh& mesh, const std::vector<std::uint32_t>& indices, unsigned geometry_id);

@@ -1,7 +1,5 @@
 #include "reference/shadow_overlaps.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -20,26 +18,6 @@ namespace {
 constexpr std::uint32_t kRays = 32;
 constexpr std::size_t kPixelsOfTask = 4096;
 
-// Returns the way to the first surface, up to `farthest`.
-std::optional<double> first_hit(const EmbreeScene& scene, const glm::dvec3& from, const glm::dvec3& direction,
-                                double farthest) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(from.x);
-  ray.ray.org_y = static_cast<float>(from.y);
-  ray.ray.org_z = static_cast<float>(from.z);
-  ray.ray.dir_x = static_cast<float>(direction.x);
-  ray.ray.dir_y = static_cast<float>(direction.y);
-  ray.ray.dir_z = static_cast<float>(direction.z);
-  ray.ray.tfar = static_cast<float>(farthest);
-  ray.ray.mask = ~0U;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene.handle(), &context, &ray);
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return static_cast<double>(ray.ray.tfar);
-}
-
 struct Gaps {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = 0.0;
@@ -53,12 +31,15 @@ Gaps gaps_over(const EmbreeScene& scene, const LitReceiver& receiver, const Disc
   for (std::uint32_t i = 0; i < kRays; ++i) {
     const glm::dvec2 point = concentric_disc(scrambled_sobol(i, seed)) * light.tan_half;
     const glm::dvec3 direction = glm::normalize(light.to_light + point.x * light.right + point.y * light.up);
-    const std::optional<double> low = first_hit(scene, receiver.position, direction, beyond);
+    const std::optional<float> low =
+        scene.first_hit(glm::vec3(receiver.position), glm::vec3(direction), static_cast<float>(beyond));
     if (!low) continue;
-    const std::optional<double> from_beyond =
-        first_hit(scene, receiver.position + beyond * direction, -direction, beyond - *low);
-    gaps.lowest = std::min(gaps.lowest, *low);
-    gaps.highest = std::max(gaps.highest, from_beyond ? beyond - *from_beyond : *low);
+    const double lowest = *low;
+    const std::optional<float> from_beyond =
+        scene.first_hit(glm::vec3(receiver.position + beyond * direction), glm::vec3(-direction),
+                        static_cast<float>(beyond - lowest));
+    gaps.lowest = std::min(gaps.lowest, lowest);
+    gaps.highest = std::max(gaps.highest, from_beyond ? beyond - *from_beyond : lowest);
   }
   return gaps;
 }

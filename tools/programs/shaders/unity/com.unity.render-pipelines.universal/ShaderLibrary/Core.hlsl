@@ -12,8 +12,8 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 
-// As in Unity's API/GLCore.hlsl and API/GLES3.hlsl, a program of OpenGL that gathers below target 4.5 is an error, also
-// where nothing calls the function that gathers.
+// Unity's API/GLCore.hlsl and API/GLES3.hlsl define no gather below target 4.5, and so a program that names one is an
+// error there, even if nothing calls the function that gathers. This file does the same.
 #if (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)) && SHADER_TARGET < 45
 #undef GATHER_RED_TEXTURE2D
 #define GATHER_RED_TEXTURE2D(textureName, samplerName, uv) StandsInHasNoGatherBelowTarget45
