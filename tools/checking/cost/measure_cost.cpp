@@ -177,6 +177,7 @@ constexpr std::size_t kLargestBatch = 12;
 
 std::vector<CostRow> empty_rows(const std::string& family, const std::vector<CostModule>& modules) {
   std::vector<CostRow> rows;
+  rows.reserve(modules.size());
   for (const CostModule& module : modules)
     rows.push_back({family,
                     module.file,
