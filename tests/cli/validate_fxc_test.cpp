@@ -27,6 +27,8 @@ class ValidateFxc : public ProgramTest {
                  "#if defined(UNKNOWN)\n    o[id.x] = unknown;\n#endif\n}\n")
         .string();
   }
+
+  nlohmann::json report_of(const std::string& text) const;
 };
 
 TEST_F(ValidateFxc, ErrorsAndWarningsAreAtTheirPlacesAndTheTwoCompilersAreToldApart) {
@@ -146,6 +148,53 @@ TEST_F(ValidateFxc, PragmasOfFxcHold) {
       run_with_fxc({"validate", path("Quiet.compute").string(), "--target", "spirv,d3d11", "--no-cache"});
   EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
   EXPECT_THAT(result.output, Not(HasSubstr("X3556")));
+}
+
+// `text` is the body of a kernel with the buffer `o`. Returns the report of all targets.
+nlohmann::json ValidateFxc::report_of(const std::string& text) const {
+  write("One.compute",
+        "#pragma kernel Main\nRWStructuredBuffer<float> o; StructuredBuffer<float> r;\n" + text);
+  const auto result =
+      run_with_fxc({"validate", path("One.compute").string(), "--no-cache", "--no-lint", "--format", "json"});
+  EXPECT_LE(result.exit_code, 1) << result.errors;
+  return nlohmann::json::parse(result.output);
+}
+
+TEST_F(ValidateFxc, WhatGlslangAloneRefusesIsCheckedForEveryTargetFromFxcsBytecode) {
+  PENUMBRA_NEEDS_FXC();
+  const nlohmann::json report = report_of(
+      "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
+      "{\n    float1 v; v.x = r[id.x]; o[id.x] = v.x;\n}\n");
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_EQ(report["summary"]["unreached"], 0);
+  for (const nlohmann::json& record : report["variants"]) {
+    EXPECT_EQ(record["status"], "passed") << record;
+    if (record["target"] == "d3d11") continue;
+    ASSERT_EQ(record["diagnostics"].size(), 1U) << record;
+    EXPECT_EQ(record["diagnostics"][0]["rule"], "from-bytecode");
+  }
+}
+
+TEST_F(ValidateFxc, ACrashOfGlslangLeavesTheVerdictToFxc) {
+  PENUMBRA_NEEDS_FXC();
+  const nlohmann::json report = report_of(
+      "float Get(StructuredBuffer<float> b, uint i) { return b[i]; }\n"
+      "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID) { o[id.x] = Get(o, id.x); }\n");
+  for (const nlohmann::json& record : report["variants"]) {
+    ASSERT_EQ(record["status"], "failed") << record;
+    EXPECT_THAT(record["diagnostics"][0]["message"].get<std::string>(), HasSubstr("X3017")) << record;
+  }
+}
+
+// A target that no bytecode leads to is unchecked, not failed: Unity compiles the program.
+TEST_F(ValidateFxc, WhatNeitherGlslangNorTheBytecodeBringsToATargetIsUnchecked) {
+  PENUMBRA_NEEDS_FXC();
+  const nlohmann::json report = report_of(
+      "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
+      "{\n    float1 v; uint n, s; r.GetDimensions(n, s); v.x = n; o[id.x] = v.x;\n}\n");
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  for (const nlohmann::json& record : report["variants"])
+    EXPECT_EQ(record["status"], record["target"] == "d3d11" ? "passed" : "unchecked") << record;
 }
 
 TEST_F(ValidateFxc, WithoutFxcItIsSaidOrRefused) {

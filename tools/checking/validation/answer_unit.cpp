@@ -7,6 +7,7 @@
 #include "fxc/messages.h"
 #include "input/input_error.h"
 #include "lint/reserved_names.h"
+#include "shaders/bytecode_module.h"
 #include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
 #include "validation/checked_declarations.h"
@@ -44,6 +45,12 @@ bool quotes(const CompileAnswer& answer, const std::string& file) {
          std::any_of(answer.of_targets.begin(), answer.of_targets.end(),
                      [&](const shaders::TargetDiagnostics& of) { return quotes(of.diagnostics, file); });
 }
+
+// An expanded text before it is prepared for glslang, and what was said about it until then.
+struct PlainText {
+  std::string text;
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
 
 class UnitAtWork {
  public:
@@ -84,7 +91,10 @@ class UnitAtWork {
     } else if (hlsl::has_errors(source_.diagnostics)) {
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics = std::move(source_.diagnostics);
-      reply_.compile->missing_editor_include = source_.missing_editor_include;
+      if (!source_.missing_editor_include.empty())
+        reply_.compile->unchecked =
+            "'" + source_.missing_editor_include +
+            "' ships only with the Unity editor; name its CGIncludes folder with --cginc-root DIR";
     } else {
       answer_text();
     }
@@ -105,22 +115,57 @@ class UnitAtWork {
   }
 
   // FXC judges the expanded text, before the steps that rewrite it for glslang.
-  void compile_by_fxc() {
-    const shaders::CompileRequest& request = job_.unit.compile;
+  fxc::Verdict ask_fxc(const std::string& expanded) {
     if (!fxc_) fxc_ = std::make_unique<fxc::Judge>(fxc::require_fxc());
-    const fxc::Verdict verdict = fxc_->compile(shaders::fxc_program(request, source_.text));
+    return fxc_->compile(shaders::fxc_program(job_.unit.compile, expanded));
+  }
+
+  std::vector<hlsl::Diagnostic> messages_of(const fxc::Verdict& verdict, const std::string& expanded,
+                                            const hlsl::SourceFiles& sources) const {
+    const std::string file = job_.unit.compile.file.string();
+    std::vector<hlsl::Diagnostic> messages = fxc::diagnostics_of(verdict.messages, expanded, file, sources);
+    if (!verdict.compiled && !hlsl::has_errors(messages))
+      messages.push_back({file, 0, 0, hlsl::Severity::error, "FXC refuses it without a message", {}});
+    return messages;
+  }
+
+  void compile_by_fxc() {
     CompileAnswer answer;
     answer.diagnostics = source_.diagnostics;
-    for (hlsl::Diagnostic& said :
-         fxc::diagnostics_of(verdict.messages, source_.text, request.file.string(), source_.sources))
+    for (hlsl::Diagnostic& said : messages_of(ask_fxc(source_.text), source_.text, source_.sources))
       answer.diagnostics.push_back(std::move(said));
-    if (!verdict.compiled && !hlsl::has_errors(answer.diagnostics))
-      answer.diagnostics.push_back(
-          {request.file.string(), 0, 0, hlsl::Severity::error, "FXC refuses it without a message", {}});
     for (const std::string& file : source_.sources.names())
       if (quotes(answer, file)) answer.quoted.emplace_back(file, source_hash(source_.sources.text(file)));
     keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
+  }
+
+  bool may_ask_fxc() const { return fxc_decides(job_.context, job_.unit) && !is_given_up(fxc_target); }
+
+  // FXC decides on a text that glslang refuses. Where it refuses the text, too, its messages take the place
+  // of glslang's, because they are Unity's; where it accepts the text, its bytecode gives the module.
+  void decide_by_fxc(const PlainText& plain, const hlsl::SourceFiles& sources, CompileAnswer& answer) {
+    link_.note(fxc_target);
+    const fxc::Verdict verdict = ask_fxc(plain.text);
+    link_.note(note_compile);
+    const hlsl::Diagnostic refusal =
+        *std::find_if(answer.diagnostics.begin(), answer.diagnostics.end(),
+                      [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
+    answer.diagnostics = plain.diagnostics;
+    for (hlsl::Diagnostic& said : messages_of(verdict, plain.text, sources))
+      answer.diagnostics.push_back(std::move(said));
+    if (!verdict.compiled) return;
+    hlsl::Diagnostic note = refusal;
+    note.severity = hlsl::Severity::note;
+    note.rule = from_bytecode;
+    note.message = "FXC accepts this, and glslang does not: " + refusal.message;
+    try {
+      spirv_ = shaders::bytecode_module(verdict.bytecode, job_.unit.compile.entry).spirv;
+    } catch (const std::invalid_argument& error) {
+      answer.unchecked = "FXC accepts it, but no other target could be made: glslang refuses it (" +
+                         refusal.message + "), and " + error.what();
+    }
+    answer.diagnostics.push_back(std::move(note));
   }
 
   void answer_module() {
@@ -143,26 +188,38 @@ class UnitAtWork {
     std::vector<hlsl::Diagnostic> names;
     if (job_.unit.lint.wanted)
       names = lint::reserved_name_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
+    std::optional<PlainText> plain;
+    if (may_ask_fxc()) plain = {source_.text, source_.diagnostics};
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
-    shaders::CompileResult result = job_.sharing == Sharing::nothing
-                                        ? compile_whole(request, std::move(source_))
-                                        : declarations_.compile(request, std::move(source_), job_.sharing);
+    shaders::CompileResult result = by_glslang(request);
     spirv_ = std::move(result.spirv);
     CompileAnswer answer;
     answer.diagnostics = std::move(result.diagnostics);
     answer.of_targets = std::move(result.of_targets);
-    if (!spirv_.empty()) {
-      answer.module_key = module_key(spirv_);
-      answer.signature = std::make_shared<const std::string>(encode(result.signature));
-    }
+    if (!spirv_.empty()) answer.signature = std::make_shared<const std::string>(encode(result.signature));
+    if (plain && hlsl::has_errors(answer.diagnostics)) decide_by_fxc(*plain, result.sources, answer);
+    if (!spirv_.empty()) answer.module_key = module_key(spirv_);
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
       if (file.silences || quotes(answer, file.name))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
-    if (!is_given_up(note_lint)) keep(EntryKind::compile, reply_.text_key, encode(answer));
+    if (job_.given_up.empty()) keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
     reply_.compile_cached = false;
+  }
+
+  shaders::CompileResult by_glslang(const shaders::CompileRequest& request) {
+    if (is_given_up(note_compile)) {
+      shaders::CompileResult crashed;
+      crashed.diagnostics = {
+          {request.file.string(), 0, 0, hlsl::Severity::error, "it ends without a verdict", {}}};
+      crashed.sources = std::move(source_.sources);
+      return crashed;
+    }
+    return job_.sharing == Sharing::nothing
+               ? compile_whole(request, std::move(source_))
+               : declarations_.compile(request, std::move(source_), job_.sharing);
   }
 
   void lint(const shaders::CompileResult& result, std::vector<hlsl::Diagnostic> names,

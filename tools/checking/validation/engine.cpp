@@ -284,7 +284,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
 }
 
 // The unit's text exists, or producing it crashes as well. After a crash in one target, the others are still
-// checked.
+// checked, and after a crash of glslang FXC is asked.
 void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outcome) {
   State& state = states_[place];
   Crash crash = *std::exchange(state.reproducing, std::nullopt);
@@ -293,7 +293,9 @@ void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outco
     state.reply.dependencies = std::move(reply->dependencies);
   }
   state.failures[crash.target].reproduction = write_reproduction(keep_folder(), unit(place), crash);
-  if (crash.target == note_compile) return say_done();
+  const bool may_ask_fxc = fxc_decides(context_, unit(place)) && !compiled_by_fxc(unit(place)) &&
+                           !state.failures.contains(std::string(fxc_target));
+  if (state.failures.contains(std::string(note_compile)) && !may_ask_fxc) return say_done();
   send_first(place);
 }
 
@@ -347,7 +349,7 @@ UnitResult UnitRun::result_of(std::size_t place, const ComputedNow& now) const {
     add_emitted_answers(unit, compiled, emitted, result);
   }
   for (TargetResult& target : result.targets)
-    if (!result.missing_editor_include.empty())
+    if (!result.unchecked.empty())
       target.status = VariantStatus::unchecked;
     else if (hlsl::has_errors(target.diagnostics))
       target.status = VariantStatus::failed;
@@ -360,7 +362,7 @@ void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled,
   if (compiled.reply.compile) {
     result.targets[speaker].diagnostics = compiled.reply.compile->diagnostics;
     result.module_key = compiled.reply.compile->module_key;
-    result.missing_editor_include = compiled.reply.compile->missing_editor_include;
+    result.unchecked = compiled.reply.compile->unchecked;
     result.buffers = compiled.reply.compile->buffers;
     result.signature = compiled.reply.compile->signature;
     add_failure(unit, compiled, note_lint, result.targets[speaker]);

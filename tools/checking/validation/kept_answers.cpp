@@ -16,10 +16,12 @@ platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {
   return hash;
 }
 
-// FXC judges the texts that glslang compiles, too, so the key of an answer names its compiler.
+// FXC judges the texts that glslang compiles, too, so the key of an answer names its compilers.
 std::string compiler_of(const AnswerContext& context, const CompileUnit& unit) {
-  if (!compiled_by_fxc(unit)) return {};
-  return context.drivers.at(std::string(fxc_target)) + shaders::fxc_profile(unit.compile);
+  const bool alone = compiled_by_fxc(unit);
+  if (!alone && !fxc_decides(context, unit)) return {};
+  return (alone ? "FXC" : "glslang, FXC") + context.drivers.at(std::string(fxc_target)) +
+         shaders::fxc_profile(unit.compile);
 }
 
 }  // namespace
@@ -92,6 +94,10 @@ std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, co
 
 bool compiled_by_fxc(const CompileUnit& unit) {
   return unit.targets.size() == 1 && unit.targets.front() == fxc_target;
+}
+
+bool fxc_decides(const AnswerContext& context, const CompileUnit& unit) {
+  return !unit.compile.dxc && context.drivers.contains(std::string(fxc_target));
 }
 
 bool emits(const CompileUnit& unit) {

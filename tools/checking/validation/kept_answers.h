@@ -57,6 +57,8 @@ std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, co
 std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, const std::string& key);
 
 bool compiled_by_fxc(const CompileUnit& unit);  // its one target is fxc_target
-bool emits(const CompileUnit& unit);            // has a target that is made from a module
+// FXC is at hand, and Unity would ask it, so that its verdict counts on what glslang refuses.
+bool fxc_decides(const AnswerContext& context, const CompileUnit& unit);
+bool emits(const CompileUnit& unit);  // has a target that is made from a module
 
 }  // namespace penumbra::validation

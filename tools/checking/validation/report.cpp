@@ -28,6 +28,12 @@ bool refused(const VariantRecord& record) {
          });
 }
 
+// Returns whether FXC's bytecode, and not glslang, gave the module of its variant.
+bool is_from_bytecode(const VariantRecord& record) {
+  return std::any_of(record.diagnostics.begin(), record.diagnostics.end(),
+                     [](const hlsl::Diagnostic& said) { return said.rule == from_bytecode; });
+}
+
 }  // namespace
 
 const char* status_name(VariantStatus status) {
@@ -101,7 +107,8 @@ FrontEnds front_ends(const ValidationReport& report) {
   std::vector<Verdicts> verdicts(variants.size());
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
-    if (record.target == whole_source || record.status == VariantStatus::unchecked) continue;
+    if (record.target == whole_source) continue;
+    if (record.status == VariantStatus::unchecked && !is_from_bytecode(record)) continue;
     // A compiler that reached a limit or crashed has given no verdict on the variant.
     if (!record.reproduction.empty()) continue;
     Verdicts& of_variant = verdicts[variants.of_record(i)];
@@ -109,7 +116,7 @@ FrontEnds front_ends(const ValidationReport& report) {
       of_variant.fxc = !failed(record);
     else  // a target that is made from the module shows only that glslang made none
       of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
-                           !(is_spirv_target(record.target) && refused(record));
+                           !(is_spirv_target(record.target) && refused(record)) && !is_from_bytecode(record);
   }
   FrontEnds counts;
   for (const Verdicts& of_variant : verdicts) {

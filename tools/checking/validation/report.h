@@ -23,6 +23,9 @@ enum class VariantStatus { passed, failed, absent, unreached, unchecked };
 // The target of diagnostics about a file or a pass as a whole: no variant was compiled for it.
 inline constexpr const char* whole_source = "source";
 
+// The rule of the note that a variant's module is made from FXC's bytecode, because glslang refuses the text.
+inline constexpr const char* from_bytecode = "from-bytecode";
+
 // The result of one entry point of one file with one keyword set for one target.
 struct VariantRecord {
   std::string technique;  // the technique's name; empty for a user's file

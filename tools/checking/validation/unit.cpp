@@ -128,7 +128,7 @@ std::string encode(const CompileAnswer& answer) {
     write(out, of.diagnostics);
   });
   out.text(answer.module_key);
-  out.text(answer.missing_editor_include);
+  out.text(answer.unchecked);
   write(out, answer.quoted);
   write(out, answer.buffers);
   write(out, answer.signature);
@@ -144,7 +144,7 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
     return shaders::TargetDiagnostics{std::move(target), shaders::read_diagnostics(in)};
   });
   answer.module_key = in.text();
-  answer.missing_editor_include = in.text();
+  answer.unchecked = in.text();
   answer.quoted = read_pairs(in);
   answer.buffers = read_shared_text(in);
   answer.signature = read_shared_text(in);

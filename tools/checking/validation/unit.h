@@ -61,8 +61,7 @@ struct UnitResult {
   std::vector<TargetResult> targets;  // results in the order of CompileUnit::targets
   std::string text_key;    // equal for units with the same text for the parser; empty if there is no text
   std::string module_key;  // key of the SPIR-V; empty when there is none
-  // The include that only the Unity editor has, for lack of which every target is unchecked; else empty.
-  std::string missing_editor_include;
+  std::string unchecked;   // why every target is unchecked; else empty
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   bool cached = false;                              // the answer is of an earlier run
   // The unit's constant buffers, as decode_buffers() takes them; null when it was not linted.
@@ -74,8 +73,8 @@ struct UnitResult {
 struct CompileAnswer {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<shaders::TargetDiagnostics> of_targets;
-  std::string module_key;              // empty when there is no SPIR-V
-  std::string missing_editor_include;  // see shaders::PreprocessedSource
+  std::string module_key;  // empty when there is no SPIR-V
+  std::string unchecked;   // see UnitResult
   // The files that the messages quote, and those that silence a lint rule, with the hash of their contents.
   // Comments are not part of a text key: a cached result is used only if these are the same.
   std::vector<std::pair<std::string, std::string>> quoted;

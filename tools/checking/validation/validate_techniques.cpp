@@ -190,9 +190,7 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
     record.cached = result.cached;
     record.module = result.module_key;
     record.place = report_place;
-    if (!result.missing_editor_include.empty())
-      record.reason = "'" + result.missing_editor_include +
-                      "' ships only with the Unity editor; name its CGIncludes folder with --cginc-root DIR";
+    record.reason = result.unchecked;
     if (record.status == VariantStatus::passed && record.diagnostics.empty()) {
       record.reason = why_absent(record.stage, record.target);
       if (!record.reason.empty()) record.status = VariantStatus::absent;
