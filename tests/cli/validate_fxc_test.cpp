@@ -186,6 +186,57 @@ TEST_F(ValidateFxc, ACrashOfGlslangLeavesTheVerdictToFxc) {
   }
 }
 
+// Unity gives such a text to DXC, so FXC's verdict says nothing about it.
+TEST_F(ValidateFxc, FxcIsNotAskedAfterUseDxc) {
+  PENUMBRA_NEEDS_FXC();
+  const nlohmann::json report = report_of(
+      "#pragma use_dxc\n[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
+      "{\n    float1 v; v.x = r[id.x]; o[id.x] = v.x;\n}\n");
+  for (const nlohmann::json& record : report["variants"])
+    if (record["target"] == "spirv") {
+      EXPECT_EQ(record["status"], "failed") << record;
+    }
+}
+
+// A mistake that glslang takes, in a kernel with the buffers `o` and `r`.
+struct Mistake {
+  const char* name;
+  const char* body;  // of Main(), on line 5
+  const char* code;  // FXC's
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  *out << mistake.name;
+}
+
+class MistakesThatFxcRefuses : public ValidateFxc, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(MistakesThatFxcRefuses, AreErrorsAtTheirLine) {
+  PENUMBRA_NEEDS_FXC();
+  const nlohmann::json report = report_of(
+      std::string(
+          "groupshared float big[4];\n[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID) {\n") +
+      GetParam().body + "\n}\n");
+  for (const nlohmann::json& record : report["variants"]) {
+    if (record["target"] != "d3d11") continue;
+    ASSERT_EQ(record["status"], "failed") << record;
+    EXPECT_EQ(record["diagnostics"][0]["line"], 5) << record;
+    EXPECT_THAT(record["diagnostics"][0]["message"].get<std::string>(), HasSubstr(GetParam().code)) << record;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, MistakesThatFxcRefuses,
+    testing::Values(Mistake{"numbers_of_a_constructor", "float4 v = float4(1, 2, r[0]); o[0] = v.x;",
+                            "X3014"},
+                    Mistake{"component_written_twice", "float2 v = 0; v.xx = r[0]; o[0] = v.x;", "X3025"},
+                    Mistake{"division_by_zero", "uint z = 0; o[0] = id.x / z;", "X4010"},
+                    Mistake{"bits_of_a_float", "float v = r[0] & 3; o[0] = v;", "X3082"},
+                    Mistake{"larger_cast", "float4 v = (float4)float2(r[0], 1); o[0] = v.w;", "X3017"},
+                    Mistake{"initialiser_too_long", "float2 v = { r[0], 1, 2 }; o[0] = v.x;", "X3017"},
+                    Mistake{"local_interlocked", "uint v = 1; InterlockedAdd(v, 1); o[0] = v;", "X3549"},
+                    Mistake{"discard_in_a_kernel", "clip(r[0]); o[0] = 1;", "X4532"}),
+    [](const auto& given) { return given.param.name; });
+
 // A target that no bytecode leads to is unchecked, not failed: Unity compiles the program.
 TEST_F(ValidateFxc, WhatNeitherGlslangNorTheBytecodeBringsToATargetIsUnchecked) {
   PENUMBRA_NEEDS_FXC();

@@ -412,18 +412,6 @@ TEST_F(Validate, AnErrorOfRenderStateDoesNotHideThoseOfPrograms) {
               HasSubstrs("error: 'Bak' is not a value of Cull: did you mean 'Back'?", "undefined_factor"));
 }
 
-TEST_F(Validate, UseDxcAllowsWhatFxcRefuses) {
-  const std::string falling =
-      "float4 Main(int k : TEXCOORD0) : SV_Target { float v = 0; switch (k) { case 0: v = 1; case 1: v += 1; "
-      "break; } "
-      "return v; }\n";
-  EXPECT_THAT(run({"validate", write("Fxc.hlsl", falling).string(), "--no-cache", "--no-lint"}).output,
-              HasSubstr("Fxc.hlsl:1:72: error: this case has code and ends without break or return"));
-  EXPECT_THAT(
-      run({"validate", write("Dxc.hlsl", "#pragma use_dxc\n" + falling).string(), "--no-cache"}).output,
-      Not(HasSubstr("this case has code")));
-}
-
 TEST_F(Validate, OptionsWithoutEffectAreRefused) {
   const std::vector<std::vector<std::string>> lists{
       {"validate", "--only", "Assets/**"},

@@ -46,37 +46,6 @@ TEST(StructCasts, OthersStay) {
     EXPECT_EQ(after<copy_cast_structs>(kPair + text), kPair + text);
 }
 
-TEST(ArrayCasts, OfZeroAreMembersOfAZeroedStruct) {
-  EXPECT_EQ(
-      after<cast_zero_to_structs>("void f() { float3 a[4] = (float3[4])0; int b[2][N] = (int[2][N])0; } "
-                                  "void g() { float3 a[4]; a = (float3[4])0.0; }"),
-      "struct penumbra_zeroes0 { float3 value[4]; }; struct penumbra_zeroes1 { int value[2][N]; }; "
-      "void f() { float3 a[4] = ((penumbra_zeroes0)0).value ; int b[2][N] = ((penumbra_zeroes1)0).value ; } "
-      "void g() { float3 a[4]; a = ((penumbra_zeroes0)0).value ; }");
-  for (const char* text :
-       {"float f() { return (a[4]); }", "void f() { float a[2] = (float[2])b; }",
-        "float f() { return (float)0; }", "float f() { return (a[1])-0; }", "void f() { (a[])0; }"})
-    EXPECT_EQ(after<cast_zero_to_structs>(text), text);
-}
-
-TEST(SwizzleArguments, AreGivenByWayOfAVariable) {
-  const std::string functions =
-      "void f(inout float2 v) { } void f(inout float3 v) { } void g(float2 a, out half2 v) { } float4x4 m; ";
-  const auto body = [&](const std::string& text) {
-    return after<pass_swizzles_in_variables>(functions + "void h() { " + text + " }")
-        .substr(functions.size() + 11);
-  };
-  EXPECT_EQ(body("f(m._14_24_34);"),
-            "{ float3 penumbra_argument2 = m._14_24_34; f( penumbra_argument2 ); m._14_24_34 = "
-            "penumbra_argument2; } }");
-  EXPECT_EQ(body("g(m._11_12, n.m[1]._m00_m33);"),
-            "{ half2 penumbra_argument6; g(m._11_12, penumbra_argument6 ); n.m[1]._m00_m33 = "
-            "penumbra_argument6; } }");
-  for (const char* text : {"f(m[0].xyz);", "g(m._11_12, w);", "x = f(m._14_24_34);", "f(n[i++]._14_24_34);",
-                           "f((m)._14);", "k(m._14_24_34);", "f(m._11_12_13_14);", "f(m._11_12, 1);"})
-    EXPECT_EQ(body(text), std::string(text) + " }");
-}
-
 const std::string kMatrices =
     "float4x4 M, N[2]; float3x3 R, Q; float2x3 S; float3x2 T; float4x4 Get(); float x; float3 v; int2x2 I; ";
 
@@ -183,6 +152,19 @@ TEST(MissingReturns, OfTexturesAndSamplersGoWhereNothingCallsThem) {
   EXPECT_EQ(run("SamplerState f() { } Texture2D<float4> g(int i) { } float h();"), "float h();");
   const std::string called = "SamplerState f() { } float4 h(Texture2D t) { return t.Sample(f(), 0); }";
   EXPECT_EQ(run(called), called);
+}
+
+TEST(ArrayCasts, OfZeroAreMembersOfAZeroedStruct) {
+  EXPECT_EQ(
+      after<cast_zero_to_structs>("void f() { float3 a[4] = (float3[4])0; int b[2][N] = (int[2][N])0; } "
+                                  "void g() { float3 a[4]; a = (float3[4])0.0; }"),
+      "struct penumbra_zeroes0 { float3 value[4]; }; struct penumbra_zeroes1 { int value[2][N]; }; "
+      "void f() { float3 a[4] = ((penumbra_zeroes0)0).value ; int b[2][N] = ((penumbra_zeroes1)0).value ; } "
+      "void g() { float3 a[4]; a = ((penumbra_zeroes0)0).value ; }");
+  for (const char* text :
+       {"float f() { return (a[4]); }", "void f() { float a[2] = (float[2])b; }",
+        "float f() { return (float)0; }", "float f() { return (a[1])-0; }", "void f() { (a[])0; }"})
+    EXPECT_EQ(after<cast_zero_to_structs>(text), text);
 }
 
 }  // namespace

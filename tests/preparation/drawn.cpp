@@ -1,28 +1,23 @@
 #include "preparation/drawn.h"
 
 #include <span>
-#include <stdexcept>
 
 #include "gpu/raster_pass.h"
 #include "gpu/resources.h"
 #include "preparation/validated_device.h"
-#include "shaders/compile.h"
+#include "shaders/module_of.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::preparation {
 namespace {
 
-std::vector<std::uint32_t> compiled(const std::string& text, hlsl::Stage stage, bool prepare) {
+std::vector<std::uint32_t> compiled(const std::string& text, hlsl::Stage stage, bool prepare, bool by_fxc) {
   shaders::CompileRequest request;
   request.file = "drawn.hlsl";
   request.text = text;
   request.stage = stage;
   request.prepare = prepare;
-  shaders::CompileResult result = shaders::compile(request);
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
-  throw std::runtime_error(messages);
+  return by_fxc ? shaders::module_by_fxc(request) : shaders::module_by_glslang(request);
 }
 
 bool holds(const std::string& name, const char* part) {
@@ -65,13 +60,13 @@ void bind(const Drawing& drawing, const shaders::Resource& resource, gpu::Bindin
   }
 }
 
-std::vector<Pixel> draw(const Drawing& drawing, bool prepare) {
+std::vector<Pixel> draw(const Drawing& drawing, bool prepare, bool by_fxc = false) {
   gpu::RasterShaders shaders;
   shaders.vertex = compiled(
       "float4 Main(uint i : SV_VertexID) : SV_Position { return float4(i == 1 ? 3 : -1, i == 2 ? 3 : -1, 0, "
       "1); }",
-      hlsl::Stage::vertex, false);
-  shaders.fragment = compiled(drawing.body, hlsl::Stage::fragment, prepare);
+      hlsl::Stage::vertex, false, by_fxc);
+  shaders.fragment = compiled(drawing.body, hlsl::Stage::fragment, prepare, by_fxc);
   shaders.colours = {gpu::Format::rgba32f};
   gpu::RasterPass pass(device(), shaders);
   for (const shaders::Resource& resource : shaders::reflect(shaders.fragment).resources)
@@ -90,6 +85,10 @@ std::vector<Pixel> draw_prepared(const Drawing& drawing) {
 
 std::vector<Pixel> draw_unprepared(const Drawing& drawing) {
   return draw(drawing, false);
+}
+
+std::vector<Pixel> draw_by_fxc(const Drawing& drawing) {
+  return draw(drawing, true, true);
 }
 
 }  // namespace penumbra::preparation

@@ -30,6 +30,7 @@ inline Pixel texel(float number, int x, int y) {
 // The picture, row by row. Throws with the messages when the shader does not compile or the device complains.
 std::vector<Pixel> draw_prepared(const Drawing& drawing);
 std::vector<Pixel> draw_unprepared(const Drawing& drawing);
+std::vector<Pixel> draw_by_fxc(const Drawing& drawing);  // from FXC's bytecode
 
 // The answer of `answer(x, y)` for every pixel.
 template <typename Answer>

@@ -7,22 +7,18 @@
 #include "gpu/resources.h"
 #include "preparation/emitted.h"
 #include "preparation/validated_device.h"
-#include "shaders/compile.h"
+#include "shaders/module_of.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::preparation {
 namespace {
 
-std::vector<std::uint32_t> compiled(const Execution& execution, bool prepare) {
+shaders::CompileRequest request_of(const Execution& execution, bool prepare) {
   shaders::CompileRequest request;
   request.file = "executed.hlsl";
   request.text = "StructuredBuffer<float> In; RWStructuredBuffer<float> Out;\n" + execution.body;
   request.prepare = prepare;
-  shaders::CompileResult result = shaders::compile(request);
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
-  throw std::runtime_error(messages);
+  return request;
 }
 
 // GLSL puts "_1" behind the name of a buffer that is its block's as well.
@@ -61,15 +57,24 @@ std::vector<float> run(const Execution& execution, const std::vector<std::uint32
 }  // namespace
 
 std::vector<float> run_prepared(const Execution& execution) {
-  return run(execution, compiled(execution, true), "Main");
+  return run(execution, shaders::module_by_glslang(request_of(execution, true)), "Main");
 }
 
 std::vector<float> run_unprepared(const Execution& execution) {
-  return run(execution, compiled(execution, false), "Main");
+  return run(execution, shaders::module_by_glslang(request_of(execution, false)), "Main");
 }
 
 std::vector<float> run_through(const Execution& execution, shaders::Target target) {
-  return run(execution, through_target(compiled(execution, true), target), "main");
+  return run(execution, through_target(shaders::module_by_glslang(request_of(execution, true)), target),
+             "main");
+}
+
+std::vector<float> run_by_fxc(const Execution& execution) {
+  return run(execution, shaders::module_by_fxc(request_of(execution, true)), "Main");
+}
+
+std::vector<float> run_by_fxc_through(const Execution& execution, shaders::Target target) {
+  return run(execution, through_target(shaders::module_by_fxc(request_of(execution, true)), target), "main");
 }
 
 }  // namespace penumbra::preparation

@@ -25,4 +25,8 @@ std::vector<float> run_unprepared(const Execution& execution);
 // Prepares the shader, then runs it by way of the target's text (emitted.h).
 std::vector<float> run_through(const Execution& execution, shaders::Target target);
 
+// From FXC's bytecode, and by way of the target's text that is made from it.
+std::vector<float> run_by_fxc(const Execution& execution);
+std::vector<float> run_by_fxc_through(const Execution& execution, shaders::Target target);
+
 }  // namespace penumbra::preparation

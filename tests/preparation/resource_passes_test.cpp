@@ -79,50 +79,6 @@ TEST(CbufferResources, KeepTheirLine) {
   EXPECT_EQ(line_of("a"), 3);
 }
 
-TEST(UniformStructs, AreTakenApartAndPutTogether) {
-  const std::string type = "struct S { Texture2D map; float4 a[2]; };";
-  expect(take_apart_uniform_structs,
-         type + "S s; float4 f() { return g(s) + s.a[1]; } float4 h(S s) { return s.a[0]; }",
-         type +
-             "Texture2D s_map; float4 s_a[2]; S s_whole() { S whole; whole.map = s_map; whole.a = s_a; "
-             "return whole; }"
-             "float4 f() { return g(s_whole()) + s_a[1]; } float4 h(S s) { return s.a[0]; }");
-  expect_untouched(take_apart_uniform_structs,
-                   "struct S { float a; }; S s; static S t; float f() { return s.a; }");
-  expect_error(take_apart_uniform_structs, type + " S many[3];", "'many'");
-  expect_error(take_apart_uniform_structs, "struct S { Texture2D t; S a, b, c, d; }; S endless;",
-               "too many members");
-  const std::string itself =
-      "struct S { Texture2D t" + std::string(4000, 'u') + "; S s" + std::string(4000, 'v');
-  expect_error(take_apart_uniform_structs, itself + "; }; S endless;", "too deeply nested");
-}
-
-TEST(MemberCalls, OnValuesGoThroughAFunction) {
-  const std::string type = "struct S { float a; float get(float x) { return a; } void set() { a = 1; } };";
-  const auto functions = [](const std::string& receiver, const std::string& suffix) {
-    return "float S_get" + suffix + "(" + receiver + ", float x) { return receiver.get(x); } void S_set" +
-           suffix + "(" + receiver + ") { receiver.set(); }";
-  };
-  const std::string value = functions("S receiver", "_of_value");
-  expect(call_members_on_variables, type + "S make(); float f() { return make().get(2); }",
-         type + value + "S make(); float f() { return S_get_of_value(make(), 2); }");
-  expect(call_members_on_variables, type + "float f(const S s) { return s.get(1); }",
-         type + value + "float f(const S s) { return S_get_of_value(s, 1); }");
-  expect(call_members_on_variables, type + "StructuredBuffer<S> b; float f() { return b[1].get(1); }",
-         type + value + "StructuredBuffer<S> b; float f() { return S_get_of_value(b[1], 1); }");
-  expect(call_members_on_variables, type + "static S s; void f() { s.set(); }",
-         type + functions("inout S receiver", "_of_variable") +
-             "static S s; void f() { S_set_of_variable(s); }");
-}
-
-TEST(MemberCalls, OnVariablesStay) {
-  expect_untouched(
-      call_members_on_variables,
-      "struct S { float a; float get() { return a; } float twice() { return get() + this.get(); } };"
-      "struct T { S s[2]; }; float f(T t, inout S u) { S s; return s.get() + t.s[1].get() + u.get(); }"
-      "Texture2D map; float4 g() { return map.Load(0); }");
-}
-
 TEST(BufferAliases, AreTheBufferItself) {
   expect(resolve_buffer_aliases,
          "StructuredBuffer<int> A; struct S { StructuredBuffer<int> b; float x; };"
@@ -180,55 +136,6 @@ TEST(BufferAliases, OfTwoBuffersAreAnError) {
                "'b' is an alias of");
   expect_error(resolve_buffer_aliases, head + "void f(int A) { } void g() { S s; s.b = A; }",
                "rename that one");
-}
-
-TEST(ZeroedResourceStructs, AreMadeByAFunction) {
-  const std::string type = "struct S { float4 a; SamplerState s; int n[2]; };";
-  expect(zero_resource_structs, type + "void f() { S s = (S)0; }",
-         type +
-             "S zero_S() { S zero; zero.a = (float4)0; for (int i0 = 0; i0 < 2; ++i0) zero.n[i0] = (int)0; "
-             "return zero; }"
-             "void f() { S s = zero_S(); }");
-  expect_untouched(
-      zero_resource_structs,
-      "struct S { float a; }; struct R { Texture2D t; }; S s = (S)0; int f(R r) { return (r).x; }");
-}
-
-TEST(ResourceArrays, AreAssignedOneByOne) {
-  expect(assign_resource_arrays,
-         "Texture2D A; void f() { Texture2D t[] = { A, B[1] }; SamplerState s = { S }; g(); }",
-         "Texture2D A; void f() { Texture2D t[2]; t[0] = A; t[1] = B[1]; SamplerState s; s = S; g(); }");
-  expect_untouched(assign_resource_arrays, "void f() { float t[2] = { 1, 2 }; Texture2D u = A; }");
-}
-
-TEST(ResourceArrays, AChoiceThatIsReadIsAnError) {
-  expect_error(assign_resource_arrays, "Texture2D A, B; float4 f(bool c) { return (c ? A : B).Load(0); }",
-               "selected at run time");
-}
-
-TEST(TextureReads, ByComparisonStandAloneWhereTheTextureIsReadOtherwise) {
-  const std::string both = "float f(Texture2D t) { return t.Load(0).x + ";
-  expect(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z); }",
-         "float SampleCmpLevelZero_of(Texture2D t, SamplerComparisonState s, float2 c, float reference)"
-         "{ return t.SampleCmpLevelZero(s, c, reference); }" +
-             both + "SampleCmpLevelZero_of(t, s, uv, z); }");
-  expect_untouched(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z, int2(1, 0)); }");
-  expect_untouched(separate_texture_reads, "float f(Texture2D t) { return t.SampleCmp(s, uv, z); }");
-  expect_untouched(separate_texture_reads,
-                   "Texture2D t; float f() { return t.Load(0).x + t.SampleCmp(s, uv, z); }");
-}
-
-TEST(TextureReads, OfMembersOutOfReachStandAlone) {
-  const std::string head = "struct S { TextureCubeArray<float2> t; }; S make(); struct O { S in; }; ";
-  expect(separate_texture_reads,
-         head + "float2 f(S s[2]) { return s[1].t.SampleGrad(p, c, x, y) + make().t.Sample(p, c); }",
-         "float2 SampleGrad_of(TextureCubeArray<float2> t, SamplerState s, float4 c, float3 dx, float3 dy)"
-         "{ return t.SampleGrad(s, c, dx, dy); }"
-         "float2 Sample_of(TextureCubeArray<float2> t, SamplerState s, float4 c) { return t.Sample(s, c); }" +
-             head +
-             "float2 f(S s[2]) { return SampleGrad_of(s[1].t, p, c, x, y) + Sample_of(make().t, p, c); }");
-  expect_untouched(separate_texture_reads,
-                   head + "Texture2D a[3]; float4 f(S s) { return s.t.Sample(p, c) + a[1].Sample(p, c); }");
 }
 
 TEST(Dx9Samplers, DeclarationsBecomeTwo) {
@@ -304,6 +211,31 @@ TEST(PlainRegisters, SayTheirKindAndSpace) {
   expect_untouched(plain_registers, "cbuffer C : register(b1, space1) { float a : packoffset(c1.y); }");
 }
 
+TEST(TextureReads, ByComparisonStandAloneWhereTheTextureIsReadOtherwise) {
+  const std::string both = "float f(Texture2D t) { return t.Load(0).x + ";
+  expect(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z); }",
+         "float SampleCmpLevelZero_of(Texture2D t, SamplerComparisonState s, float2 c, float reference)"
+         "{ return t.SampleCmpLevelZero(s, c, reference); }" +
+             both + "SampleCmpLevelZero_of(t, s, uv, z); }");
+  expect_untouched(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z, int2(1, 0)); }");
+  expect_untouched(separate_texture_reads, "float f(Texture2D t) { return t.SampleCmp(s, uv, z); }");
+  expect_untouched(separate_texture_reads,
+                   "Texture2D t; float f() { return t.Load(0).x + t.SampleCmp(s, uv, z); }");
+}
+
+TEST(TextureReads, OfMembersOutOfReachStandAlone) {
+  const std::string head = "struct S { TextureCubeArray<float2> t; }; S make(); struct O { S in; }; ";
+  expect(separate_texture_reads,
+         head + "float2 f(S s[2]) { return s[1].t.SampleGrad(p, c, x, y) + make().t.Sample(p, c); }",
+         "float2 SampleGrad_of(TextureCubeArray<float2> t, SamplerState s, float4 c, float3 dx, float3 dy)"
+         "{ return t.SampleGrad(s, c, dx, dy); }"
+         "float2 Sample_of(TextureCubeArray<float2> t, SamplerState s, float4 c) { return t.Sample(s, c); }" +
+             head +
+             "float2 f(S s[2]) { return SampleGrad_of(s[1].t, p, c, x, y) + Sample_of(make().t, p, c); }");
+  expect_untouched(separate_texture_reads,
+                   head + "Texture2D a[3]; float4 f(S s) { return s.t.Sample(p, c) + a[1].Sample(p, c); }");
+}
+
 TEST(MatrixCasts, OfWholeNumbersGoThroughAFloat) {
   expect(
       widen_matrix_casts,
@@ -352,20 +284,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"cbuffer",
                 "cbuffer C { float a; TextureCube t; SamplerState s; }"
                 "float4 f(float4 uv) { return t.Sample(s, uv.xyz) * a; }"},
-        Refused{"uniform_struct",
-                "struct S { Texture3D t; SamplerState s; float a; }; S u;"
-                "float4 f(float4 uv) { return u.t.Sample(u.s, uv.xyz) * u.a; }"},
-        Refused{"member_of_const",
-                "struct S { float a; float get() { return a; } };"
-                "float4 f(float4 uv) { const S s = { 1 }; return s.get(); }"},
         Refused{"buffer_in_struct",
                 "ByteAddressBuffer B; struct S { ByteAddressBuffer b; };"
                 "float4 f(float4 uv) { S s; s.b = B; return asfloat(s.b.Load4(0)); }"},
-        Refused{"zeroed",
-                "Texture2D T; struct S { Texture2D t; float a; };"
-                "float4 f(float4 uv) { S s = (S)0; s.t = T; return s.t.Load(0) + s.a; }"},
-        Refused{"texture_array",
-                "Texture2D A, B; float4 f(float4 uv) { Texture2D t[2] = { A, B }; return t[1].Load(0); }"},
         Refused{"comparison",
                 "Texture2DArray T; SamplerState S; SamplerComparisonState C;"
                 "float4 g(Texture2DArray t, float3 c) { return t.Sample(S, c) * t.SampleCmp(C, c, 0.5); }"

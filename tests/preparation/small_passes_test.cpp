@@ -76,45 +76,5 @@ TEST(Preparation, PassesHaveNamesOfTheirOwn) {
     for (const Pass& b : passes()) EXPECT_EQ(&a == &b, std::string(a.name) == b.name);
 }
 
-TEST(InterfaceTypes, BoolsArePassedAsNumbers) {
-  const auto run = after<pass_bools_as_numbers>;
-  EXPECT_EQ(
-      run("struct V { bool a : A, b : B; bool2 c[2] : C; }; void f(bool3 d : D, uint e : SV_IsFrontFace) {}"),
-      "struct V { uint a : A, b : B; uint2 c[2] : C; }; void f( uint3 d : D, bool e : SV_IsFrontFace) {}");
-  for (const char* text :
-       {"struct V { bool a; float b : B; bool c : SV_IsFrontFace; };", "bool f() : SV_Target { return 1; }",
-        "cbuffer C { bool a : packoffset(c0); };", "bool a : register(c0);", "x = c ? bool(a) : b;",
-        "uint a : SV_VertexID;", "float a : SV_IsFrontFace;", "case bool : A"})
-    EXPECT_EQ(run(text), text);
-}
-
-TEST(InterfaceTypes, ANumberOfTheFrontFaceIsWarnedOf) {
-  const auto notes =
-      prepare("float4 Frag(\nuint face : SV_IsFrontFace) : SV_Target { return face; }", "a").notes;
-  ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0].line, 2);
-  EXPECT_EQ(notes[0].severity, hlsl::Severity::warning);
-  EXPECT_EQ(
-      notes[0].message,
-      "'SV_IsFrontFace' read as a number is 0xFFFFFFFF on Direct3D and 1 elsewhere: compare it with 0, or "
-      "declare a bool");
-}
-
-TEST(InterfaceTypes, CompileInBothStages) {
-  const std::string text = R"(
-struct V { float4 p : SV_Position; bool b : TEXCOORD1; bool2 c : LIT, d : LAT; };
-V Vert(float4 p : POSITION) { V v; v.p = p; v.b = p.x > 1; v.c = p.xy > 2; v.d = !v.c; return v; }
-float4 Main(V v) : SV_Target { return v.b ? v.c.x && v.d.y : !v.b; })";
-  shaders::CompileRequest request;
-  request.file = "a";
-  request.text = text;
-  request.prepare = true;
-  for (const hlsl::Stage stage : {hlsl::Stage::vertex, hlsl::Stage::fragment}) {
-    request.stage = stage;
-    request.entry = stage == hlsl::Stage::vertex ? "Vert" : "Main";
-    EXPECT_THAT(shaders::compile(request).diagnostics, testing::IsEmpty());
-  }
-}
-
 }  // namespace
 }  // namespace penumbra::preparation

@@ -7,10 +7,10 @@ float F(const float a, in int b, out half c, inout bool d, nointerpolation uint 
     if (d) float x = 1; else float y = 2;
     do int z = 3; while (d);
     switch (b) { case 0: float q = 1; break; default: int r = 2; break; }
-    unsigned int v = uint(a) + uint(float(b)); precise float s = k[1];
+    uint v = uint(a) + uint(float(b)); precise float s = k[1];
     return float(v) * float2(1, 2).x;
 }
-static const float b = 1; Texture2D<float4> t; unsigned int u;
+static const float b = 1; Texture2D<float4> t; uint u;
 float4 G(in float x, const int y)
 {
     [unroll(8)] for (;;) if (x) return 0; else return (float)x;

@@ -29,7 +29,6 @@ struct Cascade
 {
     float a; float2 b;
     float Sum() { return a; }
-    float d(int x);
 };
 struct Out { half4 a : SV_TARGET0; float d : sv_depth; };
 Out Members(In i, Cascade a : CASCADE, uniform float k, Texture2D t, bool f : SV_IsFrontFace, float face : VFACE)

@@ -1,4 +1,4 @@
-// negative_array_size.hlsl:4:11: error: the array 'taps' has a negative size
+// negative_array_size.hlsl:4:16: error: an array's size must be positive
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {
     float taps[-2];

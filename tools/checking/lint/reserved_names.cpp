@@ -20,7 +20,7 @@ constexpr hlsl::NameSet reserved("pass", "technique", "technique10", "technique1
                                  "String", "PixelShader", "VertexShader", "GeometryShader", "HullShader",
                                  "DomainShader", "ComputeShader", "CompileShader", "BlendState",
                                  "RasterizerState", "DepthStencilState", "RenderTargetView",
-                                 "DepthStencilView", "NULL", "unsigned", "texture1D", "texture2D",
+                                 "DepthStencilView", "NULL", "texture1D", "texture2D",
                                  "texture3D", "textureCUBE");
 
 // FXC reads these in upper and lower case.

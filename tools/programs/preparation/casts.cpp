@@ -141,99 +141,6 @@ class StructCasts {
   std::map<Cast, std::string> functions_;
 };
 
-// A scalar is spread over any shape.
-bool is_larger(const NumberShape& wanted, const NumberShape& given) {
-  if (!wanted.known() || !given.known() || given.is_scalar()) return false;
-  if (wanted.is_matrix() != given.is_matrix()) return false;  // float2x2 and float4 hold as much
-  return wanted.rows > given.rows || wanted.columns > given.columns;
-}
-
-class Zeroes {
- public:
-  explicit Zeroes(TokenText& text)
-      : text_(text), types_(text.types()), carriers_(structs_with_resources(types_)) {}
-
-  void run() {
-    for (std::size_t at = 0; at + 3 < text_.size(); ++at)
-      if (is_cast(at)) replace(at);
-    for (const std::string_view type : needed_) define(type);
-    text_.apply();
-  }
-
- private:
-  // The cast is ( S ) 0, or 0.0 and 0.0f.
-  bool is_cast(std::size_t at) const {
-    if (!text_.is(at, "(") || !text_.is(at + 2, ")")) return false;
-    const bool zero = text_.word(at + 3).find_first_not_of("0.fFhHuU") == std::string_view::npos;
-    return text_.is_number(at + 3) && zero && carriers_.count(text_.word(at + 1)) != 0;
-  }
-
-  void replace(std::size_t at) {
-    need(text_.word(at + 1));
-    text_.replace(at, 4, function_name(text_.word(at + 1)) + "()");
-  }
-
-  // Adds the struct with the structs of its members.
-  void need(std::string_view type) {
-    std::vector<std::string_view> open{type};
-    while (!open.empty()) {
-      type = open.back();
-      open.pop_back();
-      if (!needed_.insert(type).second) continue;
-      for (const std::size_t member : types_.members_with_bases(type))
-        if (carriers_.count(types_.declared()[member].type.name) != 0)
-          open.push_back(types_.declared()[member].type.name);
-    }
-  }
-
-  std::string function_name(std::string_view type) const {
-    return text_.free_name("zero_" + std::string(type));
-  }
-
-  void define(std::string_view type) {
-    const StructType& known = types_.structs().at(type);
-    std::string body;
-    for (const std::size_t index : types_.members_with_bases(type)) body += zero(types_.declared()[index]);
-    text_.insert(types_.declarations()[known.declaration].last + 1,
-                 std::string(type) + " " + function_name(type) + "() { " + std::string(type) + " zero; " +
-                     body + "return zero; } ");
-  }
-
-  // Returns zero.member = (float4)0; or a loop over its elements.
-  std::string zero(const DeclaredValue& member) const {
-    const std::string_view type = member.type.name;
-    if (is_resource(type) || member.type_at == npos) return {};
-    std::string element = "zero." + text_.name(member.name);
-    std::string loops;
-    std::size_t open = member.name + 1;
-    for (int dimension = 0; dimension < member.type.dimensions; ++dimension) {
-      const std::string i = "i" + std::to_string(dimension);
-      const std::size_t close = text_.matching_bracket(open);
-      const std::string size = text_.spelled(open + 1, close - open - 1);
-      loops.append("for (int ")
-          .append(i)
-          .append(" = 0; ")
-          .append(i)
-          .append(" < ")
-          .append(size)
-          .append("; ++");
-      loops.append(i).append(") ");
-      element.append("[").append(i).append("]");
-      open = close + 1;
-    }
-    const std::string value =
-        carriers_.count(type) != 0
-            ? function_name(type) + "()"
-            : "(" + text_.spelled(member.type_at, member.type_end - member.type_at) + ")0";
-    return loops + element + " = " + value + "; ";
-  }
-
-  TokenText& text_;
-  const ValueTypes& types_;
-  const std::set<std::string_view> carriers_;
-  std::set<std::string_view> needed_;
-};
-
 }  // namespace
 
 // Zero cast to an array, `(float3[4])0`, which glslang parses as a constructor with too few arguments. It
@@ -255,31 +162,6 @@ void cast_zero_to_structs(TokenText& text) {
 // errors.
 void copy_cast_structs(TokenText& text) {
   StructCasts(text).run();
-}
-
-void check_larger_casts(TokenText& text) {
-  const ValueTypes& types = text.types();
-  for (std::size_t at = 1; at + 2 < text.size(); ++at) {
-    if (!text.is_identifier(at) || !text.is(at - 1, "(") || !text.is(at + 1, ")")) continue;
-    if (at > 1 && text.is_identifier(at - 2) && !text.is(at - 2, "return")) continue;  // f(float4)
-    const NumberShape wanted = shape_of_type(text.word(at));
-    if (!wanted.known() || !text.is_identifier(at + 2)) continue;
-    const std::size_t last = postfix_end(text, at + 2) - 1;
-    if (types.begin(last) != at + 2 || types.at(last).dimensions > 0) continue;
-    if (!is_larger(wanted, shape_of_type(types.at(last).name))) continue;
-    text.error(at, "cannot convert from '" + std::string(types.at(last).name) + "' to '" + text.name(at) +
-                       "', which is larger (X3017): write a constructor with all numbers");
-  }
-}
-
-// The cast `(S)0` for a struct S with textures, samplers or buffers. Unity's compilers zero the numbers and
-// leave the resources unset until they are assigned; glslang reports "cannot implicitly initialize opaque
-// members".
-//
-// After the struct, a function is added that returns an S whose other members are 0, and the cast becomes a
-// call of it. A resource that is read before it is assigned is an error (shaders/module_problems.h).
-void zero_resource_structs(TokenText& text) {
-  Zeroes(text).run();
 }
 
 }  // namespace penumbra::preparation

@@ -128,7 +128,7 @@ ReadOperand ExpressionReader::assignment() {
 ReadOperand ExpressionReader::choice() {
   const ReadOperand condition = binary(1);
   if (failed_ || !text_.is(at_, "?")) return condition;
-  const std::size_t mark = at_++;
+  ++at_;
   const ReadOperand yes = assignment();
   if (failed_ || !text_.is(at_, ":")) {
     failed_ = true;
@@ -136,7 +136,6 @@ ReadOperand ExpressionReader::choice() {
   }
   ++at_;
   const ReadOperand no = assignment();
-  if (!failed_) read_choice(condition, mark, yes, no);
   const NumberShape& a = yes.shape;
   const NumberShape shape = a == no.shape ? a : combined_shape(a, no.shape);
   return {condition.first, no.end, condition.shape.is_scalar() ? shape : NumberShape{}};
@@ -188,7 +187,6 @@ ReadOperand ExpressionReader::term() {
     const bool logical = text_.is(at_, "!");
     at_ += text_.is_any(at_, "+", "-") && text_.is(at_ + 1, text_.word(at_)) && adjacent(at_) ? 2 : 1;
     result = term();
-    if (!failed_) read_sign(first, result);
     if (logical) result.shape = result.shape.of_base(Base::boolean);
   } else if (cast) {
     const NumberShape shape = shape_of_type(text_.word(at_ + 1));
@@ -210,7 +208,6 @@ ReadOperand ExpressionReader::postfix() {
       at_ += 2;
       const bool call = text_.is(at_, "(");
       if (call) list(at_);
-      if (!call) read_member(shape, at_ - 1);
       const NumberShape known = known_shape(at_ - 1);
       shape = known.known() || call ? known : after_dot(at_ - 1, shape);
     } else if (text_.is(at_, "[") && text_.matching_bracket(at_) != npos) {
@@ -247,10 +244,8 @@ NumberShape ExpressionReader::after_dot(std::size_t member, const NumberShape& o
 NumberShape ExpressionReader::primary() {
   if (text_.is_number(at_)) return shape_of_number(text_.word(at_++));
   if (!text_.is(at_, "(")) return name_or_call();
-  const std::size_t open = at_;
   const std::vector<NumberShape> inside = list(at_);
   if (failed_ || inside.size() != 1) return {};
-  read_parenthesised(open, inside[0]);
   return inside[0];
 }
 
@@ -265,7 +260,6 @@ NumberShape ExpressionReader::name_or_call() {
   const std::vector<NumberShape> arguments = list(at_);
   if (failed_) return {};
   const NumberShape known = known_shape(at_ - 1);
-  if (!known.known() && !functions_[text_.identifier_number(name)]) read_intrinsic(name, arguments);
   return known.known() ? known : function_shape(name, arguments);
 }
 

@@ -29,17 +29,6 @@ class ExpressionReader {
   virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
   virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
                                const ReadOperand& /*right*/) {}
-  // It is called for each `condition ? yes : no`; `mark` is the '?'.
-  virtual void read_choice(const ReadOperand& /*condition*/, std::size_t /*mark*/, const ReadOperand& /*yes*/,
-                           const ReadOperand& /*no*/) {}
-  // It is called for each unary + - ! ~ and prefix ++ --.
-  virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
-  // It is called for each expression in parentheses that are neither a call's nor a cast's.
-  virtual void read_parenthesised(std::size_t /*open*/, const NumberShape& /*inside*/) {}
-  // It is called for each call of a function that the text does not define, with the arguments' shapes.
-  virtual void read_intrinsic(std::size_t /*name*/, const std::vector<NumberShape>& /*arguments*/) {}
-  // It is called for each `.member` that is not called, with the shape of the expression before the '.'.
-  virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 
  private:
   struct Operator {

@@ -1,9 +1,6 @@
 #include "preparation/number_shape.h"
 
 #include <algorithm>
-#include <charconv>
-
-#include "preparation/declarators.h"
 
 namespace penumbra::preparation {
 
@@ -15,47 +12,6 @@ Base base_of(std::string_view scalar) {
   if (scalar == "bool") return Base::boolean;
   if (scalar == "uint" || scalar == "min16uint" || scalar == "dword") return Base::natural;
   return scalar == "int" || scalar == "min16int" || scalar == "min12int" ? Base::integer : Base::real;
-}
-
-constexpr std::size_t most_numbers = 4096;
-constexpr int deepest_value = 16;
-
-std::optional<ValueShape> shape_of_named(const TokenText& text, std::string_view type, int depth);
-
-std::optional<ValueShape> shape_of_value(const TokenText& text, const DeclaredValue& value, int depth) {
-  std::optional<ValueShape> element = shape_of_named(text, value.type.name, depth);
-  std::vector<std::size_t> sizes;
-  for (std::size_t at = value.name + 1; element && at < value.end; at += 3) {
-    std::size_t size = 0;
-    const std::string_view number = at + 2 < value.end ? text.word(at + 1) : std::string_view();
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), size);
-    const bool plain = text.is(at, "[") && text.is(at + 2, "]") && read.ec == std::errc();
-    if (!plain || size == 0 || size > most_numbers) return std::nullopt;
-    sizes.push_back(size);
-  }
-  for (auto size = sizes.rbegin(); element && size != sizes.rend(); ++size) {
-    ValueShape array;
-    array.numbers = element->numbers * *size;
-    if (array.numbers > most_numbers) return std::nullopt;
-    array.parts.assign(*size, *element);
-    element = std::move(array);
-  }
-  return element;
-}
-
-std::optional<ValueShape> shape_of_named(const TokenText& text, std::string_view type, int depth) {
-  if (is_number_type(type)) return ValueShape{type, components(type), {}};
-  const StructType* known = text.types().find_struct(type);
-  if (known == nullptr || depth > deepest_value || !known->base.empty()) return std::nullopt;
-  ValueShape shape{type, 0, {}};
-  for (const std::size_t index : known->members) {
-    std::optional<ValueShape> member = shape_of_value(text, text.types().declared()[index], depth + 1);
-    if (!member) return std::nullopt;
-    shape.numbers += member->numbers;
-    if (shape.numbers > most_numbers) return std::nullopt;
-    shape.parts.push_back(*std::move(member));
-  }
-  return shape.parts.empty() ? std::nullopt : std::optional(shape);
 }
 
 }  // namespace
@@ -96,15 +52,8 @@ NumberShape combined_shape(const NumberShape& a, const NumberShape& b) {
 }
 
 std::size_t components(std::string_view type) {
-  const auto size = [](char c) { return static_cast<std::size_t>(c - '0'); };
-  const std::size_t digits = type.find_last_not_of("1234x") + 1;
-  const std::string_view shape = type.substr(digits);
-  if (shape.size() == 1) return size(shape[0]);
-  return shape.size() == 3 ? size(shape[0]) * size(shape[2]) : 1;
-}
-
-std::optional<ValueShape> shape_of(const TokenText& text, const DeclaredValue& value) {
-  return shape_of_value(text, value, 0);
+  const NumberShape shape = shape_of_type(type);
+  return static_cast<std::size_t>(std::max(shape.rows, 1) * std::max(shape.columns, 1));
 }
 
 }  // namespace penumbra::preparation

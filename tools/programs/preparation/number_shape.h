@@ -2,7 +2,6 @@
 // operators. Internal to this folder.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "preparation/value_types.h"
@@ -33,18 +32,7 @@ std::string type_of_shape(const NumberShape& shape);   // for a known shape; hal
 // HLSL does not combine.
 NumberShape combined_shape(const NumberShape& a, const NumberShape& b);
 
-// The composition of a type: the number of its scalars and their grouping.
-struct ValueShape {
-  std::string_view type;          // its name; empty for an array
-  std::size_t numbers = 0;        // scalars, of all parts together
-  std::vector<ValueShape> parts;  // members or elements; empty for numbers, vectors and matrices
-};
-
 // Returns 3 for float3, 16 for float4x4, 1 for float.
 std::size_t components(std::string_view number_type);
-
-// Returns nothing for resources, for array sizes that are not literals, and for types of more than 4096
-// scalars.
-std::optional<ValueShape> shape_of(const TokenText& text, const DeclaredValue& value);
 
 }  // namespace penumbra::preparation

@@ -93,19 +93,6 @@ void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
 
 }  // namespace
 
-// `(const int)x`: glslang does not accept const in a cast, where it has no effect.
-void drop_const_of_casts(TokenText& text) {
-  static constexpr hlsl::NameSet statements("return", "case", "else", "do");
-  for (std::size_t at = 1; at + 3 < text.size(); ++at) {
-    if (!text.is(at, "(") || !text.is(at + 1, "const") || !text.is_identifier(at + 2) ||
-        !text.is(at + 3, ")"))
-      continue;
-    const bool is_parameter = text.is_identifier(at - 1) && !statements.contains(text.word(at - 1));
-    if (!is_parameter) text.erase(at + 1, 1);
-  }
-  text.apply();
-}
-
 // `const static uint N = 4;`: the order of the two keywords has no meaning in HLSL
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-variable-syntax), but glslang only regards
 // the later one, and a variable that is not constant cannot be an array's size. `static` is moved to the
@@ -119,25 +106,6 @@ void put_static_first(TokenText& text) {
       text.erase(before, 1);
       text.replace(at, 1, "static const");
       break;
-    }
-  }
-  text.apply();
-}
-
-// `unsigned int`, `unsigned` and `unsigned int2` (learn.microsoft.com/windows/win32/direct3dhlsl/
-// dx-graphics-hlsl-scalar): a reserved word to glslang. They become uint and uint2.
-void name_unsigned_types(TokenText& text) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (!text.is(at, "unsigned")) continue;
-    const std::string_view next = text.is_identifier(at + 1) ? text.word(at + 1) : std::string_view();
-    if (!is_number_type(next)) {
-      text.replace(at, 1, "uint");
-    } else if (next.starts_with("int")) {
-      text.replace(at, 2, "u" + std::string(next));
-    } else if (next.starts_with("uint") || next.starts_with("dword")) {
-      text.erase(at, 1);
-    } else if (next.starts_with("min16int")) {
-      text.replace(at, 2, "min16u" + std::string(next.substr(5)));
     }
   }
   text.apply();

@@ -37,20 +37,4 @@ bool is_resource(std::string_view type) {
   return is_texture(type) || is_sampler(type) || is_buffer(type) || type == "Buffer" || type == "RWBuffer";
 }
 
-std::set<std::string_view> structs_with_resources(const ValueTypes& types) {
-  std::set<std::string_view> found;
-  // A struct is declared after the structs of its members: one pass in source order finds all.
-  std::map<std::size_t, std::string_view> in_order;
-  for (const auto& [name, type] : types.structs()) in_order.emplace(type.declaration, name);
-  for (const auto& [declaration, name] : in_order) {
-    const StructType& type = types.structs().at(name);
-    const bool holds = std::any_of(type.members.begin(), type.members.end(), [&](std::size_t member) {
-      const std::string_view of = types.declared()[member].type.name;
-      return is_resource(of) || found.count(of) != 0;
-    });
-    if (holds || found.count(type.base) != 0) found.insert(name);
-  }
-  return found;
-}
-
 }  // namespace penumbra::preparation

@@ -13,7 +13,4 @@ bool is_buffer(
     std::string_view type);  // StructuredBuffer, ByteAddressBuffer, ...: buffers with a memory layout
 bool is_resource(std::string_view type);  // any of these types, and Buffer
 
-// Returns the structs that contain a resource, directly or in a nested struct.
-std::set<std::string_view> structs_with_resources(const ValueTypes& types);
-
 }  // namespace penumbra::preparation

@@ -20,9 +20,9 @@
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
 #include "shaders/source_memory.h"
-#include "shaders/source_problems.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
+#include "shaders/target_problems.h"
 #include "shaders/tree_problems.h"
 #include "shaders/tree_signature.h"
 
@@ -121,25 +121,14 @@ bool correct_tree(const Source& source, const hlsl::SourceFiles& sources, glslan
   return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
-// Reports valid SPIR-V that HLSL does not allow.
-void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
-                   bool divides, CompileResult& result) {
-  report(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
-  report(source, sources, shared_registers(result.spirv, source.text, source.name), result);
-  report(source, sources, integer_matrices(result.spirv, source.text, source.name), result);
-  if (source.request.stage == hlsl::Stage::compute)
-    report(source, sources, beyond_group_limits(tree, result.spirv, source.text, source.name), result);
-}
-
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
   const bool wanted = source.request.optimise;
   std::vector<std::uint32_t>* const kept = source.request.keep_unoptimised ? &result.legalised : nullptr;
-  const bool divides = divides_by_zero(result.spirv);  // the optimiser folds the result to 0
   const bool optimised = !wanted || finish(result.spirv, source.request.vulkan, problems, kept);
   if (!wanted) number_bindings(result.spirv);
-  if (optimised && wanted) tell_problems(source, sources, tree, divides, result);
+  if (optimised && wanted) report(source, sources, hlsl_problems(source.request, tree, result.spirv), result);
   if (hlsl::has_errors(result.diagnostics)) return false;
   if (optimised) problems = validation_problems(result.spirv, source.request.vulkan, !wanted);
   const std::string validation =
@@ -175,8 +164,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (!link(source, sources, program, result)) return false;
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
   if (report(source, sources, reads_without_comparing(tree), result)) return false;
-  if (report(source, sources, unwritable_arguments(tree), result)) return false;
-  if (report(source, sources, refused_operands(tree), result)) return false;
+  if (report(source, sources, converted_arguments(tree), result)) return false;
   if (!correct_tree(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (source.request.optimise) find_target_problems(source, sources, tree, result);

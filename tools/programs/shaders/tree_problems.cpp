@@ -12,18 +12,6 @@ namespace penumbra::shaders {
 
 namespace {
 
-// A traversal of the whole tree that collects problems.
-class TreeSearch : public glslang::TIntermTraverser {
- public:
-  std::vector<hlsl::Diagnostic> run(const glslang::TIntermediate& tree) {
-    if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(this);
-    return std::move(found);
-  }
-
- protected:
-  std::vector<hlsl::Diagnostic> found;
-};
-
 bool gathers(glslang::TOperator op) {
   return hlsl::is_one_of(
       op, {glslang::EOpTextureGather, glslang::EOpTextureGatherOffset, glslang::EOpTextureGatherOffsets});
@@ -53,7 +41,7 @@ bool has_reference(const glslang::TIntermAggregate& read, const glslang::TSample
   return third.isFloatingDomain() && third.getVectorSize() == 1;
 }
 
-class ComparisonSearch final : public TreeSearch {
+class ComparisonSearch final : public glslang::TIntermTraverser {
  public:
   bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
     const glslang::TOperator op = node->getOp();
@@ -65,6 +53,8 @@ class ComparisonSearch final : public TreeSearch {
     if (type.shadow && !has_reference(*node, type)) found.push_back(problem(*texture, *node));
     return true;
   }
+
+  std::vector<hlsl::Diagnostic> found;
 
  private:
   // Returns an empty name if it is not a variable.
@@ -88,25 +78,13 @@ bool is_written(glslang::TStorageQualifier qualifier) {
   return qualifier == glslang::EvqOut || qualifier == glslang::EvqInOut;
 }
 
-bool is_arithmetic(glslang::TOperator op) {
-  return hlsl::is_one_of(op, {glslang::EOpAdd, glslang::EOpSub, glslang::EOpMul, glslang::EOpDiv,
-                              glslang::EOpMod, glslang::EOpVectorTimesScalar, glslang::EOpNegative,
-                              glslang::EOpLogicalNot, glslang::EOpBitwiseNot});
-}
-
-bool is_value(glslang::TIntermTyped& argument) {
-  if (argument.getAsConstantUnion() != nullptr) return true;
-  const glslang::TIntermOperator* made = argument.getAsOperator();
-  return made != nullptr && is_arithmetic(made->getOp());
-}
-
 // HLSL converts an inout argument of another type in both directions, glslang only on input.
 bool is_converted(glslang::TIntermTyped& argument) {
   const glslang::TIntermUnary* made = argument.getAsUnaryNode();
   return made != nullptr && made->getOperand()->getBasicType() != argument.getBasicType();
 }
 
-class ArgumentSearch final : public TreeSearch {
+class ArgumentSearch final : public glslang::TIntermTraverser {
  public:
   bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
     if (node->getOp() != glslang::EOpFunctionCall) return true;
@@ -114,84 +92,28 @@ class ArgumentSearch final : public TreeSearch {
     const glslang::TQualifierList& qualifiers = node->getQualifierList();
     for (std::size_t i = 0; i < std::min(arguments.size(), qualifiers.size()); ++i) {
       glslang::TIntermTyped* argument = arguments[i]->getAsTyped();
-      if (argument == nullptr || !is_written(qualifiers[i])) continue;
-      if (is_value(*argument)) tell(*node, i, "which is not an lvalue: pass a variable");
-      if (is_converted(*argument))
-        tell(*node, i, "which has another type: pass a variable of the parameter's type");
+      if (argument != nullptr && is_written(qualifiers[i]) && is_converted(*argument)) tell(*node, i);
     }
     return true;
   }
 
-  void tell(const glslang::TIntermAggregate& call, std::size_t argument, const std::string& what) {
-    const std::string name(call.getName().c_str());
-    found.push_back(error_at(call, "'" + name.substr(0, name.find('(')) + "' writes to its argument " +
-                                       std::to_string(argument + 1) + ", " + what));
-  }
-};
-
-// Returns an empty name for other operators.
-std::string_view bit_operator(glslang::TOperator op) {
-  if (op == glslang::EOpAnd || op == glslang::EOpAndAssign) return "&";
-  if (op == glslang::EOpInclusiveOr || op == glslang::EOpInclusiveOrAssign) return "|";
-  if (op == glslang::EOpExclusiveOr || op == glslang::EOpExclusiveOrAssign) return "^";
-  if (op == glslang::EOpLeftShift || op == glslang::EOpLeftShiftAssign) return "<<";
-  if (op == glslang::EOpRightShift || op == glslang::EOpRightShiftAssign) return ">>";
-  return {};
-}
-
-std::string int_of(int components) {
-  return components == 1 ? "int" : "int" + std::to_string(components);
-}
-
-class OperandSearch final : public TreeSearch {
- public:
-  bool visitBinary(glslang::TVisit /*when*/, glslang::TIntermBinary* node) override {
-    const std::string_view name = bit_operator(node->getOp());
-    const bool of_floats =
-        node->getLeft()->getType().isFloatingDomain() || node->getRight()->getType().isFloatingDomain();
-    if (!name.empty() && of_floats)
-      found.push_back(error_at(*node, "'" + std::string(name) +
-                                          "' takes integers, and an operand is a float: convert it "
-                                          "with (int), or read its bits with asuint()"));
-    return true;
-  }
-
-  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
-    const glslang::TIntermSequence& arguments = node->getSequence();
-    if (node->getOp() != glslang::EOpTextureFetch || arguments.size() < 2) return true;
-    const glslang::TIntermTyped* texture = arguments[0]->getAsTyped();
-    const glslang::TIntermTyped* place = arguments[1]->getAsTyped();
-    if (texture == nullptr || place == nullptr || texture->getBasicType() != glslang::EbtSampler) return true;
-    const glslang::TSampler& type = texture->getType().getSampler();
-    const int wanted = load_coordinates(type);
-    const bool has_level = !type.isMultiSample() && !type.isBuffer();
-    const int given = place->getType().getVectorSize();
-    if (wanted == 0 || given == wanted || (!has_level && given > wanted)) return true;
-    const int level = has_level ? 1 : 0;
-    found.push_back(error_at(*node, "this Load takes an " + int_of(wanted + level) +
-                                        (has_level ? ", the last for the mip level" : "") +
-                                        ", and its argument has " + std::to_string(given + level) +
-                                        (given + level == 1 ? " component" : " components")));
-    return true;
-  }
+  std::vector<hlsl::Diagnostic> found;
 
  private:
-  // Returns 0 if it is not known.
-  static int load_coordinates(const glslang::TSampler& type) {
-    const int layer = type.isArrayed() ? 1 : 0;
-    switch (type.dim) {
-      case glslang::EsdBuffer:
-      case glslang::Esd1D:
-        return 1 + layer;
-      case glslang::Esd2D:
-        return 2 + layer;
-      case glslang::Esd3D:
-        return 3;
-      default:
-        return 0;
-    }
+  void tell(const glslang::TIntermAggregate& call, std::size_t argument) {
+    const std::string name(call.getName().c_str());
+    found.push_back(error_at(call, "'" + name.substr(0, name.find('(')) + "' writes to its argument " +
+                                       std::to_string(argument + 1) +
+                                       ", which has another type: pass a variable of the parameter's type"));
   }
 };
+
+template <typename Search>
+std::vector<hlsl::Diagnostic> found_by(const glslang::TIntermediate& tree) {
+  Search search;
+  if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
+  return std::move(search.found);
+}
 
 using glslang::TIntermTyped;
 
@@ -242,15 +164,11 @@ class OperationMeanings final : public TreeRewrite {
 }  // namespace
 
 std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermediate& tree) {
-  return ComparisonSearch().run(tree);
+  return found_by<ComparisonSearch>(tree);
 }
 
-std::vector<hlsl::Diagnostic> unwritable_arguments(const glslang::TIntermediate& tree) {
-  return ArgumentSearch().run(tree);
-}
-
-std::vector<hlsl::Diagnostic> refused_operands(const glslang::TIntermediate& tree) {
-  return OperandSearch().run(tree);
+std::vector<hlsl::Diagnostic> converted_arguments(const glslang::TIntermediate& tree) {
+  return found_by<ArgumentSearch>(tree);
 }
 
 void correct_operations(glslang::TIntermediate& tree) {

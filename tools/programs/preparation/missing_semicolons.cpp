@@ -113,83 +113,10 @@ class MissingSemicolons {
   TokenText& text_;
 };
 
-using Functions = std::map<std::string_view, std::vector<const hlsl::Declaration*>>;
-
-bool has_return(const TokenText& text, const hlsl::Declaration& function) {
-  return text.has(function.open, function.close, "return");
-}
-
-// The function returns a value: a missing texture or sampler is an error of its own.
-bool lacks_return(const TokenText& text, const hlsl::Declaration& function) {
-  std::size_t type = function.type;
-  while (type < function.name && is_modifier(text.word(type))) ++type;
-  return !text.is(type, "void") && !is_resource(text.word(type)) && !has_return(text, function);
-}
-
-// The front end reports `return;` in a function without any value. This reports it in a function that returns
-// values elsewhere.
-void refuse_bare_returns(TokenText& text, const hlsl::Declaration& function) {
-  std::size_t type = function.type;
-  while (type < function.name && is_modifier(text.word(type))) ++type;
-  if (text.is(type, "void")) return;
-  std::vector<std::size_t> bare;
-  bool has_value = false;
-  for (std::size_t at = function.open; at < function.close; ++at) {
-    if (!text.is(at, "return")) continue;
-    if (!text.is(at + 1, ";"))
-      has_value = true;
-    else if (!text.is(at - 1, "return"))
-      bare.push_back(at);
-  }
-  for (const std::size_t at : bare)
-    if (has_value)
-      text.error(at, "'" + text.name(function.name) + "' returns a " + text.name(type) +
-                         ": this return needs a value (X3080)");
-}
-
-// Returns the names that the entry point calls, and those that these call.
-std::set<std::string_view> called_names(const TokenText& text, const Functions& functions,
-                                        std::string_view entry) {
-  std::set<std::string_view> called{entry};
-  std::vector<std::string_view> waiting{entry};
-  while (!waiting.empty()) {
-    const auto known = functions.find(waiting.back());
-    waiting.pop_back();
-    for (const hlsl::Declaration* function : known->second)
-      for (std::size_t at = function->open; at < function->close; ++at)
-        if (text.is_identifier(at) && text.is(at + 1, "(") && functions.contains(text.word(at)) &&
-            called.insert(text.word(at)).second)
-          waiting.push_back(text.word(at));
-  }
-  return called;
-}
-
 }  // namespace
 
 void check_semicolons(TokenText& text) {
   MissingSemicolons(text).run();
-}
-
-void check_missing_values(TokenText& text, const EntryPoint& entry) {
-  if (entry_functions(text, entry).empty()) return;
-  Functions functions;
-  std::vector<const hlsl::Declaration*> suspects;
-  for (const hlsl::Declaration& declaration : text.declarations()) {
-    if (declaration.kind != hlsl::Declaration::Kind::function) continue;
-    functions[text.word(declaration.name)].push_back(&declaration);
-    refuse_bare_returns(text, declaration);
-    if (lacks_return(text, declaration)) suspects.push_back(&declaration);
-  }
-  if (suspects.empty()) return;
-  const std::set<std::string_view> called = called_names(text, functions, entry.name);
-  for (const hlsl::Declaration* function : suspects) {
-    const std::string_view name = text.word(function->name);
-    if (called.contains(name) && functions.at(name).size() == 1)
-      text.error(function->name,
-                 "'" + std::string(name) +
-                     "' has no return statement: return a value, or make it void (not all control paths "
-                     "return a value, X3507)");
-  }
 }
 
 }  // namespace penumbra::preparation

@@ -1,0 +1,141 @@
+#include "shaders/target_problems.h"
+
+#include <set>
+
+#include <glslang/SPIRV/GLSL.std.450.h>
+
+#include "hlsl/tokens.h"
+#include "shaders/debug_lines.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+SourcePlace place_of(const hlsl::Token& token, const std::string& file) {
+  return {token.file.empty() ? file : std::string(token.file), token.line};
+}
+
+template <typename Condition>
+std::vector<Target> targets_of(Condition condition) {
+  std::vector<Target> targets;
+  std::copy_if(std::begin(all_targets), std::end(all_targets), std::back_inserter(targets), condition);
+  return targets;
+}
+
+// Finds the instructions of a kind, which have one message.
+class KindSearch final : public ModuleSearch {
+ public:
+  using Kind = bool(spirv::Words instruction);
+  KindSearch(const SpirvModule& module, Kind* is_of_kind, const char* message)
+      : ModuleSearch(module), is_of_kind_(is_of_kind), message_(message) {}
+
+ private:
+  void visit(spirv::Words instruction) override {
+    if (is_of_kind_(instruction)) report(message_);
+  }
+
+  Kind* is_of_kind_;
+  const char* message_;
+};
+
+bool is_wave_operation(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
+  return (op >= spv::OpGroupNonUniformElect && op <= spv::OpGroupNonUniformQuadSwap) ||
+         (op >= spv::OpSubgroupBallotKHR && op <= spv::OpSubgroupReadInvocationKHR);
+}
+
+bool interpolates(spirv::Words instruction) {
+  const std::uint32_t operation = spirv::operand(instruction, 4);
+  return spirv::opcode(instruction) == spv::OpExtInst && operation >= GLSLstd450InterpolateAtCentroid &&
+         operation <= GLSLstd450InterpolateAtOffset;
+}
+
+bool is_fine_or_coarse(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
+  return op >= spv::OpDPdxFine && op <= spv::OpFwidthCoarse;
+}
+
+// Collects the names of the uniform buffers that are arrays.
+class BufferArrays {
+ public:
+  std::set<std::string> run(const SpirvModule& module) {
+    spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
+    return std::move(found_);
+  }
+
+ private:
+  void visit(spirv::Words words) {
+    if (words.size() < 3) return;
+    switch (spirv::opcode(words)) {
+      case spv::OpName:
+        names_[words[1]] = spirv::literal_text(words.subspan(2));
+        break;
+      case spv::OpDecorate:
+        if (words[2] == spv::DecorationBlock) blocks_.insert(words[1]);
+        break;
+      case spv::OpTypeArray:
+        if (blocks_.contains(words[2])) arrays_.insert(words[1]);
+        break;
+      case spv::OpTypePointer:
+        if (words[2] == spv::StorageClassUniform && arrays_.contains(spirv::operand(words, 3)))
+          pointers_.insert(words[1]);
+        break;
+      case spv::OpVariable:
+        if (pointers_.contains(words[1])) found_.insert(names_[words[2]]);
+        break;
+      default:
+        break;
+    }
+  }
+
+  std::map<std::uint32_t, std::string> names_;
+  std::set<std::uint32_t> blocks_;
+  std::set<std::uint32_t> arrays_;
+  std::set<std::uint32_t> pointers_;
+  std::set<std::string> found_;
+};
+
+// Finds the first `> name[`.
+SourcePlace array_declaration(const std::string& name, const std::string& text, const std::string& file) {
+  const std::vector<hlsl::Token> tokens = hlsl::lex(text);
+  for (std::size_t at = 1; at + 1 < tokens.size(); ++at)
+    if (tokens[at].spelling == name && tokens[at - 1].spelling == ">" && tokens[at + 1].spelling == "[")
+      return place_of(tokens[at], file);
+  return {};
+}
+
+}  // namespace
+
+std::vector<TargetProblem> target_problems(const SpirvModule& module, const std::string& text,
+                                           const std::string& file) {
+  std::vector<TargetProblem> problems;
+  const auto find = [&](KindSearch::Kind* kind, const std::vector<Target>& targets, const char* message) {
+    for (hlsl::Diagnostic& problem : KindSearch(module, kind, message).run())
+      problems.push_back({targets, std::move(problem)});
+  };
+  const std::vector<Target> essl =
+      targets_of([](Target target) { return target_language(target) == TargetLanguage::essl; });
+  find(is_wave_operation,
+       targets_of([](Target target) { return target_language(target) != TargetLanguage::msl; }),
+       "wave functions need shader model 6.0, which neither Direct3D 11 nor OpenGL has: leave these APIs "
+       "out with #pragma exclude_renderers, or call them only under Vulkan and Metal");
+  find(interpolates, essl,
+       "the EvaluateAttribute functions need OpenGL ES 3.2: leave gles3 out with "
+       "#pragma exclude_renderers, or declare the input 'centroid' or 'sample'");
+  find(is_fine_or_coarse, essl,
+       "OpenGL ES has no fine and coarse derivatives: write ddx and ddy, or leave gles3 out with "
+       "#pragma exclude_renderers");
+  for (const std::string& name : BufferArrays().run(module))
+    problems.push_back(
+        {{Target::hlsl50},
+         error_at(
+             array_declaration(name, text, file),
+             "'" + name +
+                 "' is an array of constant buffers, which needs shader model 5.1, and Direct3D 11 has 5.0: "
+                 "declare one cbuffer with an array in it")});
+  return problems;
+}
+
+}  // namespace penumbra::shaders
