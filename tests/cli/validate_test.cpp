@@ -412,6 +412,29 @@ TEST_F(Validate, AnErrorOfRenderStateDoesNotHideThoseOfPrograms) {
               HasSubstrs("error: 'Bak' is not a value of Cull: did you mean 'Back'?", "undefined_factor"));
 }
 
+// Unity puts three includes before such a block; its lines stay those of the file.
+TEST_F(Validate, ACgProgramHasUnitysIncludesAndItsOwnLines) {
+  for (const char* file : {"HLSLSupport", "UnityShaderVariables", "UnityShaderUtilities"})
+    write(std::string("cginc/") + file + ".cginc",
+          std::string("float4 Of") + file +
+              "() { return 1; }\n#if !defined(UNITY_PASS_SHADOWCASTER)\n#error\n#endif\n");
+  const std::string file =
+      write("Cg.shader",
+            "Shader \"Cg\"\n{\n    SubShader\n    {\n        Pass\n        {\n            Tags { "
+            "\"LightMode\" = "
+            "\"ShadowCaster\" }\n            CGPROGRAM\n#pragma vertex Vert\n#pragma fragment Frag\n"
+            "float4 Vert(float4 p : POSITION) : SV_POSITION { return p + OfHLSLSupport(); }\n"
+            "float4 Frag() : SV_Target { return OfUnityShaderVariables() + OfUnityShaderUtilities(); }\n"
+            "#if defined(WRONG)\nfloat4 f = nothing;\n#endif\n            ENDCG\n        }\n    }\n}\n")
+          .string();
+  const std::vector<std::string> validate{"validate",  file,           "--no-cache",
+                                          "--no-lint", "--cginc-root", path("cginc").string()};
+  EXPECT_EQ(run(validate).exit_code, 0) << run(validate).output;
+  std::vector<std::string> wrong = validate;
+  wrong.insert(wrong.end(), {"-D", "WRONG"});
+  EXPECT_THAT(run(wrong).output, HasSubstr("Cg.shader:14:12: error: unknown variable 'nothing'"));
+}
+
 TEST_F(Validate, OptionsWithoutEffectAreRefused) {
   const std::vector<std::vector<std::string>> lists{
       {"validate", "--only", "Assets/**"},
@@ -448,13 +471,13 @@ TEST_F(Validate, AKeywordThatNobodyDeclaresIsRefusedBesideOtherErrorsToo) {
 
 TEST_F(Validate, ErrorsOfSourceAndModuleAreReportedTogether) {
   const std::string file = write("Both.hlsl",
-                                 "Texture2D _Map; SamplerState sampler_Map;\n"
-                                 "float4 Main(float2 uv) : SV_Target\n{\n"
-                                 "    return _Map.Sample(sampler_Map, uv, int2(9, 0));\n}\n")
+                                 "SamplerState sampler_Map;\n"
+                                 "float4 Main(float2 uv) : SV_Target\n{\n    Texture2D map;\n"
+                                 "    return map.Sample(sampler_Map, uv);\n}\n")
                                .string();
   EXPECT_THAT(run({"validate", file, "--no-cache", "--target", "spirv"}).output,
               HasSubstrs("Both.hlsl:2:20: error: 'uv' has no semantic",
-                         "Both.hlsl:4: error: the offset of a texture read is 9 texels"));
+                         "Both.hlsl:5: error: a texture is read uninitialised"));
 }
 
 TEST_F(Validate, UnknownTargetsAndFoldersSayTheRemedy) {

@@ -11,20 +11,58 @@ using testing::Key;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
+// Without the settings of a platform, which are the same on all of its graphics APIs.
+std::map<std::string, std::string> without_settings(std::map<std::string, std::string> defines) {
+  const Platform plain{GraphicsApi::d3d11, defines.contains("SHADER_API_MOBILE"), 202230, false};
+  for (const auto& [name, value] : pragma_defines(plain))
+    if (!name.starts_with("SHADER_API_") && name != "UNITY_VERSION") {
+      EXPECT_EQ(defines.erase(name), 1U) << name;
+    }
+  return defines;
+}
+
 TEST(PlatformDefines, AreThoseOfTheTable) {
-  EXPECT_THAT(platform_defines({GraphicsApi::vulkan, false, 202230, false}, Stage::fragment, 45),
-              UnorderedElementsAre(Pair("SHADER_API_VULKAN", "1"), Pair("SHADER_API_DESKTOP", "1"),
-                                   Pair("SHADER_STAGE_FRAGMENT", "1"), Pair("SHADER_TARGET", "45"),
-                                   Pair("UNITY_VERSION", "202230"), Pair("UNITY_COMPILER_HLSL", "1"),
-                                   Pair("UNITY_COMPILER_HLSLCC", "1")));
-  EXPECT_THAT(platform_defines({GraphicsApi::d3d11, false, 60000023, false}, Stage::compute, 50),
-              UnorderedElementsAre(Pair("SHADER_API_D3D11", "1"), Pair("SHADER_API_DESKTOP", "1"),
-                                   Pair("SHADER_STAGE_COMPUTE", "1"), Pair("SHADER_TARGET", "50"),
-                                   Pair("UNITY_VERSION", "60000023"), Pair("UNITY_COMPILER_HLSL", "1")));
   EXPECT_THAT(
-      platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35),
+      without_settings(platform_defines({GraphicsApi::vulkan, false, 202230, false}, Stage::fragment, 45)),
+      UnorderedElementsAre(Pair("SHADER_API_VULKAN", "1"), Pair("SHADER_API_DESKTOP", "1"),
+                           Pair("SHADER_STAGE_FRAGMENT", "1"), Pair("SHADER_TARGET", "45"),
+                           Pair("UNITY_VERSION", "202230"), Pair("UNITY_COMPILER_HLSL", "1"),
+                           Pair("UNITY_COMPILER_HLSLCC", "1")));
+  EXPECT_THAT(
+      without_settings(platform_defines({GraphicsApi::d3d11, false, 60000023, false}, Stage::compute, 50)),
+      UnorderedElementsAre(Pair("SHADER_API_D3D11", "1"), Pair("SHADER_API_DESKTOP", "1"),
+                           Pair("SHADER_STAGE_COMPUTE", "1"), Pair("SHADER_TARGET", "50"),
+                           Pair("UNITY_VERSION", "60000023"), Pair("UNITY_COMPILER_HLSL", "1")));
+  EXPECT_THAT(
+      without_settings(platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35)),
       UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("SHADER_API_MOBILE"), Key("SHADER_STAGE_VERTEX"),
                            Key("SHADER_TARGET"), Key("UNITY_VERSION"), Key("SHADER_TARGET_GLSL")));
+}
+
+// The lists are those of Unity's own error messages, "Platform defines:".
+TEST(PlatformDefines, HaveTheSettingsOfDesktopsAndOfMobileDevices) {
+  EXPECT_THAT(pragma_defines({GraphicsApi::d3d11, false, 60000023, false}),
+              UnorderedElementsAre(Key("SHADER_API_D3D11"), Key("UNITY_VERSION"), Key("SHADER_API_DESKTOP"),
+                                   Key("UNITY_ENABLE_DETAIL_NORMALMAP"),
+                                   Key("UNITY_ENABLE_REFLECTION_BUFFERS"), Key("UNITY_LIGHTMAP_FULL_HDR"),
+                                   Key("UNITY_LIGHT_PROBE_PROXY_VOLUME"), Key("UNITY_PBS_USE_BRDF1"),
+                                   Key("UNITY_SPECCUBE_BLENDING"), Key("UNITY_SPECCUBE_BOX_PROJECTION"),
+                                   Key("UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS")));
+  EXPECT_THAT(
+      pragma_defines({GraphicsApi::gles3, true, 202230, false}),
+      UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("UNITY_VERSION"), Key("SHADER_API_MOBILE"),
+                           Key("UNITY_ENABLE_REFLECTION_BUFFERS"), Key("UNITY_LIGHTMAP_DLDR_ENCODING"),
+                           Key("UNITY_NO_DXT5nm"), Key("UNITY_NO_RGBM"), Key("UNITY_NO_SCREENSPACE_SHADOWS"),
+                           Key("UNITY_PBS_USE_BRDF2")));
+}
+
+TEST(PlatformDefines, NameThePassOfALightMode) {
+  Platform platform{GraphicsApi::vulkan, false, 202230, false};
+  platform.light_mode = "ShadowCaster";
+  EXPECT_EQ(pragma_defines(platform).count("UNITY_PASS_SHADOWCASTER"), 1U);
+  platform.light_mode = "UniversalForward";
+  for (const auto& [name, value] : pragma_defines(platform))
+    EXPECT_FALSE(name.starts_with("UNITY_PASS_")) << name;
 }
 
 TEST(PlatformDefines, LeaveToTheLibrariesWhatTheyDefine) {
@@ -39,9 +77,9 @@ TEST(PlatformDefines, LeaveToTheLibrariesWhatTheyDefine) {
 }
 
 TEST(PlatformDefines, OfAConditionAroundPragmasHaveNoStage) {
-  EXPECT_THAT(pragma_defines({GraphicsApi::nintendo_switch, false, 202230, false}),
+  EXPECT_THAT(without_settings(pragma_defines({GraphicsApi::nintendo_switch, false, 202230, false})),
               UnorderedElementsAre(Pair("SHADER_API_SWITCH", "1"), Pair("UNITY_VERSION", "202230")));
-  EXPECT_THAT(pragma_defines({GraphicsApi::metal, true, 202230, false}),
+  EXPECT_THAT(without_settings(pragma_defines({GraphicsApi::metal, true, 202230, false})),
               UnorderedElementsAre(Key("SHADER_API_METAL"), Key("SHADER_API_MOBILE"), Key("UNITY_VERSION")));
 }
 

@@ -38,11 +38,20 @@ std::string pass_label(const shaderlab::Program& program) {
   return std::to_string(program.sub_shader_index) + "." + std::to_string(std::max(0, program.pass_index));
 }
 
-// Adds the includes that Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html);
-// the program keeps its line numbers.
-std::string with_implicit_includes(const std::string& text, const std::string& file) {
-  return "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n#line 1 \"" + file +
-         "\"\n" + text;
+// Adds the includes that Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html),
+// in the blank lines before the program's block, so that its lines keep their numbers. A block in the file's
+// first lines moves down.
+std::string with_implicit_includes(std::string text) {
+  std::size_t line = 0;
+  for (const char* include :
+       {"HLSLSupport.cginc", "UnityShaderVariables.cginc", "UnityShaderUtilities.cginc"}) {
+    const std::string directive = "#include \"" + std::string(include) + "\"";
+    const std::size_t end = text.find('\n', line);
+    const bool blank = end != std::string::npos && text.find_first_not_of(" \t\r", line) >= end;
+    text.replace(line, blank ? end - line : 0, directive + (blank ? "" : "\n"));
+    line += directive.size() + 1;
+  }
+  return text;
 }
 
 hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
@@ -211,7 +220,9 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.is_pass = true;
     program.scriptable_pipeline = shaderlab::effective_tag(found, "RenderPipeline") != nullptr;
     program.properties = numbers_of(shader);
-    program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
+    program.includes_hlsl_support = found.implicit_includes;
+    program.text = found.implicit_includes ? with_implicit_includes(found.text) : found.text;
+    if (const std::string* mode = shaderlab::effective_tag(found, "LightMode")) program.light_mode = *mode;
     if (found.language == shaderlab::Language::glsl) {
       leave_unchecked(program, "a GLSLPROGRAM is for OpenGL only and is not compiled here");
     } else if (found.is_surface_shader) {
@@ -253,6 +264,8 @@ void ShaderSources::add_program(const SourceProgram& program) {
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram built = program;
     built.platform = platform.platform;
+    built.platform.light_mode = program.light_mode;
+    built.platform.includes_hlsl_support = program.includes_hlsl_support;
     built.targets = platform.targets;
     built.vulkan = platform.vulkan;
     built.pragmas = variants::read_pragmas({built.file, built.text, variants::pragma_defines(built.platform),

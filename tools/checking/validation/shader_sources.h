@@ -50,6 +50,8 @@ struct SourceProgram {
   bool scriptable_pipeline = false;  // as in ProgramToLint
   std::vector<lint::NamedPlace> properties;  // as in ProgramToLint
   std::string text;                          // lines and columns are the file's own
+  std::string light_mode;                    // as in variants::Platform, and the next
+  bool includes_hlsl_support = false;
   std::vector<std::string> targets;
   variants::Platform platform;
   shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;

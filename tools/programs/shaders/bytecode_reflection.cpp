@@ -252,10 +252,15 @@ SignatureType signature_type(std::uint32_t component) {  // D3D_REGISTER_COMPONE
   }
 }
 
-void add_elements(const ChunkReader& part, bool output, Signature& signature) {
-  const std::size_t step = 24;
+// `plain` is the chunk's name without precisions; one with minimum precisions has a stream before each
+// element and a precision after it.
+void add_elements(std::string_view bytecode, const char* plain, const char* with_precisions, bool output,
+                  Signature& signature) {
+  const bool precise = fxc::chunk(bytecode, with_precisions).has_value();
+  const ChunkReader part(bytecode, precise ? with_precisions : plain);
+  const std::size_t step = precise ? 32 : 24;
   for (std::uint32_t i = 0; i < part.word(0); ++i) {
-    const std::size_t at = part.word(4) + step * i;
+    const std::size_t at = part.word(4) + step * i + (precise ? 4 : 0);
     SignatureElement element;
     element.written = part.text(part.word(at));
     element.semantic = element.written;
@@ -281,8 +286,8 @@ std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode) {
 
 Signature bytecode_signature(std::string_view bytecode) {
   Signature signature;
-  add_elements(ChunkReader(bytecode, "ISGN"), false, signature);
-  add_elements(ChunkReader(bytecode, "OSGN"), true, signature);
+  add_elements(bytecode, "ISGN", "ISG1", false, signature);
+  add_elements(bytecode, "OSGN", "OSG1", true, signature);
   return signature;
 }
 

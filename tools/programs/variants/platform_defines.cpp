@@ -1,6 +1,7 @@
 #include "variants/platform_defines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace penumbra::variants {
@@ -24,10 +25,35 @@ const ApiNames& names_of(GraphicsApi api) {
                        [&](const ApiNames& names) { return names.api == api; });
 }
 
-std::string stage_macro(hlsl::Stage stage) {
-  std::string macro = "SHADER_STAGE_";
-  for (const char* c = hlsl::stage_name(stage); *c != '\0'; ++c) macro += static_cast<char>(*c - 'a' + 'A');
-  return macro;
+std::string in_capitals(std::string_view word) {
+  std::string capitals(word);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
+constexpr const char* desktop_settings[] = {"UNITY_PBS_USE_BRDF1",
+                                            "UNITY_SPECCUBE_BLENDING",
+                                            "UNITY_SPECCUBE_BOX_PROJECTION",
+                                            "UNITY_ENABLE_DETAIL_NORMALMAP",
+                                            "UNITY_LIGHT_PROBE_PROXY_VOLUME",
+                                            "UNITY_LIGHTMAP_FULL_HDR",
+                                            "UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS"};
+constexpr const char* mobile_settings[] = {"UNITY_PBS_USE_BRDF2", "UNITY_NO_DXT5nm", "UNITY_NO_RGBM",
+                                           "UNITY_NO_SCREENSPACE_SHADOWS", "UNITY_LIGHTMAP_DLDR_ENCODING"};
+
+constexpr std::string_view light_modes[] = {"FORWARDBASE",  "FORWARDADD",   "DEFERRED", "PREPASSBASE",
+                                            "PREPASSFINAL", "SHADOWCASTER", "META",     "MOTIONVECTORS"};
+
+void add_settings(const Platform& platform, std::map<std::string, std::string>& defines) {
+  defines["UNITY_ENABLE_REFLECTION_BUFFERS"] = "1";
+  if (platform.mobile)
+    for (const char* name : mobile_settings) defines[name] = "1";
+  else
+    for (const char* name : desktop_settings) defines[name] = "1";
+  const std::string mode = in_capitals(platform.light_mode);
+  if (std::find(std::begin(light_modes), std::end(light_modes), mode) != std::end(light_modes))
+    defines["UNITY_PASS_" + mode] = "1";
 }
 
 }  // namespace
@@ -72,6 +98,7 @@ std::map<std::string, std::string> pragma_defines(const Platform& platform) {
   defines["UNITY_VERSION"] = std::to_string(platform.unity_version);
   if (platform.api != GraphicsApi::nintendo_switch)
     defines[platform.mobile ? "SHADER_API_MOBILE" : "SHADER_API_DESKTOP"] = "1";
+  add_settings(platform, defines);
   return defines;
 }
 
@@ -79,7 +106,7 @@ std::map<std::string, std::string> platform_defines(const Platform& platform, hl
                                                     int shader_target) {
   std::map<std::string, std::string> defines = pragma_defines(platform);
   const GraphicsApi api = platform.api;
-  defines[stage_macro(stage)] = "1";
+  defines["SHADER_STAGE_" + in_capitals(hlsl::stage_name(stage))] = "1";
   defines["SHADER_TARGET"] = std::to_string(shader_target);
   if (api == GraphicsApi::glcore || api == GraphicsApi::gles3) defines["SHADER_TARGET_GLSL"] = "1";
   if (platform.includes_hlsl_support) return defines;

@@ -15,6 +15,19 @@
 //   UNITY_COMPILER_HLSLCC        1 for Vulkan, Metal, GLCORE and GLES3, whose shaders are translated from
 //                                D3D bytecode. The same source
 //   SHADER_TARGET_GLSL           1 for GLCORE and GLES3. shader-branching-api: for OpenGL and GLES, always
+//   UNITY_PASS_FORWARDBASE, ...  1, of the pass's LightMode: FORWARDBASE, FORWARDADD, DEFERRED, PREPASSBASE,
+//                                PREPASSFINAL, SHADOWCASTER, META, MOTIONVECTORS. Unity Manual,
+//                                "Built-in macros", and UnityCG.cginc of the built-in shaders
+//   the settings of a platform   1, as "Platform defines:" in Unity's error messages names them: those of
+//                                desktops in a message of Unity 6 for d3d11, those of mobile devices in one of
+//                                2021.3 for Android. They are the editor's defaults, in linear colour space:
+//                                  both     UNITY_ENABLE_REFLECTION_BUFFERS
+//                                  desktop, UNITY_PBS_USE_BRDF1, UNITY_SPECCUBE_BLENDING,
+//                                  console  UNITY_SPECCUBE_BOX_PROJECTION, UNITY_ENABLE_DETAIL_NORMALMAP,
+//                                           UNITY_LIGHT_PROBE_PROXY_VOLUME, UNITY_LIGHTMAP_FULL_HDR,
+//                                           UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS
+//                                  mobile   UNITY_PBS_USE_BRDF2, UNITY_NO_DXT5nm, UNITY_NO_RGBM,
+//                                           UNITY_NO_SCREENSPACE_SHADOWS, UNITY_LIGHTMAP_DLDR_ENCODING
 //
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:
@@ -58,6 +71,7 @@ struct Platform {
   int unity_version = 202230;
   // For CGPROGRAM, HLSLSupport.cginc is included first and detects the compiler itself.
   bool includes_hlsl_support = false;
+  std::string light_mode{};  // value of the pass's tag LightMode; empty without one
 };
 
 // Returns UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch,
