@@ -37,13 +37,14 @@ class IncludeSearchTest : public testing::Test {
 
 TEST_F(IncludeSearchTest, EverySpellingThatUnityAccepts) {
   for (const char* asked :
-       {"Packages/com.x.core/Lib/Math.hlsl", "Packages/com.x.core@1.2.3/Lib/Math.hlsl",
-        "Packages/com.x.core@9.0.0-preview.13/Lib/Math.hlsl", "Packages\\com.x.core\\Lib\\Math.hlsl",
-        "Packages//com.x.core//Lib/Math.hlsl", "./Packages/com.x.core/Lib/Math.hlsl",
-        "Packages/com.x.core/Lib/../Lib/./Math.hlsl", "Packages/com.y/../com.x.core/Lib/Math.hlsl"})
+       {"Packages/com.x.core/Lib/Math.hlsl", "/Packages/com.x.core/Lib/Math.hlsl",
+        "Packages/com.x.core@1.2.3/Lib/Math.hlsl", "Packages/com.x.core@9.0.0-preview.13/Lib/Math.hlsl",
+        "Packages\\com.x.core\\Lib\\Math.hlsl", "Packages//com.x.core//Lib/Math.hlsl",
+        "./Packages/com.x.core/Lib/Math.hlsl", "Packages/com.x.core/Lib/../Lib/./Math.hlsl",
+        "Packages/com.y/../com.x.core/Lib/Math.hlsl"})
     EXPECT_EQ(found(asked), "core/Lib/Math.hlsl") << asked;
-  for (const char* asked : {"Assets/Shaders/Noise.hlsl", "../Noise.hlsl", "..\\Noise.hlsl",
-                            ".././/Noise.hlsl", "..\\..\\Shaders/Noise.hlsl"})
+  for (const char* asked : {"Assets/Shaders/Noise.hlsl", "/Assets/Shaders/Noise.hlsl", "../Noise.hlsl",
+                            "..\\Noise.hlsl", ".././/Noise.hlsl", "..\\..\\Shaders/Noise.hlsl"})
     EXPECT_EQ(found(asked), "Assets/Shaders/Noise.hlsl") << asked;
 }
 

@@ -170,6 +170,15 @@ TEST(Properties, AnAttributeMayHoldAnOddQuoteOrSpanLines) {
   EXPECT_EQ(shader.properties.at(1).attributes.at(0).arguments, "One, 1,\nTwo, 2");
 }
 
+TEST(Properties, ALabelMaySpanLines) {
+  const Shader shader = parsed(
+      "Shader \"x\" { Properties {\n_A (\"Mode--{\n1,2;\n}\", Float) = 0\n_B (\"B\", Float) = 1\n} SubShader "
+      "{ } }");
+  ASSERT_EQ(shader.properties.size(), 2U);
+  EXPECT_EQ(shader.properties[0].display_name, "Mode--{\n1,2;\n}");
+  EXPECT_EQ(shader.properties[1].name.place.line, 5);
+}
+
 TEST(Commands, SeveralOnALineArePartedByWhatEachTakes) {
   std::vector<std::string> text;
   for (const Command& command : commands_of(

@@ -36,7 +36,8 @@ TEST(PlatformDefines, AreThoseOfTheTable) {
   EXPECT_THAT(
       without_settings(platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35)),
       UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("SHADER_API_MOBILE"), Key("SHADER_STAGE_VERTEX"),
-                           Key("SHADER_TARGET"), Key("UNITY_VERSION"), Key("SHADER_TARGET_GLSL")));
+                           Key("SHADER_TARGET"), Key("UNITY_VERSION"), Key("SHADER_TARGET_GLSL"),
+                           Pair("_Object2World", "unity_ObjectToWorld"), Key("_World2Object")));
 }
 
 // The lists are those of Unity's own error messages, "Platform defines:".

@@ -217,7 +217,9 @@ std::string missing_editor_message(std::string_view name, const fs::path& cginc)
 }  // namespace
 
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, const fs::path& includer) {
-  const std::string header = normalised(asked);
+  std::string header = normalised(asked);
+  // Unity finds these in the project, as it does without the first '/'.
+  if (header.starts_with("/Assets/") || header.starts_with("/Packages/")) header.erase(0, 1);
   if (header.empty()) {
     IncludeSearch nothing;
     nothing.problem = "the #include names no file";

@@ -319,8 +319,11 @@ class Lexer {
     lexed_.programs.push_back(block);
   }
 
+  // A string ends on its line, but for the label of a property, which is the first after a '(': material
+  // inspectors keep data of several lines in it.
   void string() {
-    const std::size_t close = text_.find_first_of("\"\n", at_ + 1);
+    const bool is_label = !lexed_.tokens.empty() && lexed_.tokens.back().spelling == "(";
+    const std::size_t close = text_.find_first_of(is_label ? "\"" : "\"\n", at_ + 1);
     if (close == std::string_view::npos || text_[close] == '\n') {
       break_at(here(), "this string is not closed on its line");
       return;

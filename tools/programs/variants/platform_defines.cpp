@@ -109,7 +109,11 @@ std::map<std::string, std::string> platform_defines(const Platform& platform, hl
   defines["SHADER_STAGE_" + in_capitals(hlsl::stage_name(stage))] = "1";
   defines["SHADER_TARGET"] = std::to_string(shader_target);
   if (api == GraphicsApi::glcore || api == GraphicsApi::gles3) defines["SHADER_TARGET_GLSL"] = "1";
-  if (platform.includes_hlsl_support) return defines;
+  if (platform.includes_hlsl_support) {
+    defines["_Object2World"] = "unity_ObjectToWorld";
+    defines["_World2Object"] = "unity_WorldToObject";
+    return defines;
+  }
   defines["UNITY_COMPILER_HLSL"] = "1";
   if (api != GraphicsApi::d3d11 && api != GraphicsApi::nintendo_switch)
     defines["UNITY_COMPILER_HLSLCC"] = "1";
