@@ -1,4 +1,5 @@
 #include <array>
+#include <span>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
@@ -58,8 +59,11 @@ constexpr std::array landscape_entries{
     Entry{"valley-45", "the same under a sun 45 degrees high", valley_45},
 };
 
-template <typename Entries>
-std::vector<std::string> names_of(const Entries& all) {
+// All of them, in the order in which they are listed.
+constexpr std::array<std::span<const Entry>, 5> all_entries{entries, spot_entries, blended_entries,
+                                                            overlap_entries, landscape_entries};
+
+std::vector<std::string> names_of(std::span<const Entry> all) {
   std::vector<std::string> names;
   names.reserve(all.size());
   for (const Entry& entry : all) names.emplace_back(entry.name);
@@ -67,16 +71,9 @@ std::vector<std::string> names_of(const Entries& all) {
 }
 
 const Entry& entry_of(std::string_view name) {
-  for (const Entry& entry : entries)
-    if (name == entry.name) return entry;
-  for (const Entry& entry : spot_entries)
-    if (name == entry.name) return entry;
-  for (const Entry& entry : blended_entries)
-    if (name == entry.name) return entry;
-  for (const Entry& entry : overlap_entries)
-    if (name == entry.name) return entry;
-  for (const Entry& entry : landscape_entries)
-    if (name == entry.name) return entry;
+  for (const std::span<const Entry> some : all_entries)
+    for (const Entry& entry : some)
+      if (name == entry.name) return entry;
   throw InputError("", "unknown scene '" + std::string(name) + "'",
                    unknown_name_remedy(name, all_built_in_names()));
 }
@@ -104,11 +101,9 @@ std::vector<std::string> landscape_scene_names() {
 }
 
 std::vector<std::string> all_built_in_names() {
-  std::vector<std::string> names = built_in_names();
-  for (const std::string& name : spot_scene_names()) names.push_back(name);
-  for (const std::string& name : blended_scene_names()) names.push_back(name);
-  for (const std::string& name : overlap_scene_names()) names.push_back(name);
-  for (const std::string& name : landscape_scene_names()) names.push_back(name);
+  std::vector<std::string> names;
+  for (const std::span<const Entry> some : all_entries)
+    for (const Entry& entry : some) names.emplace_back(entry.name);
   return names;
 }
 
