@@ -13,7 +13,6 @@ namespace Penumbra
     {
         private readonly List<ChainTexture> textures = new List<ChainTexture>();
         private readonly List<ChainTexture> slots = new List<ChainTexture>();
-        private readonly List<GraphBuffer> buffers = new List<GraphBuffer>();
         private readonly List<ChainStep> steps = new List<ChainStep>();
         private readonly List<ChainGlobal> globals = new List<ChainGlobal>();
         private readonly List<ChainHistory> histories = new List<ChainHistory>();
@@ -21,7 +20,6 @@ namespace Penumbra
 
         internal IReadOnlyList<ChainStep> Steps => steps;
         internal IReadOnlyList<ChainTexture> Slots => slots;
-        internal IReadOnlyList<GraphBuffer> Buffers => buffers;
         internal IReadOnlyList<ChainGlobal> Globals => globals;
         internal IReadOnlyList<ChainHistory> Histories => histories;
         internal int Mask { get; private set; } = ShadowChain.None;
@@ -31,7 +29,6 @@ namespace Penumbra
             var placed = new int[graph.textures.Length];
             int next = textures.Count;
             for (int i = 0; i < placed.Length; ++i) placed[i] = i == graph.source ? Source(graph) : next++;
-            int firstBuffer = buffers.Count;
             for (int i = 0; i < graph.textures.Length; ++i)
             {
                 if (i == graph.source) continue;
@@ -42,20 +39,9 @@ namespace Penumbra
                                               graph.passes.Any(pass => pass.depth == i), IsFiltered(graph, i)));
                 if (written != i) histories.Add(new ChainHistory { now = placed[written], before = placed[i] });
             }
-            foreach (GraphBuffer buffer in graph.buffers)
-                buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,
-                                            Place(buffer.texture, placed), buffer.divisor, buffer.indirect));
-            foreach (GraphPass pass in graph.passes)
-            {
-                ChainStep step = Step(pass, placed, firstBuffer);
-                step.followsCascades = FollowsCascades(graph, pass);
-                steps.Add(step);
-            }
+            foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, placed));
             foreach (GraphBinding texture in graph.filterTextures)
-                globals.Add(new ChainGlobal
-                {
-                    texture = Binding(texture, placed, firstBuffer), afterStep = steps.Count - 1,
-                });
+                globals.Add(new ChainGlobal { texture = Binding(texture, placed), afterStep = steps.Count - 1 });
             if (graph.visibility != TechniqueGraph.None) visibility = placed[graph.visibility];
             if (graph.mask != TechniqueGraph.None) Mask = placed[graph.mask];
         }
@@ -72,7 +58,7 @@ namespace Penumbra
             index == TechniqueGraph.None ? ShadowChain.None : placed[index];
 
         private static bool IsWrittenByKernels(TechniqueGraph graph, int texture) =>
-            graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(false, texture));
+            graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(texture));
 
         private static bool IsFiltered(TechniqueGraph graph, int texture) =>
             graph.filtersLinearly && graph.filterTextures.Any(binding => binding.index == texture);
@@ -82,20 +68,15 @@ namespace Penumbra
         {
             if (graph.textures[texture].previousOf != TechniqueGraph.None) return true;
             if (graph.textures.Any(other => other.previousOf == texture)) return true;
-            PassFrequency written = graph.passes.Where(pass => pass.Writes(false, texture)).Min(pass => pass.runs);
+            PassFrequency written = graph.passes.Where(pass => pass.Writes(texture)).Min(pass => pass.runs);
             bool byFilter = graph.filterTextures.Any(binding => binding.index == texture);
             return byFilter && written < PassFrequency.Frame ||
-                   graph.passes.Any(pass => pass.Reads(false, texture) && pass.runs > written);
+                   graph.passes.Any(pass => pass.Reads(texture) && pass.runs > written);
         }
 
-        private static bool FollowsCascades(TechniqueGraph graph, GraphPass pass) =>
-            pass.eachMip && pass.runs == PassFrequency.Frame &&
-            graph.passes.Any(other => other.runs == PassFrequency.Cascade &&
-                                      pass.writes.Any(write => !write.isBuffer && other.Writes(false, write.index)));
-
-        private ChainStep Step(GraphPass pass, int[] placed, int firstBuffer)
+        private ChainStep Step(GraphPass pass, int[] placed)
         {
-            ChainBinding Bound(GraphBinding binding) => Binding(binding, placed, firstBuffer);
+            ChainBinding Bound(GraphBinding binding) => Binding(binding, placed);
             var step = new ChainStep
             {
                 pass = pass, reads = pass.reads.Select(Bound).ToArray(),
@@ -104,26 +85,20 @@ namespace Penumbra
                 absentSizes = pass.absent.Select(SizeProperty).ToArray(),
             };
             step.depth = Place(pass.depth, placed);
-            if (pass.kind == PassKind.Compute)
-            {
-                step.threadsOf = Place(pass.groups.texelsOf, placed);
-                int indirect = pass.groups.indirect;
-                step.indirect = indirect == TechniqueGraph.None ? ShadowChain.None : firstBuffer + indirect;
-            }
+            if (pass.kind == PassKind.Compute) step.threadsOf = Place(pass.groups.texelsOf, placed);
             for (int i = 0; i < step.reads.Length; ++i)
-                if (pass.eachMip && !step.reads[i].isBuffer && pass.Writes(false, pass.reads[i].index))
+                if (pass.eachMip && pass.Writes(pass.reads[i].index))
                     step.reads[i].levels = LevelCopies(textures[step.reads[i].index]);
             return step;
         }
 
-        private static ChainBinding Binding(in GraphBinding binding, int[] placed, int firstBuffer)
+        private static ChainBinding Binding(in GraphBinding binding, int[] placed)
         {
             ChainBinding bound = default;
-            bound.isBuffer = binding.isBuffer;
-            bound.index = binding.isBuffer ? firstBuffer + binding.index : placed[binding.index];
+            bound.index = placed[binding.index];
             if (binding.property == null) return bound;
             bound.property = Shader.PropertyToID(binding.property);
-            if (!binding.isBuffer) bound.sizeProperty = SizeProperty(binding.property);
+            bound.sizeProperty = SizeProperty(binding.property);
             return bound;
         }
 
@@ -175,10 +150,6 @@ namespace Penumbra
                 {
                     now = slotOf[histories[i].now], before = slotOf[histories[i].before],
                 };
-            for (int i = 0; i < buffers.Count; ++i)
-                if (buffers[i].texture != ShadowChain.None)
-                    buffers[i] = new GraphBuffer(buffers[i].name, buffers[i].words, buffers[i].wordsPerTexel,
-                                                 slotOf[buffers[i].texture], buffers[i].divisor, buffers[i].indirect);
             if (Mask != ShadowChain.None) Mask = slotOf[Mask];
         }
 
@@ -195,12 +166,11 @@ namespace Penumbra
             }
             for (int at = 0; at < steps.Count; ++at)
             {
-                foreach (ChainBinding write in steps[at].writes)
-                    if (!write.isBuffer) Use(write.index, at, at);
+                foreach (ChainBinding write in steps[at].writes) Use(write.index, at, at);
                 if (steps[at].depth != ShadowChain.None) Use(steps[at].depth, at, at);
                 foreach (ChainBinding read in steps[at].reads)
                 {
-                    if (!read.isBuffer) Use(read.index, at, at);
+                    Use(read.index, at, at);
                     foreach (int copy in read.levels ?? Array.Empty<int>()) Use(copy, at, at);
                 }
             }
@@ -214,7 +184,6 @@ namespace Penumbra
         {
             for (int i = 0; i < bindings.Length; ++i)
             {
-                if (bindings[i].isBuffer) continue;
                 bindings[i].index = slotOf[bindings[i].index];
                 for (int level = 0; level < (bindings[i].levels?.Length ?? 0); ++level)
                     bindings[i].levels[level] = slotOf[bindings[i].levels[level]];

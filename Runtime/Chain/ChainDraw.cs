@@ -63,10 +63,9 @@ namespace Penumbra
         /// <summary>The program of a step of the chain.</summary>
         internal ref readonly PassProgram Program(int step) => ref current.programs[step];
 
-        /// <summary>Draws the chain; `slots` and `buffers` are in its order.</summary>
+        /// <summary>Draws the chain; `slots` are in its order.</summary>
         /// <param name="casters">For chains that draw objects: the frame's casters and their lists.</param>
-        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers,
-                           CasterFrame casters = null)
+        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, CasterFrame casters = null)
         {
 #if UNITY_EDITOR
             // Until a program is compiled the editor would skip its draws, and the targets would keep what they held.
@@ -81,7 +80,7 @@ namespace Penumbra
                 bool oneView = frame.views > 1 && Chain.Steps[i].pass.kind != PassKind.Compute &&
                                !Chain.IsOverScreen(Chain.Steps[i]);
                 if (oneView) frame.xr.StopSinglePass(commands);
-                var step = new StepDraw(current, i, slots, buffers, casters);
+                var step = new StepDraw(current, i, slots, casters);
                 step.Draw(commands, frame);
                 if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);

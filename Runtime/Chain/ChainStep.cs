@@ -1,6 +1,6 @@
 namespace Penumbra
 {
-    /// <summary>A texture or buffer of a step: an index into ShadowChain.Slots or ShadowChain.Buffers.</summary>
+    /// <summary>A texture of a step: an index into ShadowChain.Slots.</summary>
     internal struct ChainBinding
     {
         /// <summary>The Shader.PropertyToID of the name; 0 for render targets.</summary>
@@ -9,7 +9,6 @@ namespace Penumbra
         /// <summary>The property that receives the size of a texture that is read.</summary>
         internal int sizeProperty;
 
-        internal bool isBuffer;
         internal int index;
 
         /// <summary>
@@ -26,7 +25,7 @@ namespace Penumbra
         internal int before;
     }
 
-    /// <summary>A pass of a chain, with the textures and buffers that it reads and writes.</summary>
+    /// <summary>A pass of a chain, with the textures that it reads and writes.</summary>
     internal sealed class ChainStep
     {
         internal GraphPass pass;
@@ -41,22 +40,13 @@ namespace Penumbra
         /// <summary>The pass's writes, then its updates.</summary>
         internal ChainBinding[] writes;
 
-        /// <summary>
-        /// The texture with a thread per texel, or the buffer with the thread group counts; otherwise None.
-        /// </summary>
+        /// <summary>The texture with a thread per texel; None for a fixed number of groups.</summary>
         internal int threadsOf = ShadowChain.None;
-        internal int indirect = ShadowChain.None;
 
         /// <summary>The slot of the casters' own depth texture; None for other passes.</summary>
         internal int depth = ShadowChain.None;
 
         internal bool ByCascade => pass.runs == PassFrequency.Cascade;
-
-        /// <summary>
-        /// Whether the pass makes mip levels, of all cascades at once, of a texture whose first level is made per
-        /// cascade: it has nothing to do where no cascade was redrawn.
-        /// </summary>
-        internal bool followsCascades;
 
         /// <summary>
         /// Whether the kernel has no thread per texel and so may not write all texels, which are cleared first. Passes
@@ -65,17 +55,8 @@ namespace Penumbra
         internal bool IsSparse => pass.kind == PassKind.Compute && threadsOf == ShadowChain.None && !ByCascade;
 
         /// <summary>
-        /// The first texture that the step writes, or the depth texture of casters that write no other; None if it
-        /// writes only buffers.
+        /// The first texture that the step writes, or the depth texture of casters that write no other.
         /// </summary>
-        internal int Target
-        {
-            get
-            {
-                foreach (ChainBinding write in writes)
-                    if (!write.isBuffer) return write.index;
-                return depth;
-            }
-        }
+        internal int Target => writes.Length > 0 ? writes[0].index : depth;
     }
 }

@@ -74,20 +74,14 @@ namespace Penumbra
             if (step.reads.Any(read => read.levels != null) &&
                 (SystemInfo.copyTextureSupport & CopyTextureSupport.Basic) == 0)
                 return pass + "generates mip levels from copies, and this device cannot copy textures";
-            if (step.pass.kind == PassKind.Compute)
-                return step.indirect != ShadowChain.None && !SystemInfo.supportsIndirectArgumentsBuffer
-                           ? pass + "reads how often it runs from a buffer, which this device cannot do" : null;
+            if (step.pass.kind == PassKind.Compute) return null;
 #if !UNITY_6000_0_OR_NEWER
             if (step.pass.testsShadowMap)
                 return pass + "tests casters against the shadow map, which only URP 17 (Unity 6) gives access to";
 #endif
-            if (step.writes.Length > SystemInfo.supportedRenderTargetCount)
-                return pass + "draws to " + step.writes.Length + " textures at once, and this device supports " +
-                       SystemInfo.supportedRenderTargetCount;
-            int buffers = step.reads.Count(read => read.isBuffer);
-            return buffers > SystemInfo.maxComputeBufferInputsFragment
-                       ? pass + "reads " + buffers + " buffers, and this device's shaders can read " +
-                             SystemInfo.maxComputeBufferInputsFragment
+            return step.writes.Length > SystemInfo.supportedRenderTargetCount
+                       ? pass + "draws to " + step.writes.Length + " textures at once, and this device supports " +
+                             SystemInfo.supportedRenderTargetCount
                        : null;
         }
 
@@ -123,7 +117,7 @@ namespace Penumbra
         internal static string StereoProblem(ShadowChain chain, ChainStep step, ProgramAsset asset)
         {
             bool ofScreen = step.reads.Concat(step.writes)
-                .Any(used => !used.isBuffer && chain.Slots[used.index].extent == GraphExtent.Screen);
+                .Any(used => chain.Slots[used.index].extent == GraphExtent.Screen);
             if (step.pass.kind != PassKind.Compute || !ofScreen || asset.Declares(ChainKeywords.BothEyes)) return null;
             return "kernel '" + step.pass.program + "' uses textures of the screen, and " + step.pass.asset +
                    " has no keyword " + ChainKeywords.BothEyes + " to do so for both eyes at once" + StereoRemedy;

@@ -40,12 +40,12 @@ namespace Penumbra
         /// Thread groups with one thread per block of divisor x divisor texels of the area; in a pass per cascade, for
         /// one layer of a tile texture.
         /// </summary>
-        internal static Vector3Int Groups(in ChainTexture texture, in ShadowFrame frame, bool byCascade, int mip,
-                                          int divisor, Vector3Int threads)
+        internal static Vector3Int Groups(in ChainTexture texture, in ShadowFrame frame, bool byCascade, int divisor,
+                                          Vector3Int threads)
         {
-            Rect area = Area(texture, frame, byCascade, 0, mip);
+            Rect area = Area(texture, frame, byCascade, 0, 0);
             bool oneLayer = byCascade && texture.extent == GraphExtent.Tile;
-            int depth = oneLayer ? 1 : TextureSize.Drawn(texture, frame).At(mip).depth;
+            int depth = oneLayer ? 1 : TextureSize.Drawn(texture, frame).depth;
             return new Vector3Int(Groups((int)area.width, divisor * threads.x), Groups((int)area.height, divisor * threads.y),
                                   Groups(depth, threads.z));
         }

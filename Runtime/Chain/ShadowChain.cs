@@ -29,8 +29,6 @@ namespace Penumbra
         /// <summary>The names of the slots' textures.</summary>
         internal IReadOnlyList<string> SlotNames { get; }
 
-        /// <summary>The chain's buffers, whose `texture` is the index of a slot.</summary>
-        internal IReadOnlyList<GraphBuffer> Buffers { get; }
         internal IReadOnlyList<ChainGlobal> Globals { get; }
         internal IReadOnlyList<ChainHistory> Histories { get; }
 
@@ -42,12 +40,11 @@ namespace Penumbra
         /// <summary>The mask's slot; None without one.</summary>
         internal int Mask { get; }
 
-        /// <summary>Whether a texture or buffer that is kept between frames has the size of the screen.</summary>
+        /// <summary>Whether a texture that is kept between frames has the size of the screen.</summary>
         internal bool KeepsScreen { get; }
 
         /// <summary>Whether the step's target has a slice per eye if two are drawn at once.</summary>
-        internal bool IsOverScreen(ChainStep step) =>
-            step.Target != None && Slots[step.Target].extent == GraphExtent.Screen;
+        internal bool IsOverScreen(ChainStep step) => Slots[step.Target].extent == GraphExtent.Screen;
 
         /// <summary>
         /// Whether a step draws objects of the scene; DrawsCascades tells whether one of them does so per cascade.
@@ -71,7 +68,6 @@ namespace Penumbra
             builder.Finish();
             Steps = builder.Steps;
             Slots = builder.Slots;
-            Buffers = builder.Buffers;
             Globals = builder.Globals;
             Histories = builder.Histories;
             Mask = builder.Mask;

@@ -13,19 +13,16 @@ namespace Penumbra
         private readonly PassProgram program;
         private readonly RenderTargetIdentifier[] targets;
         private readonly RTHandle[] slots;
-        private readonly GraphicsBuffer[] buffers;
         private readonly CasterFrame casters;
         private readonly int index;
 
-        internal StepDraw(PreparedChain prepared, int index, RTHandle[] slots, GraphicsBuffer[] buffers,
-                          CasterFrame casters)
+        internal StepDraw(PreparedChain prepared, int index, RTHandle[] slots, CasterFrame casters)
         {
             chain = prepared.chain;
             step = chain.Steps[index];
             program = prepared.programs[index];
             targets = prepared.targets[index];
             this.slots = slots;
-            this.buffers = buffers;
             this.casters = casters;
             this.index = index;
         }
@@ -33,7 +30,7 @@ namespace Penumbra
         internal void Draw(CommandBuffer commands, in ShadowFrame frame)
         {
             if (step.pass.runs == PassFrequency.Bake && !frame.storeIsEmpty) return;
-            if ((step.ByCascade || step.followsCascades) && !frame.UpdatesAny) return;
+            if (step.ByCascade && !frame.UpdatesAny) return;
             if (!step.pass.eachMip)
             {
                 DrawCascades(commands, frame, 0);
@@ -62,9 +59,9 @@ namespace Penumbra
         private void DrawOnce(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
         {
             SetSizes(commands, frame, cascade, mip);
-            if (step.pass.kind == PassKind.Compute) Dispatch(commands, frame, mip);
+            if (step.pass.kind == PassKind.Compute) Dispatch(commands, frame);
             else if (step.pass.kind == PassKind.Casters) DrawCasters(commands, frame, cascade);
-            else if (step.pass.kind == PassKind.Lit) Fill(commands, slots[step.Target], Color.white, 0);
+            else if (step.pass.kind == PassKind.Lit) Fill(commands, slots[step.Target], Color.white);
             else DrawTriangle(commands, frame, cascade, mip);
         }
 
@@ -72,7 +69,6 @@ namespace Penumbra
         {
             for (int i = 0; i < step.reads.Length; ++i)
             {
-                if (step.reads[i].isBuffer) continue;
                 int level = step.reads[i].levels != null ? mip - 1 : 0;
                 commands.SetGlobalVector(step.reads[i].sizeProperty,
                                          TextureSize.Drawn(chain.Slots[step.reads[i].index], frame).At(level).Uniform);
@@ -84,9 +80,7 @@ namespace Penumbra
                 commands.SetGlobalTexture(step.absent[i], AbsentTexture.For(frame.views));
                 commands.SetGlobalVector(step.absentSizes[i], Vector4.zero);
             }
-            int sized = step.threadsOf != ShadowChain.None ? step.threadsOf : step.Target;
-            if (sized == ShadowChain.None) return;
-            ChainTexture target = chain.Slots[sized];
+            ChainTexture target = chain.Slots[step.threadsOf != ShadowChain.None ? step.threadsOf : step.Target];
             commands.SetGlobalVector(FrameUniforms.TargetSize, TextureSize.Drawn(target, frame).At(mip).Uniform);
             if (!step.ByCascade) return;
             Rect tile = PassGeometry.Area(target, frame, true, cascade, mip);
@@ -123,8 +117,8 @@ namespace Penumbra
             for (int i = 0; i < step.reads.Length; ++i)
             {
                 ChainBinding read = step.reads[i];
-                if (read.isBuffer) commands.SetGlobalBuffer(read.property, buffers[read.index]);
-                else commands.SetGlobalTexture(read.property, slots[Read(read, mip)]);
+                commands.SetGlobalTexture(read.property,
+                                          slots[read.levels == null ? read.index : read.levels[mip - 1]]);
             }
         }
 
@@ -153,55 +147,38 @@ namespace Penumbra
             }
             for (int i = 0; i < targets.Length; ++i) targets[i] = slots[step.writes[i].index];
             // The second argument is the depth target; passing a colour target means none.
-            commands.SetRenderTarget(targets, targets[0], mip, CubemapFace.Unknown, slice);
+            commands.SetRenderTarget(targets, targets[0], 0, CubemapFace.Unknown, slice);
         }
 
-        private void Dispatch(CommandBuffer commands, in ShadowFrame frame, int mip)
+        private void Dispatch(CommandBuffer commands, in ShadowFrame frame)
         {
             ComputeShader kernels = program.asset.kernels;
-            if (step.IsSparse) ClearTargets(commands, mip);
-            for (int i = 0; i < step.reads.Length; ++i)
-            {
-                ChainBinding read = step.reads[i];
-                if (read.isBuffer) Bind(commands, read);
-                else commands.SetComputeTextureParam(kernels, program.index, read.property, slots[Read(read, mip)]);
-            }
-            for (int i = 0; i < step.writes.Length; ++i)
-            {
-                ChainBinding write = step.writes[i];
-                if (write.isBuffer) Bind(commands, write);
-                else commands.SetComputeTextureParam(kernels, program.index, write.property, slots[write.index], mip);
-            }
-            if (step.indirect != ShadowChain.None)
-            {
-                commands.DispatchCompute(kernels, program.index, buffers[step.indirect], 0);
-                return;
-            }
+            if (step.IsSparse) ClearTargets(commands);
+            foreach (ChainBinding read in step.reads) Bind(commands, read);
+            foreach (ChainBinding write in step.writes) Bind(commands, write);
             GraphGroups groups = step.pass.groups;
             Vector3Int count = step.threadsOf == ShadowChain.None
                                    ? new Vector3Int(groups.x, groups.y, groups.z)
-                                   : PassGeometry.Groups(chain.Slots[step.threadsOf], frame, step.ByCascade, mip,
+                                   : PassGeometry.Groups(chain.Slots[step.threadsOf], frame, step.ByCascade,
                                                          groups.divisor, program.threads);
             commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
         }
 
         // Texels that the kernel does not write are 0 instead of the content of another frame. Textures that it updates
         // are kept.
-        private void ClearTargets(CommandBuffer commands, int mip)
+        private void ClearTargets(CommandBuffer commands)
         {
             for (int i = 0; i < step.pass.writes.Length; ++i)
-                if (!step.writes[i].isBuffer) Fill(commands, slots[step.writes[i].index], Color.clear, mip);
+                Fill(commands, slots[step.writes[i].index], Color.clear);
         }
 
-        private static void Fill(CommandBuffer commands, RTHandle target, Color colour, int mip) =>
+        private static void Fill(CommandBuffer commands, RTHandle target, Color colour) =>
             CoreUtils.SetRenderTarget(commands, target, RenderBufferLoadAction.DontCare, RenderBufferStoreAction.Store,
-                                      ClearFlag.Color, colour, mip);
+                                      ClearFlag.Color, colour);
 
-        private void Bind(CommandBuffer commands, in ChainBinding buffer) =>
-            commands.SetComputeBufferParam(program.asset.kernels, program.index, buffer.property,
-                                           buffers[buffer.index]);
-
-        private static int Read(in ChainBinding read, int mip) => read.levels == null ? read.index : read.levels[mip - 1];
+        private void Bind(CommandBuffer commands, in ChainBinding texture) =>
+            commands.SetComputeTextureParam(program.asset.kernels, program.index, texture.property,
+                                            slots[texture.index]);
 
         // A texture cannot be read while one of its levels is drawn, so programs read a copy of the previous level.
         private void CopyLevel(CommandBuffer commands, in ShadowFrame frame, int level)

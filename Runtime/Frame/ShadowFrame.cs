@@ -60,7 +60,7 @@ namespace Penumbra
         internal int updatedCascades;
 
         /// <summary>
-        /// Whether the textures and buffers that the chain keeps for this camera between frames have no content yet.
+        /// Whether the textures that the chain keeps for this camera between frames have no content yet.
         /// </summary>
         internal bool storeIsEmpty;
 

@@ -5,13 +5,11 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// The store of one camera's content between frames: textures with persistent content or that the pipeline cannot
-    /// lend, and buffers.
+    /// The store of one camera's textures: those whose content persists between frames or that the pipeline cannot
+    /// lend.
     /// </summary>
     internal sealed class CameraStore : IDisposable
     {
-        private const int WordBytes = 4;
-
         private readonly SlotTextures owned = new SlotTextures();
         private ShadowChain chain;
         private bool isFilled;
@@ -26,9 +24,6 @@ namespace Penumbra
         /// </summary>
         internal RTHandle[] Textures { get; private set; } = Array.Empty<RTHandle>();
 
-        /// <summary>The buffers in the order of the chain's.</summary>
-        internal GraphicsBuffer[] Buffers { get; private set; } = Array.Empty<GraphicsBuffer>();
-
         /// <summary>
         /// Allocates what is missing or has another size, and sets in the frame whether the content is missing.
         /// </summary>
@@ -42,8 +37,6 @@ namespace Penumbra
                 if (owned.Allocate(i, texture, chain.SlotNames[i])) isFilled = false;
                 Textures[i] = owned[i];
             }
-            for (int i = 0; i < Buffers.Length; ++i)
-                if (Allocate(ref Buffers[i], chain.Buffers[i], frame)) isFilled = false;
             // After a change of scale, the device gives textures of the screen other memory.
             if (chain.KeepsScreen && IsScaledAnew(frame)) isFilled = false;
             if (isSwapped) SwapHistories();
@@ -82,35 +75,13 @@ namespace Penumbra
             chain = forChain;
             owned.MakeRoom(chain.Slots.Count);
             Textures = new RTHandle[chain.Slots.Count];
-            Buffers = new GraphicsBuffer[chain.Buffers.Count];
-        }
-
-        // Buffers only grow, so that dynamic resolution does not reallocate them.
-        private bool Allocate(ref GraphicsBuffer buffer, in GraphBuffer declared, in ShadowFrame frame)
-        {
-            int words = declared.words;
-            if (declared.texture != ShadowChain.None)
-            {
-                TextureSize size = TextureSize.Of(chain.Slots[declared.texture], frame);
-                words += declared.wordsPerTexel * declared.Blocks(size.width) * declared.Blocks(size.height) * size.depth;
-            }
-            if (buffer != null && buffer.count >= words) return false;
-            buffer?.Release();
-            // Direct3D 11 has no structured buffers of arguments: kernels write these as a RWByteAddressBuffer.
-            GraphicsBuffer.Target uses = declared.indirect
-                                             ? GraphicsBuffer.Target.Raw | GraphicsBuffer.Target.IndirectArguments
-                                             : GraphicsBuffer.Target.Structured;
-            buffer = new GraphicsBuffer(uses, words, WordBytes);
-            return true;
         }
 
         /// <inheritdoc/>
         public void Dispose()
         {
             owned.Dispose();
-            foreach (GraphicsBuffer buffer in Buffers) buffer?.Release();
             Textures = Array.Empty<RTHandle>();
-            Buffers = Array.Empty<GraphicsBuffer>();
             chain = null;
             isFilled = isSwapped = false;
         }

@@ -77,7 +77,7 @@ namespace Penumbra
             {
                 if (draw.Chain.DrawsObjects) ListCasters(context, ref renderingData);
                 ReceiverFade.Stop(commands, frame);
-                draw.Draw(commands, frame, slots, store.Buffers, casters);
+                draw.Draw(commands, frame, slots, casters);
                 store.SetFilled(frame);
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);

@@ -158,7 +158,7 @@ namespace Penumbra
             for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
             if (data.draw.Chain.DrawsObjects) TakeLists(data);
             ReceiverFade.Stop(commands, data.frame);
-            data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers, data.casters);
+            data.draw.Draw(commands, data.frame, data.slots, data.casters);
             data.store.SetFilled(data.frame);
             ShadowKeywords.Global.Open(commands);
         }

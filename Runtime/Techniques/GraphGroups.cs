@@ -12,25 +12,18 @@ namespace Penumbra
         internal readonly int texelsOf;
         internal readonly int divisor;
 
-        /// <summary>The buffer with the counts of an indirect dispatch.</summary>
-        internal readonly int indirect;
-
-        private GraphGroups(int x, int y, int z, int texelsOf, int indirect, int divisor = 1)
+        private GraphGroups(int x, int y, int z, int texelsOf, int divisor = 1)
         {
             this.x = x;
             this.y = y;
             this.z = z;
             this.texelsOf = texelsOf;
-            this.indirect = indirect;
             this.divisor = divisor;
         }
 
-        internal static GraphGroups Fixed(int x, int y, int z) =>
-            new GraphGroups(x, y, z, TechniqueGraph.None, TechniqueGraph.None);
+        internal static GraphGroups Fixed(int x, int y, int z) => new GraphGroups(x, y, z, TechniqueGraph.None);
 
         internal static GraphGroups TexelsOf(int texture, int divisor = 1) =>
-            new GraphGroups(0, 0, 0, texture, TechniqueGraph.None, divisor);
-
-        internal static GraphGroups Indirect(int buffer) => new GraphGroups(0, 0, 0, TechniqueGraph.None, buffer);
+            new GraphGroups(0, 0, 0, texture, divisor);
     }
 }

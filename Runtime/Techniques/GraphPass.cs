@@ -50,11 +50,11 @@ namespace Penumbra
         internal string[] absent = Array.Empty<string>();
 
         /// <summary>
-        /// The textures and buffers that the pass writes; for a pass that draws, in the order of its render targets.
+        /// The textures that the pass writes; for a pass that draws, in the order of its render targets.
         /// </summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
 
-        /// <summary>The textures and buffers that another pass has written before and a kernel changes.</summary>
+        /// <summary>The textures that another pass has written before and a kernel changes.</summary>
         internal GraphBinding[] updates = Array.Empty<GraphBinding>();
 
         /// <summary>The depth texture that casters are tested against and write to; -1 without one.</summary>
@@ -66,22 +66,23 @@ namespace Penumbra
         /// <summary>Whether casters are those that blend, in place of those that the shadow map holds.</summary>
         internal bool blended;
 
-        /// <summary>Whether the pass runs once per mip level except the first, reading the previous level.</summary>
+        /// <summary>
+        /// Whether the pass runs once per mip level of its target except the first, reading the previous level. Kernels
+        /// do not.
+        /// </summary>
         internal bool eachMip;
 
         /// <summary>The thread group counts of a kernel.</summary>
         internal GraphGroups groups;
 
-        internal bool Writes(bool isBuffer, int index) =>
-            Has(writes, isBuffer, index) || Has(updates, isBuffer, index) || !isBuffer && depth == index;
+        internal bool Writes(int texture) => Has(writes, texture) || Has(updates, texture) || depth == texture;
 
-        internal bool Reads(bool isBuffer, int index) =>
-            Has(reads, isBuffer, index) || isBuffer && kind == PassKind.Compute && groups.indirect == index;
+        internal bool Reads(int texture) => Has(reads, texture);
 
-        private static bool Has(GraphBinding[] bindings, bool isBuffer, int index)
+        private static bool Has(GraphBinding[] bindings, int texture)
         {
             foreach (GraphBinding binding in bindings)
-                if (binding.isBuffer == isBuffer && binding.index == index) return true;
+                if (binding.index == texture) return true;
             return false;
         }
     }

@@ -12,7 +12,6 @@ namespace Penumbra
 
         internal string name;
         internal GraphTexture[] textures = Array.Empty<GraphTexture>();
-        internal GraphBuffer[] buffers = Array.Empty<GraphBuffer>();
 
         /// <summary>The passes in the order in which they run.</summary>
         internal GraphPass[] passes = Array.Empty<GraphPass>();

@@ -79,7 +79,6 @@ namespace Penumbra
             {
                 case "texture": Append(ref graph.textures, ReadTexture()); break;
                 case "previous": graph.textures[Texture()].previousOf = Texture(); break;
-                case "buffer": Append(ref graph.buffers, ReadBuffer()); break;
                 case "pass":
                     pass = new GraphPass
                     {
@@ -112,7 +111,6 @@ namespace Penumbra
                 case "depth": pass.depth = Texture(); break;
                 case "groups": pass.groups = GraphGroups.Fixed(Count(), Count(), Count()); break;
                 case "groupsOfTexels": pass.groups = GraphGroups.TexelsOf(Texture(), Count("divisor", 1)); break;
-                case "groupsInBuffer": pass.groups = GraphGroups.Indirect(Buffer(Text())); break;
                 default: return false;
             }
             return true;
@@ -166,21 +164,11 @@ namespace Penumbra
                              Count("width", 0), Count("height", 0), Count("depth", 1), Count("mips", 1),
                              Count("layers", 1), Count("samples", 1));
 
-        private GraphBuffer ReadBuffer()
-        {
-            string name = Text(), texels = Named("texelsOf");
-            return new GraphBuffer(name, Count("words", 0), Count("wordsPerTexel", 0),
-                                   texels == null ? TechniqueGraph.None : Texture(texels), Count("divisor", 1),
-                                   Has("indirect"));
-        }
-
         // A render target's name in the program is empty.
         private GraphBinding Binding()
         {
-            string property = Text(), name = Text();
-            if (property.Length == 0) return GraphBinding.Texture(Texture(name));
-            int buffer = Array.FindIndex(graph.buffers, one => one.name == name);
-            return buffer >= 0 ? GraphBinding.Buffer(property, buffer) : GraphBinding.Texture(property, Texture(name));
+            string property = Text();
+            return property.Length == 0 ? GraphBinding.Texture(Texture()) : GraphBinding.Texture(property, Texture());
         }
 
         // A number, or option:low:high.
@@ -196,16 +184,12 @@ namespace Penumbra
             graphs.TryGetValue(name, out TechniqueGraph found)
                 ? found : throw Wrong("there is no graph '" + name + "'");
 
-        private int Texture() => Texture(Text());
-
-        private int Texture(string name) =>
-            Found(Array.FindIndex(graph.textures, texture => texture.name == name), "texture", name);
-
-        private int Buffer(string name) =>
-            Found(Array.FindIndex(graph.buffers, buffer => buffer.name == name), "buffer", name);
-
-        private int Found(int index, string kind, string name) =>
-            index >= 0 ? index : throw Wrong("graph '" + graph.name + "' has no " + kind + " '" + name + "'");
+        private int Texture()
+        {
+            string name = Text();
+            int index = Array.FindIndex(graph.textures, texture => texture.name == name);
+            return index >= 0 ? index : throw Wrong("graph '" + graph.name + "' has no texture '" + name + "'");
+        }
 
         /// <summary>The next column.</summary>
         private string Text()

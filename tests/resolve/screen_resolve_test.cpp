@@ -71,7 +71,6 @@ class ScreenResolve : public testing::TestWithParam<Case> {
   void draw_maps_first(techniques::PassGraph& graph) const {
     const techniques::PassGraph& own = technique_.graph;
     graph.textures.insert(graph.textures.end(), own.textures.begin(), own.textures.end());
-    graph.buffers = own.buffers;
     for (const techniques::GraphTexture& texture : own.textures)
       if (own.filter()->takes(texture.name))
         graph.passes.back().reads.emplace_back(techniques::argument_name(texture.name), texture.name);

@@ -25,7 +25,6 @@ const std::set<std::string> kOfNoPicture{"family", "source", "use_when", "not_wh
 // Every change moves what stands behind it in the file, and messages name places.
 void forget_places(techniques::PassGraph& graph) {
   for (techniques::GraphTexture& texture : graph.textures) texture.where.clear();
-  for (techniques::GraphBuffer& buffer : graph.buffers) buffer.where.clear();
   for (techniques::GraphPass& pass : graph.passes) pass.where.clear();
 }
 
@@ -69,7 +68,7 @@ bool is_binding(const std::string& field) {
 // Fields of one kind hold each other's values, as all that name textures do.
 std::string kind_of(const json::json_pointer& at) {
   const std::string field = field_of(at);
-  return is_binding(field) || field == "texture" || field == "previous_of" ? "of a texture" : field;
+  return is_binding(field) || field == "previous_of" ? "of a texture" : field;
 }
 
 class Manifest {

@@ -26,10 +26,6 @@ std::string with_texture(const std::string& keys) {
   return "{\"graphs\": [{\"name\": \"g\", \"textures\": [{\"name\": \"t\",\n" + keys + "}]}]}";
 }
 
-std::string with_buffer(const std::string& keys) {
-  return "{\"graphs\": [{\"name\": \"g\", \"buffers\": [{\"name\": \"b\",\n" + keys + "}]}]}";
-}
-
 std::string with_pass(const std::string& keys) {
   return "{\"graphs\": [{\"name\": \"g\", \"passes\": [{\"name\": \"p\",\n" + keys + "}]}]}";
 }
@@ -68,8 +64,8 @@ TEST(ManifestCheck, KeywordType) {
             "m:2:12: 'taps' must be a number or an array, found a string");
   EXPECT_EQ(refusal_of(with_pass(R"("kind": "raster", "shader": "a", "writes": {"_T": "t"})")),
             "m:2:34: 'writes' must be an array, found an object");
-  EXPECT_EQ(refusal_of(with_buffer(R"("words": 3, "indirect": 1)")),
-            "m:2:13: 'indirect' must be true or false, found a number");
+  EXPECT_EQ(refusal_of(with_pass(R"("kind": "raster", "shader": "a", "each_mip": 1)")),
+            "m:2:34: 'each_mip' must be true or false, found a number");
 }
 
 TEST(ManifestCheck, KeywordEnum) {
@@ -108,8 +104,6 @@ TEST(ManifestCheck, KeywordsMinimumAndMaximum) {
             "m:2:15: 'from' must be a whole number from 1 to 3, not 4");
   EXPECT_EQ(refusal_of(with_texture(R"("format": "r8", "extent": "fixed", "size": [1, 1, 0])")),
             "m:2:52: each of 'size' must be a whole number from 1 to 16384, not 0");
-  EXPECT_EQ(refusal_of(with_buffer(R"("words": 2, "indirect": true)")),
-            "m:2:1: 'words': numbers of groups take three words");
   for (const char* degrees : {"0", "31"})
     EXPECT_EQ(refusal_of(R"({"looks": [{"name": "a", "title": "t", "doc": "d", "maxPenumbraMetres": 1,
 "angularDiameterDegrees": )" +
@@ -138,8 +132,9 @@ TEST(ManifestCheck, KeywordsMinItemsMaxItemsAndMaxProperties) {
 }
 
 TEST(ManifestCheck, KeywordDependencies) {
-  EXPECT_EQ(refusal_of(with_buffer(R"("words": 3, "divisor": 2)")),
-            "m:2:13: 'divisor' needs 'texture', which is missing");
+  EXPECT_EQ(refusal_of(with_pass(
+                R"("kind": "compute", "compute": "a", "groups": {"fixed": [1, 1, 1], "divisor": 2})")),
+            "m:2:67: 'divisor' needs 'texels_of', which is missing");
   EXPECT_EQ(refusal_of(R"({"selections": [{"name": "S", "technique": "t", "value": 1, "doc": "d"}]})"),
             "m:1:49: 'value' needs 'title', which is missing");
 }
@@ -151,13 +146,11 @@ TEST(ManifestCheck, KeywordNot) {
             "m:2:55: 'divisor': a fixed size has no divisor\n  leave it out");
 }
 
-TEST(ManifestCheck, KeywordsAnyOfAndOneOf) {
-  EXPECT_EQ(refusal_of(with_buffer(R"("indirect": false)")),
-            "m:1:39: a buffer has \"words\", or \"words_per_texel\" and \"texture\"");
-  for (const char* groups : {"", R"("fixed": [1, 1, 1], "indirect": "b")"})
+TEST(ManifestCheck, KeywordOneOf) {
+  for (const char* groups : {"", R"("fixed": [1, 1, 1], "texels_of": "t")"})
     EXPECT_EQ(refusal_of(
                   with_pass(R"("kind": "compute", "compute": "a", "groups": {)" + std::string(groups) + "}")),
-              "m:2:36: groups have one of \"fixed\", \"texels_of\" and \"indirect\"");
+              "m:2:36: groups have either \"fixed\" or \"texels_of\"");
 }
 
 TEST(ManifestCheck, KeywordRequired) {

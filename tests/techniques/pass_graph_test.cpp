@@ -40,19 +40,18 @@ constexpr const char* kVariance = R"({
 "techniques": [{"name": "variance", "title": "Variance", "family": "variance", "source": "Donnelly and Lauritzen 2006",
                 "graph": "variance"}]})";
 
-// An indirect dispatch shades marked tiles of the screen.
+// Marked tiles of the screen are listed, and shaded.
 constexpr const char* kTiles = R"({
 "graphs": [{"name": "tiles",
-  "textures": [{"name": "visibility", "format": "r32f"}, {"name": "marks", "divisor": 8, "format": "r16ui"}],
-  "buffers": [{"name": "groups", "words": 3, "indirect": true},
-              {"name": "list", "words_per_texel": 1, "texture": "marks"}],
+  "textures": [{"name": "visibility", "format": "r32f"}, {"name": "marks", "divisor": 8, "format": "r16ui"},
+               {"name": "list", "extent": "fixed", "size": [64, 64, 1], "format": "r32ui"}],
   "passes": [
     {"name": "Mark", "kind": "compute", "compute": "T.compute", "writes": {"_Marks": "marks"},
      "groups": {"texels_of": "marks"}},
     {"name": "Collect", "kind": "compute", "compute": "T.compute", "reads": {"_Marks": "marks"},
-     "writes": {"_Groups": "groups", "_List": "list"}, "groups": {"fixed": [1, 1, 1]}},
+     "writes": {"_List": "list"}, "groups": {"fixed": [1, 1, 1]}},
     {"name": "Shade", "kind": "compute", "compute": "T.compute", "reads": {"_List": "list"},
-     "writes": {"_Visibility": "visibility"}, "groups": {"indirect": "groups"}}],
+     "writes": {"_Visibility": "visibility"}, "groups": {"texels_of": "visibility"}}],
   "visibility": "visibility"}],
 "techniques": [{"name": "tiles", "title": "Tiles", "family": "tiles", "source": "s", "graph": "tiles"}]})";
 
@@ -122,9 +121,7 @@ TEST_F(PassGraphTest, PassesRunAfterThoseWhoseOutputTheyRead) {
   const PassGraph tiles = read(kTiles);
   EXPECT_THAT(names(tiles), ElementsAre("Mark", "Collect", "Shade"));
   EXPECT_TRUE(tiles.over_screen());
-  EXPECT_EQ(tiles.passes[2].groups.indirect, "groups");
-  EXPECT_EQ(tiles.buffer("list")->words_per_texel, 1);
-  EXPECT_EQ(tiles.buffer("list")->divisor, 1);
+  EXPECT_EQ(tiles.passes[2].groups.texels_of, "visibility");
 }
 
 // The graph makes the mean of this frame and the ones before.
@@ -181,22 +178,8 @@ TEST_F(PassGraphTest, NamesThatNothingHasOrTwoHaveAreFound) {
               HasSubstrs("unknown graph 'varance'", "did you mean 'variance'?"));
   EXPECT_THAT(problem(kTiles, R"({"texels_of": "marks"})", R"({"texels_of": "mark"})"),
               HasSubstr("there is no texture 'mark'"));
-  EXPECT_THAT(problem(kTiles, R"({"indirect": "groups"})", R"({"indirect": "list"})"),
-              HasSubstr("there is no buffer 'list' of numbers of groups"));
   EXPECT_THAT(problem(kTiles, R"("visibility": "visibility"}])", R"("visibility": "visible"}])"),
               HasSubstr("there is no texture 'visible'"));
-}
-
-TEST_F(PassGraphTest, ABufferMayHaveWordsForEachBlockOfTexels) {
-  const std::string list = R"("words_per_texel": 1, "texture": "marks")";
-  std::string text = kTiles;
-  text.replace(text.find(list), list.size(),
-               R"("words_per_texel": 17, "texture": "visibility", "divisor": 16)");
-  EXPECT_EQ(read(text).buffer("list")->divisor, 16);
-  EXPECT_THAT(problem(kTiles, list, list + R"(, "divisor": 0)"),
-              HasSubstrs("t.technique.json:5:", "'divisor' must be a whole number from 1 to 64, not 0"));
-  EXPECT_THAT(problem(kTiles, R"("words": 3)", R"("words": 3, "divisor": 8)"),
-              HasSubstr("'divisor' needs 'texture', which is missing"));
 }
 
 TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
@@ -216,6 +199,11 @@ TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
   EXPECT_THAT(
       problem(kVariance, R"("writes": ["blurred"]},)", R"("writes": ["blurred"], "each_mip": true},)"),
       HasSubstr("'Columns' runs for each mip level of 'blurred'"));
+  EXPECT_THAT(problem(kVariance, R"("writes": ["blurred"], "each_mip")",
+                      R"("writes": ["blurred", "rows"], "each_mip")"),
+              HasSubstrs("'Mips' runs for each mip level of 'blurred'", "that is the one texture it writes"));
+  EXPECT_THAT(problem(kTiles, R"("groups": {"fixed")", R"("each_mip": true, "groups": {"fixed")"),
+              HasSubstr("unknown key 'each_mip'"));
 }
 
 TEST_F(PassGraphTest, AnAbsentTextureIsWhatTheProgramCallsOneThatThePassDoesNotRead) {
@@ -248,8 +236,9 @@ TEST_F(PassGraphTest, AKernelUpdatesWhatAnotherPassHasWritten) {
     {"name": "Blank", "kind": "compute", "compute": "T.compute", "writes": {"_Visibility": "visibility"},
      "groups": {"texels_of": "visibility"}},
     )");
-  text.replace(text.find(R"("writes": {"_Visibility": "visibility"}, "groups": {"indirect")"), 8,
-               R"("updates")");
+  text.replace(
+      text.find(R"("writes": {"_Visibility": "visibility"}, "groups": {"texels_of": "visibility"}}],)"), 8,
+      R"("updates")");
   text.replace(text.find(R"({"name": "visibility")"), 0, R"({"name": "darkened", "format": "r32f"},
      )");
   const std::string shown = R"("visibility": "visibility"}],)";
@@ -320,7 +309,7 @@ TEST_F(PassGraphTest, TexturesThatNoDeviceHasAreFound) {
 }
 
 // Each takes less than a texture may.
-TEST_F(PassGraphTest, TexturesAndBuffersOfAGraphTogetherAreLimited) {
+TEST_F(PassGraphTest, TexturesOfAGraphTogetherAreLimited) {
   const auto with_textures = [](int count, const std::string& shape) {
     std::string textures;
     for (int i = 0; i < count; ++i)
@@ -342,9 +331,6 @@ TEST_F(PassGraphTest, TexturesAndBuffersOfAGraphTogetherAreLimited) {
               HasSubstr("no pass writes 't0'"))
       << "of a tile there is one layer for each cascade";
   EXPECT_THAT(refusal(1, R"("extent": "screen", "layers": 256)"), HasSubstr("that a graph may"));
-  EXPECT_THAT(problem(kTiles, R"("words_per_texel": 1, "texture": "marks")",
-                      R"("words_per_texel": 64, "texture": "visibility")"),
-              HasSubstrs("buffer 'list'", "that a graph may"));
 }
 
 // The passes are written from the last to the first, so that each is found after a look at all others.
@@ -394,17 +380,15 @@ TEST_F(PassGraphTest, WhatOneDrawCannotWriteIsFound) {
 
 TEST_F(PassGraphTest, KernelsNeedOneNumberOfGroups) {
   EXPECT_THAT(problem(kTiles, R"("groups": {"fixed": [1, 1, 1]})", R"("groups": {})"),
-              HasSubstr("groups have one of \"fixed\", \"texels_of\" and \"indirect\""));
+              HasSubstr("groups have either \"fixed\" or \"texels_of\""));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "texels_of": "marks"})"),
-              HasSubstr("groups have one of \"fixed\", \"texels_of\" and \"indirect\""));
+              HasSubstr("groups have either \"fixed\" or \"texels_of\""));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "divisor": 4})"),
               HasSubstr("'divisor' needs 'texels_of', which is missing"));
   EXPECT_THAT(problem(kTiles, R"({"texels_of": "marks"})", R"({"texels_of": "marks", "divisor": 65})"),
               HasSubstr("'divisor' must be a whole number from 1 to 64, not 65"));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [0, 1, 1]})"),
               HasSubstr("each of 'fixed' must be a whole number from 1 to 65535, not 0"));
-  EXPECT_THAT(problem(kTiles, R"("words": 3, )", R"("words": 2, )"),
-              HasSubstr("numbers of groups take three words"));
 }
 
 TEST_F(PassGraphTest, AGraphEndsInOneVisibility) {

@@ -7,11 +7,11 @@ SCHEMA = ROOT / "tools" / "programs" / "techniques" / "technique.schema.json"
 OBJECTS = {"manifest": ("a manifest", ""), "struct": ("a struct", "structs"), "field": ("a field", "fields"),
            "filter": ("a filter", ""), "entry": ("an entry", "entries"), "bias": ("a bias", ""),
            "rule": ("a rule", "rules"), "graph": ("a graph", "graphs"), "texture": ("a texture", "textures"),
-           "buffer": ("a buffer", "buffers"), "pass": ("a pass", "passes"), "groups": ("`groups`", ""),
+           "pass": ("a pass", "passes"), "groups": ("`groups`", ""),
            "selection": ("a selection", "selections"), "preset": ("a preset", "presets"),
            "option": ("an option", "options"), "look": ("a look", "looks")}
 TABLES = (("manifest",), ("entry", "filter", "struct", "field", "bias", "rule"), ("selection", "option", "preset", "look"),
-          ("graph", "texture", "buffer", "pass", "groups"))
+          ("graph", "texture", "pass", "groups"))
 TYPES = {"string": "text", "integer": "whole number"}
 UNBOUNDED = 10 ** 6  # a bound as large as this is the program's, not the key's
 

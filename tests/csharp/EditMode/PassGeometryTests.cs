@@ -92,18 +92,18 @@ namespace Penumbra.Tests
         public void EachTexelHasAThread()
         {
             var threads = new Vector3Int(8, 4, 2);
-            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Screen, 2), Frame(4), false, 0, 1, threads),
+            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Screen, 2), Frame(4), false, 1, threads),
                         Is.EqualTo(new Vector3Int(121, 136, 1)));
-            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Map), Frame(4), true, 0, 1, threads),
+            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Map), Frame(4), true, 1, threads),
                         Is.EqualTo(new Vector3Int(128, 256, 1)), "of one tile");
-            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Map), Frame(4), true, 0, 4, threads),
+            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Map), Frame(4), true, 4, threads),
                         Is.EqualTo(new Vector3Int(32, 64, 1)), "one of 4 x 4 texels");
-            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Tile), Frame(4), false, 0, 1, threads),
+            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Tile), Frame(4), false, 1, threads),
                         Is.EqualTo(new Vector3Int(128, 256, 2)), "of all tiles");
-            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Tile), Frame(4), true, 0, 1, threads),
+            Assert.That(PassGeometry.Groups(Texture(GraphExtent.Tile), Frame(4), true, 1, threads),
                         Is.EqualTo(new Vector3Int(128, 256, 1)));
             Assert.That(PassGeometry.Groups(Texture(GraphExtent.Fixed, width: 32, height: 32, depth: 32), Frame(4),
-                                            false, 2, 1, threads), Is.EqualTo(new Vector3Int(1, 2, 4)));
+                                            false, 1, threads), Is.EqualTo(new Vector3Int(4, 8, 16)));
         }
     }
 }

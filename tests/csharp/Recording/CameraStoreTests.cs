@@ -1,7 +1,7 @@
 namespace Penumbra.Tests;
 
 /// <summary>
-/// Chains keep textures and buffers of a camera from frame to frame; the tests say which, and what is drawn for them.
+/// Chains keep textures of a camera from frame to frame; the tests say which, and what is drawn for them.
 /// </summary>
 public sealed class CameraStoreTests : EngineTests
 {
@@ -49,7 +49,7 @@ public sealed class CameraStoreTests : EngineTests
         store.Prepare(draw.Chain, target, ref frame);
         for (int i = 0; i < lent.Length; ++i)
             if (draw.Chain.Slots[i].IsOwned) lent[i] = store.Textures[i];
-        draw.Draw(commands, frame, lent, store.Buffers);
+        draw.Draw(commands, frame, lent);
         store.SetFilled(frame);
     }
 
@@ -108,19 +108,6 @@ public sealed class CameraStoreTests : EngineTests
         Assert.That(device.Draws.SkipLast(1).Select(call => call.Uniforms["_PenumbraCascade"]), Is.All.EqualTo(2));
     }
 
-    /// <summary>A pass may make the levels of all cascades at once.</summary>
-    [Test]
-    public void LevelsOfTheWholeMapAreMadeWhereACascadeWasDrawnAnew()
-    {
-        AddedTechniques.AddMeans();
-        AddedTechniques.Place.Entry().formats[0].graph.passes.Single(pass => pass.eachMip).runs = PassFrequency.Frame;
-        Prepare();
-        Assert.That(Draws(0).Length, Is.EqualTo(3 * 4 + 2), "nothing is there yet");
-        Assert.That(Draws(0b0100), Is.EqualTo(new[] { "Depths", "Rows", "Columns", "Mips", "Resolve" }));
-        Assert.That(device.Draws[3].Viewport, Is.Null);
-        Assert.That(Draws(0), Is.EqualTo(new[] { "Resolve" }));
-    }
-
     [TestCaseSource(nameof(WithMaps))]
     public void MapsOfATechniqueAreGivenBackWithIt(ShadowTechnique technique)
     {
@@ -134,19 +121,6 @@ public sealed class CameraStoreTests : EngineTests
         Draws(0);
         Assert.That(maps.All(map => map.Released));
         Assert.That(stores.Of(camera, 0).Textures, Is.All.Null);
-    }
-
-    [Test]
-    public void BuffersOfATechniqueAreGivenBackWithIt()
-    {
-        AddedTechniques.AddBlocks();
-        Prepare();
-        Draws(0);
-        Assert.That(GraphicsBuffer.Living, Is.Not.Empty);
-        frame.options.technique = ShadowTechnique.Pcss;
-        Prepare();
-        Draws(0);
-        Assert.That(GraphicsBuffer.Living, Is.Empty);
     }
 
     [Test]
@@ -165,12 +139,11 @@ public sealed class CameraStoreTests : EngineTests
     [Test]
     public void ACameraThatDrawsNoMoreGivesItsOwnBack()
     {
-        AddedTechniques.AddBlocks();
+        AddedTechniques.AddMeans();
         Prepare();
         Draws(0);
         RTHandle[] textures = stores.Of(camera, 0).Textures.Where(texture => texture != null).ToArray();
         Assert.That(textures, Is.Not.Empty);
-        int buffers = GraphicsBuffer.Living.Count;
         camera = new Camera();
         for (Time.frameCount = 1; Time.frameCount <= CameraStores.IdleFrames; ++Time.frameCount)
         {
@@ -178,7 +151,6 @@ public sealed class CameraStoreTests : EngineTests
             Draws(0);
         }
         Assert.That(textures.All(texture => texture.Released));
-        Assert.That(GraphicsBuffer.Living.Count, Is.EqualTo(buffers), "the other camera's");
     }
 
     private static GraphPass Pass(string program, PassFrequency runs, int[] targets, params GraphBinding[] reads) =>

@@ -23,7 +23,6 @@ public sealed class DeviceLimitsTests : EngineTests
         var graph = new TechniqueGraph
         {
             name = "graph", textures = textures.ToArray(), passes = passes.ToArray(), visibility = 0,
-            buffers = new[] { new GraphBuffer("a", words: 4), new GraphBuffer("b", words: 4) },
         };
         return new ShadowChain(new[] { graph }, null);
     }
@@ -100,16 +99,6 @@ public sealed class DeviceLimitsTests : EngineTests
         Assert.That(DeviceLimits.Problem(Chain(Writing(1, 2))),
                     Is.EqualTo("pass 'Means' draws to 2 textures at once, and this device supports 1"));
         Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
-    }
-
-    /// <summary>Many devices of OpenGL ES 3.1 have buffers for kernels alone.</summary>
-    [Test]
-    public void BuffersOfShaders()
-    {
-        pass.reads = new[] { GraphBinding.Buffer("_A", 0), GraphBinding.Buffer("_B", 1) };
-        SystemInfo.maxComputeBufferInputsFragment = 1;
-        Assert.That(DeviceLimits.Problem(Chain()),
-                    Is.EqualTo("pass 'Resolve' reads 2 buffers, and this device's shaders can read 1"));
     }
 
     [Test]

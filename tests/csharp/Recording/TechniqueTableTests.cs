@@ -20,16 +20,13 @@ public sealed class TechniqueTableTests : FeatureTests
     private static JsonElement[] Items(JsonElement element, string name) =>
         element.GetProperty(name).EnumerateArray().ToArray();
 
-    private static string NameOf(TechniqueGraph graph, in GraphBinding binding) =>
-        binding.isBuffer ? graph.buffers[binding.index].name : graph.textures[binding.index].name;
-
     private static string Sorted(IEnumerable<string> names) =>
         string.Join(" ", names.OrderBy(name => name, StringComparer.Ordinal));
 
     private static string PassOf(TechniqueGraph graph, GraphPass pass) =>
         $"{pass.kind} {pass.runs} {pass.asset} {pass.program} ".ToLowerInvariant() +
-        Sorted(pass.reads.Select(read => read.property + "=" + NameOf(graph, read))) + " > " +
-        Sorted(pass.writes.Concat(pass.updates).Select(write => NameOf(graph, write)));
+        Sorted(pass.reads.Select(read => read.property + "=" + graph.textures[read.index].name)) + " > " +
+        Sorted(pass.writes.Concat(pass.updates).Select(write => graph.textures[write.index].name));
 
     private static string PassOf(JsonElement pass) =>
         $"{Text(pass, "kind")} {Text(pass, "runs")} {Text(pass, "file")} {Text(pass, "program")} ".ToLowerInvariant() +

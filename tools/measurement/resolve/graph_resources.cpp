@@ -23,17 +23,6 @@ void fill_with_zeros(gpu::Image& image) {
 
 constexpr double kMostBytes = 4.0 * 1024.0 * 1024.0 * 1024.0;
 
-void require_size(const std::string& where, const std::string& name, double bytes) {
-  if (bytes > kMostBytes)
-    throw InputError(where, "'" + name + "' takes " + std::to_string(std::llround(bytes / 1048576.0)) +
-                                " MiB, more than 4096");
-}
-
-int layers_of(const techniques::GraphTexture& texture, const GraphExtents& extents) {
-  return texture.extent == techniques::ExtentOf::tile ? static_cast<int>(extents.map.origins.size())
-                                                      : texture.layers;
-}
-
 gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& texture,
                 const GraphExtents& extents) {
   const auto [width, height, depth] = texture_size_of(texture, extents);
@@ -42,13 +31,17 @@ gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& textu
   shape.width = width;
   shape.height = height;
   shape.depth = depth;
-  shape.layers = layers_of(texture, extents);
+  shape.layers = texture.extent == techniques::ExtentOf::tile ? static_cast<int>(extents.map.origins.size())
+                                                              : texture.layers;
   const int most = gpu::mip_count(width, height, depth);
   shape.mips = texture.mips == 0 ? most : std::min(texture.mips, most);
   shape.samples = texture.samples;
-  require_size(texture.where, texture.name,
-               4.0 / 3.0 * static_cast<double>(gpu::texel_bytes(shape.format)) * width * height * depth *
-                   shape.layers * shape.samples);
+  const double bytes = 4.0 / 3.0 * static_cast<double>(gpu::texel_bytes(shape.format)) * width * height *
+                       depth * shape.layers * shape.samples;
+  if (bytes > kMostBytes)
+    throw InputError(texture.where, "'" + texture.name + "' takes " +
+                                        std::to_string(std::llround(bytes / 1048576.0)) +
+                                        " MiB, more than 4096");
   try {
     gpu::Image image(device, shape);
     if (shape.samples == 1) fill_with_zeros(image);
@@ -88,21 +81,6 @@ GraphResources::GraphResources(const gpu::Device& device, const techniques::Pass
                                const GraphExtents& extents) {
   for (const techniques::GraphTexture& texture : graph.textures)
     textures_.emplace(texture.name, made(device, texture, extents));
-  for (const techniques::GraphBuffer& buffer : graph.buffers) {
-    std::size_t words = static_cast<std::size_t>(buffer.words);
-    if (!buffer.texture.empty()) {
-      const techniques::GraphTexture& texture = *graph.texture(buffer.texture);
-      const auto [width, height, depth] = texture_size_of(texture, extents);
-      const auto blocks = [&](int texels) {
-        return static_cast<std::size_t>((texels + buffer.divisor - 1) / buffer.divisor);
-      };
-      words += static_cast<std::size_t>(buffer.words_per_texel) * blocks(width) * blocks(height) *
-               static_cast<std::size_t>(std::max(depth, layers_of(texture, extents)));
-    }
-    require_size(buffer.where, buffer.name, 4.0 * static_cast<double>(words));
-    const std::vector<std::uint32_t> zeros(words);
-    buffers_.emplace(buffer.name, gpu::Buffer(device, std::span<const std::uint32_t>(zeros)));
-  }
 }
 
 void require_whole_tiles(const techniques::PassGraph& graph, const std::string& subject, int tile_texels,
@@ -110,16 +88,15 @@ void require_whole_tiles(const techniques::PassGraph& graph, const std::string& 
   for (const techniques::GraphPass& pass : graph.passes) {
     if (pass.frequency != techniques::Frequency::cascade) continue;
     for (const auto& [shader_name, name] : pass.writes) {
-      const techniques::GraphTexture* texture = graph.texture(name);
-      if (texture == nullptr || texture->extent != techniques::ExtentOf::map) continue;
-      if (tile_texels % texture->divisor == 0) continue;
-      const std::string divisor = std::to_string(texture->divisor);
+      const techniques::GraphTexture& texture = *graph.texture(name);
+      if (texture.extent != techniques::ExtentOf::map || tile_texels % texture.divisor == 0) continue;
+      const std::string divisor = std::to_string(texture.divisor);
       throw InputError(
           "",
           "'" + subject + "' makes a texel of '" + name + "' of " + divisor + " x " + divisor +
               " texels of the shadow map, and a cascade's tile of " + std::to_string(tile_texels) +
               " texels is no multiple of " + divisor,
-          "choose a map size that is a multiple of " + std::to_string(texture->divisor * tiles_across));
+          "choose a map size that is a multiple of " + std::to_string(texture.divisor * tiles_across));
     }
   }
 }

@@ -1,4 +1,4 @@
-// The textures and buffers of a graph, made for one frame. Internal to this folder.
+// The textures of a graph, made for one frame. Internal to this folder.
 #pragma once
 
 #include <array>
@@ -40,12 +40,10 @@ class GraphResources {
   GraphResources(const gpu::Device& device, const techniques::PassGraph& graph, const GraphExtents& extents);
 
   const gpu::Image& texture(const std::string& name) const { return textures_.at(name); }
-  const gpu::Buffer& buffer(const std::string& name) const { return buffers_.at(name); }
   bool is_texture(const std::string& name) const { return textures_.count(name) != 0; }
 
  private:
   std::map<std::string, gpu::Image> textures_;
-  std::map<std::string, gpu::Buffer> buffers_;
 };
 
 // If a texture is written for one cascade after the other and its texels stand for several of the map's, it

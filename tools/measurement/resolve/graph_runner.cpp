@@ -265,22 +265,14 @@ class GraphRunner::Run {
         if (resources_.is_texture(argument))
           named.images[techniques::argument_name(argument)] = {&resources_.texture(argument)};
     for (const auto& [shader_name, name] : pass.reads) {
-      if (!resources_.is_texture(name)) {
-        named.buffers[shader_name] = &resources_.buffer(name);
-        continue;
-      }
       const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
       named.images[shader_name] = {
           &resources_.texture(name),
           level_before ? gpu::ImageRange{.first_mip = mip - 1, .mips = 1} : gpu::ImageRange{}};
     }
     if (pass.kind == PassKind::compute)
-      for (const auto& [shader_name, name] : pass.writes) {
-        if (resources_.is_texture(name))
-          named.images[shader_name] = {&resources_.texture(name), {.first_mip = mip, .mips = 1}};
-        else
-          named.buffers[shader_name] = &resources_.buffer(name);
-      }
+      for (const auto& [shader_name, name] : pass.writes)
+        named.images[shader_name] = {&resources_.texture(name)};
     return named;
   }
 
@@ -370,10 +362,7 @@ class GraphRunner::Run {
         add_filter(used, bindings);
         break;
       case PassKind::compute:
-        if (!pass.groups.indirect.empty())
-          used.dispatch_indirect(sequence_, bindings, resources_.buffer(pass.groups.indirect));
-        else
-          used.dispatch(sequence_, bindings, geometry_.groups(pass, used.workgroup_size(), mip));
+        used.dispatch(sequence_, bindings, geometry_.groups(pass, used.workgroup_size()));
         break;
       case PassKind::raster:
         used.draw(sequence_, bindings, geometry_.targets(pass, cascade, mip, frame_.atlas()),

@@ -25,8 +25,7 @@ bool runs_for_each_tile(const GraphPass& pass, const GraphTexture& target) {
 }  // namespace
 
 const GraphTexture* PassGeometry::first_written_texture(const GraphPass& pass) const {
-  for (const auto& [shader_name, name] : pass.writes)
-    if (resources_.is_texture(name)) return graph_.texture(name);
+  if (!pass.writes.empty()) return graph_.texture(pass.writes.front().second);
   return graph_.texture(pass.stencil.empty() ? pass.depth : pass.stencil);
 }
 
@@ -78,8 +77,7 @@ gpu::RasterTile PassGeometry::tile(const GraphPass& pass, int cascade, int mip) 
 }
 
 std::array<std::uint32_t, 3> PassGeometry::groups(const GraphPass& pass,
-                                                  const std::array<std::uint32_t, 3>& workgroup_size,
-                                                  int mip) const {
+                                                  const std::array<std::uint32_t, 3>& workgroup_size) const {
   std::array<std::uint32_t, 3> groups{};
   if (pass.groups.texels_of.empty()) {
     for (std::size_t k = 0; k < 3; ++k) groups[k] = static_cast<std::uint32_t>(pass.groups.fixed[k]);
@@ -87,12 +85,11 @@ std::array<std::uint32_t, 3> PassGeometry::groups(const GraphPass& pass,
   }
   const gpu::ImageShape& shape = resources_.texture(pass.groups.texels_of).shape();
   const GraphTexture& texture = *graph_.texture(pass.groups.texels_of);
-  std::array<int, 3> texels{gpu::mip_size(shape.width, mip), gpu::mip_size(shape.height, mip),
-                            std::max(gpu::mip_size(shape.depth, mip), shape.layers)};
+  std::array<int, 3> texels{shape.width, shape.height, std::max(shape.depth, shape.layers)};
   if (pass.frequency == techniques::Frequency::cascade) {
     if (texture.extent == techniques::ExtentOf::tile) texels[2] = 1;
     if (texture.extent == techniques::ExtentOf::map)
-      texels[0] = texels[1] = std::max(1, extents_.map.tile / (texture.divisor << mip));
+      texels[0] = texels[1] = std::max(1, extents_.map.tile / texture.divisor);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t texels_per_group =
@@ -105,7 +102,6 @@ std::array<std::uint32_t, 3> PassGeometry::groups(const GraphPass& pass,
 UniformValues PassGeometry::uniforms(const GraphPass& pass, int cascade, int mip) const {
   UniformValues values;
   for (const auto& [shader_name, name] : pass.reads) {
-    if (!resources_.is_texture(name)) continue;
     const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
     values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
   }

@@ -20,8 +20,7 @@ class PassGeometry {
                const GraphExtents& extents)
       : graph_(graph), resources_(resources), extents_(extents) {}
 
-  // Returns the first of the textures that the pass writes, its depth or stencil last; null if it writes
-  // none.
+  // Returns the first of the textures that the pass writes, its depth or stencil last; null for a filter.
   const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
 
   // Returns the texture that _PenumbraTargetSize and _PenumbraTile describe. A kernel with a thread for each
@@ -40,10 +39,9 @@ class PassGeometry {
   // InputError, at the texture, where its divisor does not divide the tile.
   gpu::RasterTile tile(const techniques::GraphPass& pass, int cascade, int mip) const;
 
-  // Returns the groups of a kernel whose number of groups no buffer holds. In a pass for each cascade they
-  // cover its tile or layer alone.
+  // Returns the groups of a kernel. In a pass for each cascade they cover its tile or layer alone.
   std::array<std::uint32_t, 3> groups(const techniques::GraphPass& pass,
-                                      const std::array<std::uint32_t, 3>& workgroup_size, int mip) const;
+                                      const std::array<std::uint32_t, 3>& workgroup_size) const;
 
   // Returns _PenumbraTargetSize; _NameSize for every _NameTexture that is read, 0 for one that is absent; and
   // _PenumbraMip, _PenumbraCascade and _PenumbraTile, where the pass runs for each.

@@ -31,10 +31,12 @@ constexpr const char* kSamplerNames =
 // `declared_at` is the place of the pass in its manifest. If it is empty, the program is an adapter's.
 std::string remedy_of(const shaders::Resource& missing, const std::string& declared_at) {
   if (!declared_at.empty()) {
-    const bool is_texture = missing.kind == shaders::ResourceKind::sampled_image;
+    if (missing.kind == shaders::ResourceKind::storage_buffer)
+      return "a manifest gives the pass at " + declared_at + " textures alone";
+    const bool is_read = missing.kind == shaders::ResourceKind::sampled_image;
     return "give it to the pass at " + declared_at +
-           (is_texture ? R"( in "reads", or name it in "absent" if the program can do without)"
-                       : R"( in "reads" or "writes")");
+           (is_read ? R"( in "reads", or name it in "absent" if the program can do without)"
+                    : R"( in "writes")");
   }
   if (missing.kind != shaders::ResourceKind::sampled_image) return "";
   const std::string& name = missing.name;
@@ -260,11 +262,6 @@ std::vector<std::string> ProgramOnDevice::set_uniforms(gpu::Bindings& bindings, 
 void ProgramOnDevice::dispatch(gpu::Sequence& sequence, const gpu::Bindings& bindings,
                                std::array<std::uint32_t, 3> groups) const {
   sequence.dispatch(compute_.value(), bindings, groups);
-}
-
-void ProgramOnDevice::dispatch_indirect(gpu::Sequence& sequence, const gpu::Bindings& bindings,
-                                        const gpu::Buffer& groups) const {
-  sequence.dispatch_indirect(compute_.value(), bindings, groups);
 }
 
 void ProgramOnDevice::draw(gpu::Sequence& sequence, const gpu::Bindings& bindings,

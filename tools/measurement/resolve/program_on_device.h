@@ -69,8 +69,6 @@ class ProgramOnDevice {
   bool is_raster() const { return raster_.has_value(); }
   void dispatch(gpu::Sequence& sequence, const gpu::Bindings& bindings,
                 std::array<std::uint32_t, 3> groups) const;
-  void dispatch_indirect(gpu::Sequence& sequence, const gpu::Bindings& bindings,
-                         const gpu::Buffer& groups) const;
   void draw(gpu::Sequence& sequence, const gpu::Bindings& bindings, const gpu::RasterTargets& targets,
             const gpu::RasterTile& tile, const gpu::VertexStreams& streams = {}) const;
 

@@ -21,21 +21,18 @@ void refuse(const GraphPass& pass, const std::string& text, const std::string& r
 void check_map_depth(const PassGraph& graph, const GraphPass& pass) {
   if (pass.writes.empty())
     refuse(pass, "tests against the shadow map, and writes nothing", "give it \"writes\"");
-  const GraphTexture* target = graph.texture(pass.writes.front().second);
-  if (target == nullptr) return;  // check_targets()
-  if (target->extent == ExtentOf::map && target->divisor == 1 && target->samples == 1) return;
-  refuse(pass, "tests against the shadow map, whose texels are not those of '" + target->name + "'",
-         "give '" + target->name + "' the extent \"map\", without divisor and samples");
+  const GraphTexture& target = *graph.texture(pass.writes.front().second);
+  if (target.extent == ExtentOf::map && target.divisor == 1 && target.samples == 1) return;
+  refuse(pass, "tests against the shadow map, whose texels are not those of '" + target.name + "'",
+         "give '" + target.name + "' the extent \"map\", without divisor and samples");
 }
 
 // Compares the sizes of a pass and of the depth that it is tested against.
 void check_sizes(const PassGraph& graph, const GraphPass& pass, const GraphTexture& depth) {
-  for (const auto& [shader_name, name] : pass.writes) {
-    const GraphTexture* target = graph.texture(name);
-    if (target != nullptr && !same_extent(*target, depth))
+  for (const auto& [shader_name, name] : pass.writes)
+    if (!same_extent(*graph.texture(name), depth))
       refuse(pass,
              "draws into '" + name + "' and depth '" + depth.name + "', which differ in size or samples");
-  }
 }
 
 void check_own_depth(const PassGraph& graph, const GraphPass& pass) {
@@ -90,17 +87,16 @@ void check_casters(const PassGraph& graph, const GraphPass& pass) {
   if (pass.casters == DrawnCasters::volumes && pass.stencil.empty())
     refuse(pass, "draws shadow volumes without a stencil to count in",
            "give it \"stencil\", the depth of an earlier pass of casters");
-  const GraphTexture* target = graph.texture(own_depth               ? pass.depth
-                                             : !pass.stencil.empty() ? pass.stencil
-                                                                     : pass.writes.front().second);
-  if (target == nullptr) return;  // check_targets()
-  if (target->extent == ExtentOf::fixed)
-    refuse(pass, "draws casters into '" + target->name + "', which has a size of its own",
+  const GraphTexture& target = *graph.texture(own_depth               ? pass.depth
+                                              : !pass.stencil.empty() ? pass.stencil
+                                                                      : pass.writes.front().second);
+  if (target.extent == ExtentOf::fixed)
+    refuse(pass, "draws casters into '" + target.name + "', which has a size of its own",
            "the light sees them in the extents map and tile, the camera in screen");
-  if (in_cascades(*target) && pass.frequency != Frequency::cascade)
-    refuse(pass, "draws casters into '" + target->name + "', which each cascade has a part of",
+  if (in_cascades(target) && pass.frequency != Frequency::cascade)
+    refuse(pass, "draws casters into '" + target.name + "', which each cascade has a part of",
            "add \"runs\": \"cascade\"");
-  if (target->extent == ExtentOf::screen && pass.frequency != Frequency::frame)
+  if (target.extent == ExtentOf::screen && pass.frequency != Frequency::frame)
     refuse(pass, "draws what the camera sees, which changes every frame",
            "leave out \"runs\", or give it \"frame\"");
 }
@@ -108,9 +104,9 @@ void check_casters(const PassGraph& graph, const GraphPass& pass) {
 void refuse_misused_depth(const PassGraph& graph) {
   for (const GraphPass& pass : graph.passes)
     for (const auto& [shader_name, name] : pass.writes) {
-      const GraphTexture* texture = graph.texture(name);
-      if (texture != nullptr && has_depth_format(*texture))
-        refuse(pass, "writes '" + name + "', of format " + texture->format,
+      const GraphTexture& texture = *graph.texture(name);
+      if (has_depth_format(texture))
+        refuse(pass, "writes '" + name + "', of format " + texture.format,
                "only casters write depth, into their \"depth\"; r32f holds depths, too");
     }
 }

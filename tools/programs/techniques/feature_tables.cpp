@@ -41,21 +41,9 @@ std::string texture_row(const GraphTexture& texture) {
   return row.option("samples", texture.samples, 1).line();
 }
 
-std::string buffer_row(const GraphBuffer& buffer) {
-  return TableRow("buffer")
-      .add(buffer.name)
-      .option("words", buffer.words, 0)
-      .option("wordsPerTexel", buffer.words_per_texel, 0)
-      .option("texelsOf", buffer.texture)
-      .option("divisor", buffer.divisor, 1)
-      .option("indirect", buffer.indirect)
-      .line();
-}
-
 std::string groups_row(const GroupCount& groups) {
   if (!groups.texels_of.empty())
     return TableRow("groupsOfTexels").add(groups.texels_of).option("divisor", groups.divisor, 1).line();
-  if (!groups.indirect.empty()) return TableRow("groupsInBuffer").add(groups.indirect).line();
   return TableRow("groups").add(groups.fixed[0]).add(groups.fixed[1]).add(groups.fixed[2]).line();
 }
 
@@ -102,7 +90,6 @@ std::string rows_of(const NamedGraph& named) {
   for (const GraphTexture& texture : graph.textures)
     if (!texture.previous_of.empty())
       rows += TableRow("previous").add(texture.name).add(texture.previous_of).line();
-  for (const GraphBuffer& buffer : graph.buffers) rows += buffer_row(buffer);
   for (const GraphPass& pass : graph.passes)
     if (pass.kind != PassKind::filter) rows += pass_rows(pass);
   for (const std::string& keyword : graph.keywords) rows += TableRow("keyword").add(keyword).line();

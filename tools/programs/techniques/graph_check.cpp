@@ -47,36 +47,27 @@ double bytes_of(const GraphTexture& texture) {
   return texels_of(texture) * texture.samples * mips * (format == nullptr ? 16 : format->bytes);
 }
 
-double bytes_of(const PassGraph& graph, const GraphBuffer& buffer) {
-  constexpr double kWord = 4.0;
-  const GraphTexture* texture = graph.texture(buffer.texture);
-  const double blocks = texture == nullptr ? 0.0 : texels_of(*texture) / buffer.divisor / buffer.divisor;
-  return kWord * (buffer.words + buffer.words_per_texel * blocks);
-}
-
 // A limit of the memory that a graph takes.
 //
-// Refuses the texture or buffer with which the graph's ones take more together than a graph may: a manifest
-// of some kilobytes could otherwise take all of a machine. Those of the screen and of the map count at sizes
-// that few exceed. It must be called once every texture is known to be right.
+// Refuses the texture with which the graph's ones take more together than a graph may: a manifest of some
+// kilobytes could otherwise take all of a machine. Those of the screen and of the map count at sizes that few
+// exceed. It must be called once every texture is known to be right.
 void check_memory(const PassGraph& graph) {
   double sum = 0.0;
-  const auto add = [&sum](double bytes, const char* kind, const auto& item) {
-    sum += bytes;
-    if (sum <= kMostGraphBytes) return;
+  for (const GraphTexture& texture : graph.textures) {
+    sum += bytes_of(texture);
+    if (sum <= kMostGraphBytes) continue;
     throw InputError(
-        item.where,
-        fmt::format("{} '{}': with it, the graph's textures and buffers take {:.0f} MiB, more than the "
-                    "{:.0f} MiB that a graph may (of a screen of {} x {} pixels and a map of {} x {})",
-                    kind, item.name, sum / kMebibyte, kMostGraphBytes / kMebibyte, kScreenPixels[0],
+        texture.where,
+        fmt::format("texture '{}': with it, the graph's textures take {:.0f} MiB, more than the {:.0f} MiB "
+                    "that a graph may (of a screen of {} x {} pixels and a map of {} x {})",
+                    texture.name, sum / kMebibyte, kMostGraphBytes / kMebibyte, kScreenPixels[0],
                     kScreenPixels[1], kMapSide, kMapSide),
         "use fewer or smaller textures, a \"divisor\", or a format of fewer bytes");
-  };
-  for (const GraphTexture& texture : graph.textures) add(bytes_of(texture), "texture", texture);
-  for (const GraphBuffer& buffer : graph.buffers) add(bytes_of(graph, buffer), "buffer", buffer);
+  }
 }
 
-// Returns whether the pass writes the first mip level, or the buffer, whatever it held before.
+// Returns whether the pass writes the first mip level, whatever it held before.
 bool makes(const GraphPass& pass, const std::string& name) {
   return writes_to(pass, name) && !pass.each_mip && !changes(pass, name);
 }
@@ -100,7 +91,6 @@ void refuse_repeated_name(const PassGraph& graph) {
         throw InputError(item.where, "there are two of the name '" + item.name + "', one a " + what);
   };
   check(graph.textures, "texture");
-  check(graph.buffers, "buffer");
   seen.clear();
   check(graph.passes, "pass");
 }
@@ -108,8 +98,7 @@ void refuse_repeated_name(const PassGraph& graph) {
 std::string known_names(const PassGraph& graph) {
   std::string text;
   for (const GraphTexture& texture : graph.textures) text += (text.empty() ? "" : ", ") + texture.name;
-  for (const GraphBuffer& buffer : graph.buffers) text += (text.empty() ? "" : ", ") + buffer.name;
-  return text.empty() ? "the graph has no textures and no buffers" : "the graph has: " + text;
+  return text.empty() ? "the graph has no textures" : "the graph has: " + text;
 }
 
 void refuse_reserved_name(const PassGraph& graph) {
@@ -120,13 +109,10 @@ void refuse_reserved_name(const PassGraph& graph) {
 }
 
 void refuse_unknown_name(const PassGraph& graph, const std::string& where) {
-  const auto known = [&](const std::string& name) {
-    return graph.texture(name) != nullptr || graph.buffer(name) != nullptr;
-  };
   for (const GraphPass& pass : graph.passes) {
     for (const auto* bindings : {&pass.reads, &pass.writes})
       for (const auto& [shader_name, name] : *bindings)
-        if (!known(name))
+        if (graph.texture(name) == nullptr)
           throw InputError(pass.where, "'" + pass.name + "' names '" + name + "', which is not declared",
                            known_names(graph));
     if (!pass.depth.empty() && pass.depth != shadow_map_name && graph.texture(pass.depth) == nullptr)
@@ -141,17 +127,10 @@ void refuse_unknown_name(const PassGraph& graph, const std::string& where) {
           throw InputError(
               pass.where, "'" + argument + "' is no argument of a filter",
               "arguments are shadowMap, pointSampler, linearSampler, spotLight and the graph's textures");
-    const GroupCount& groups = pass.groups;
-    if (!groups.texels_of.empty() && graph.texture(groups.texels_of) == nullptr)
-      throw InputError(pass.where, "there is no texture '" + groups.texels_of + "'", known_names(graph));
-    const GraphBuffer* indirect = graph.buffer(groups.indirect);
-    if (!groups.indirect.empty() && (indirect == nullptr || !indirect->indirect))
-      throw InputError(pass.where, "there is no buffer '" + groups.indirect + "' of numbers of groups",
-                       "declare it with \"indirect\": true");
+    const std::string& texels_of = pass.groups.texels_of;
+    if (!texels_of.empty() && graph.texture(texels_of) == nullptr)
+      throw InputError(pass.where, "there is no texture '" + texels_of + "'", known_names(graph));
   }
-  for (const GraphBuffer& buffer : graph.buffers)
-    if (!buffer.texture.empty() && graph.texture(buffer.texture) == nullptr)
-      throw InputError(buffer.where, "there is no texture '" + buffer.texture + "'", known_names(graph));
   for (const GraphTexture& texture : graph.textures)
     if (!texture.previous_of.empty() && graph.texture(texture.previous_of) == nullptr)
       throw InputError(texture.where, "there is no texture '" + texture.previous_of + "'",
@@ -195,7 +174,7 @@ bool is_read_later(const PassGraph& graph, const std::string& name) {
                      [&](const GraphTexture& texture) { return texture.previous_of == name; });
 }
 
-// A texture or buffer has one writer, and a reader.
+// A texture has one writer, and a reader.
 void check_use(const PassGraph& graph, const std::string& name, const std::string& where) {
   const bool written = std::any_of(graph.passes.begin(), graph.passes.end(),
                                    [&](const GraphPass& pass) { return writes_to(pass, name); });
@@ -280,17 +259,13 @@ void check_targets(const PassGraph& graph, const GraphPass& pass) {
   std::set<std::string> seen;
   for (const auto& [shader_name, name] : pass.writes) {
     if (!seen.insert(name).second) refuse("writes '" + name + "' twice");
-    const GraphTexture* texture = graph.texture(name);
-    if (texture == nullptr && is_drawn(pass.kind)) refuse("draws into '" + name + "', which is a buffer");
-    if (texture == nullptr) continue;
-    if (pass.frequency == Frequency::cascade && !in_cascades(*texture))
+    const GraphTexture& texture = *graph.texture(name);
+    if (pass.frequency == Frequency::cascade && !in_cascades(texture))
       refuse("runs for each cascade, and writes '" + name + "', which is not of the map or a tile");
-    pass.kind == PassKind::compute ? check_kernel_target(pass, *texture) : check_drawn_target(pass, *texture);
-    if (first != nullptr && is_drawn(pass.kind) && !same_extent(*first, *texture))
+    pass.kind == PassKind::compute ? check_kernel_target(pass, texture) : check_drawn_target(pass, texture);
+    if (first != nullptr && is_drawn(pass.kind) && !same_extent(*first, texture))
       refuse("draws into '" + first->name + "' and '" + name + "', which differ in size or samples");
-    if (first != nullptr && pass.each_mip && first->mips != texture->mips)
-      refuse("makes mip levels of '" + first->name + "' and '" + name + "', which have different ones");
-    first = texture;
+    first = &texture;
   }
 }
 
@@ -306,12 +281,10 @@ void check_pass(const PassGraph& graph, const GraphPass& pass) {
   if (pass.kind == PassKind::casters) check_casters(graph, pass);
   if (pass.writes.empty() && pass.kind != PassKind::casters) refuse("writes nothing");
   if (pass.each_mip) {
-    for (const auto& [shader_name, name] : pass.writes) {
-      const GraphTexture* texture = graph.texture(name);
-      if (texture == nullptr || texture->mips == 1 || !reads(graph, pass, name))
-        refuse("runs for each mip level of '" + name + "'",
-               "that is a texture with several levels which the pass also reads");
-    }
+    const std::string& name = pass.writes.front().second;
+    if (pass.writes.size() > 1 || graph.texture(name)->mips == 1 || !reads(graph, pass, name))
+      refuse("runs for each mip level of '" + name + "'",
+             "that is the one texture it writes, which has several levels and which the pass also reads");
   } else {
     if (!pass.depth.empty() && reads(graph, pass, pass.depth))
       refuse("reads '" + pass.depth + "', which it draws into");
@@ -319,9 +292,6 @@ void check_pass(const PassGraph& graph, const GraphPass& pass) {
       if (reads(graph, pass, name))
         refuse("reads '" + name + "', which it writes", "only with \"each_mip\": true");
   }
-  if (pass.each_mip && !pass.updates.empty())
-    refuse("runs for each mip level, and updates '" + pass.updates.front() + "'",
-           "a pass that makes mip levels has \"writes\" alone");
   check_targets(graph, pass);
 }
 
@@ -430,7 +400,6 @@ void check_graph(const PassGraph& graph, const std::string& where) {
     if (!is_read(graph, texture.name))
       throw InputError(texture.where, "nothing reads '" + texture.name + "'", "delete it");
   }
-  for (const GraphBuffer& buffer : graph.buffers) check_use(graph, buffer.name, buffer.where);
   if (!in_running_order(graph)) {
     std::string names;
     for (const GraphPass& pass : graph.passes) names += (names.empty() ? "'" : ", '") + pass.name + "'";

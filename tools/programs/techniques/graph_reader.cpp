@@ -45,24 +45,11 @@ GraphTexture read_texture(JsonObject object) {
   return texture;
 }
 
-GraphBuffer read_buffer(JsonObject object) {
-  GraphBuffer buffer;
-  buffer.name = object.text("name", "");
-  buffer.where = object.where("name");
-  buffer.words = object.integer("words", 0);
-  buffer.words_per_texel = object.integer("words_per_texel", 0);
-  buffer.texture = object.text("texture", "");
-  buffer.divisor = object.integer("divisor", 1);
-  buffer.indirect = object.boolean("indirect", false);
-  return buffer;
-}
-
 GroupCount read_groups(JsonObject object) {
   GroupCount groups;
   read_numbers(object, "fixed", groups.fixed);
   groups.texels_of = object.text("texels_of", "");
   groups.divisor = object.integer("divisor", 1);
-  groups.indirect = object.text("indirect", "");
   return groups;
 }
 
@@ -131,9 +118,8 @@ void append(std::vector<Item>& items, const std::vector<Item>& more) {
 }
 
 void require_bounded(JsonObject& object, const PassGraph& graph) {
-  if (graph.passes.size() + graph.textures.size() + graph.buffers.size() > kMostItems)
-    object.fail("name",
-                "a graph has at most " + std::to_string(kMostItems) + " passes, textures and buffers");
+  if (graph.passes.size() + graph.textures.size() > kMostItems)
+    object.fail("name", "a graph has at most " + std::to_string(kMostItems) + " passes and textures");
 }
 
 // check_graph() reports names that are not declared.
@@ -160,7 +146,6 @@ void read_needs(JsonObject& object, std::vector<Need>& needs) {
 
 void add(PassGraph& graph, const PassGraph& part) {
   append(graph.textures, part.textures);
-  append(graph.buffers, part.buffers);
   append(graph.passes, part.passes);
   append(graph.keywords, part.keywords);
   append(graph.published, part.published);
@@ -237,7 +222,6 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   }
   for (const JsonObject& texture : object.objects("textures"))
     graph.textures.push_back(read_texture(texture));
-  for (const JsonObject& buffer : object.objects("buffers")) graph.buffers.push_back(read_buffer(buffer));
   for (const JsonObject& pass : object.objects("passes"))
     graph.passes.push_back(read_pass(pass, list, files));
   require_bounded(object, graph);

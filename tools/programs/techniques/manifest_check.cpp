@@ -223,8 +223,6 @@ std::optional<Finding> out_of_range(const Refused& refused) {
         (!rule->contains("maximum") || value <= (*rule)["maximum"].get<double>()) &&
         (!rule->contains("exclusiveMinimum") || value > (*rule)["exclusiveMinimum"].get<double>());
     if (is_within) continue;
-    if (rule->contains("errorMessage"))
-      return Finding{refused.subject() + ": " + (*rule)["errorMessage"].get<std::string>()};
     return Finding{refused.subject() + " must be " + in_words(rule->value("type", "number")) +
                    range_text(*rule) + ", not " + shown(*refused.value)};
   }
@@ -280,9 +278,9 @@ std::optional<Finding> forbidden_key(const Refused& refused) {
 }
 
 std::optional<Finding> no_choice(const Refused& refused) {
-  for (const char* keyword : {"anyOf", "oneOf"})
-    if (const json* rule = refused.rule_with(keyword)) return Finding{(*rule)["errorMessage"]};
-  return std::nullopt;
+  const json* rule = refused.rule_with("oneOf");
+  if (rule == nullptr) return std::nullopt;
+  return Finding{(*rule)["errorMessage"]};
 }
 
 std::optional<Finding> missing_key(const Refused& refused) {
@@ -314,7 +312,6 @@ constexpr std::array kMessages{
     Message{"maxProperties", "Object should have no more", too_many},
     Message{"dependencies", "Missing dependency", missing_companion},
     Message{"not", "'not' constraint", forbidden_key},
-    Message{"anyOf", "allowed by anyOf", no_choice},
     Message{"oneOf", "allowed by oneOf", no_choice},
     Message{"oneOf", "exactly one child schema", no_choice},
     Message{"required", "Missing required property", missing_key}};

@@ -36,7 +36,7 @@ inline constexpr std::size_t most_graphs = 4096;
 inline constexpr std::size_t most_structs = 1024;
 inline constexpr std::size_t most_choices = 256;  // limit for each of options, selections, presets and looks
 inline constexpr std::size_t most_graph_items =
-    65536;  // limit for passes, textures and buffers of all techniques together
+    65536;  // limit for passes and textures of all techniques together
 
 // The functions below serve several readers of a manifest's objects. entries() returns the objects of one of
 // its lists; `before` is their number in earlier manifests.

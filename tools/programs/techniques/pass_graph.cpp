@@ -10,21 +10,13 @@
 namespace penumbra::techniques {
 namespace {
 
-template <typename Item>
-const Item* named(const std::vector<Item>& items, const std::string& name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-  return found == items.end() ? nullptr : &*found;
-}
-
-// Returns the names of the graph's textures and buffers that a pass needs written before it runs.
+// Returns the names of the graph's textures that a pass needs written before it runs.
 std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
   std::vector<std::string> names;
   for (const auto& [shader_name, name] : pass.reads) names.push_back(name);
   if (pass.kind == PassKind::filter && pass.filter)
     for (const std::string& argument : pass.filter->arguments)
       if (graph.texture(argument) != nullptr) names.push_back(argument);
-  if (!pass.groups.indirect.empty()) names.push_back(pass.groups.indirect);
   return names;
 }
 
@@ -166,11 +158,9 @@ bool FilterCall::takes(const std::string& argument) const {
 }
 
 const GraphTexture* PassGraph::texture(const std::string& name) const {
-  return named(textures, name);
-}
-
-const GraphBuffer* PassGraph::buffer(const std::string& name) const {
-  return named(buffers, name);
+  const auto found = std::find_if(textures.begin(), textures.end(),
+                                  [&](const GraphTexture& texture) { return texture.name == name; });
+  return found == textures.end() ? nullptr : &*found;
 }
 
 const GraphPass* PassGraph::filter_pass() const {
@@ -215,7 +205,6 @@ PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later) {
   PassGraph both = earlier;
   for (const GraphTexture& texture : later.textures)
     if (texture.name != later.source) both.textures.push_back(texture);
-  both.buffers.insert(both.buffers.end(), later.buffers.begin(), later.buffers.end());
   for (GraphPass pass : later.passes) {
     for (auto& [shader_name, name] : pass.reads)
       if (name == later.source) name = earlier.visibility;
@@ -255,11 +244,11 @@ std::vector<hlsl::Diagnostic> target_problems(const PassGraph& graph, const Grap
   std::vector<hlsl::Diagnostic> problems;
   if (target != "essl310" || pass.kind != PassKind::compute) return problems;
   for (const auto& [shader_name, name] : pass.writes) {
-    const GraphTexture* texture = graph.texture(name);
-    if (texture == nullptr || find_texel_format(texture->format)->essl_storage) continue;
+    const GraphTexture& texture = *graph.texture(name);
+    if (find_texel_format(texture.format)->essl_storage) continue;
     problems.push_back(project::diagnostic_at(
-        texture->where, hlsl::Severity::error,
-        "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format + "', the format of '" + name +
+        texture.where, hlsl::Severity::error,
+        "compute shaders of OpenGL ES 3.1 cannot write '" + texture.format + "', the format of '" + name +
             "'; r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"));
   }
   return problems;

@@ -1,4 +1,4 @@
-// The passes of a technique and the textures and buffers between them, as data.
+// The passes of a technique and the textures between them, as data.
 //
 // A graph ends in visibility: either in a filter, a library function that is called for each receiver, or in
 // a texture of the screen's size. A filter alone is the shortest graph.
@@ -29,18 +29,6 @@ struct GraphTexture {
   int samples = 1;            // samples of each texel
   // If set, this texture holds what that one held a frame ago, 0 in the first; it has its shape.
   std::string previous_of;
-};
-
-// Words of 32 bits: as many as a fixed number and so many for each texel of a texture, or for each block of
-// divisor x divisor texels.
-struct GraphBuffer {
-  std::string name;
-  std::string where;
-  int words = 0;
-  int words_per_texel = 0;
-  std::string texture;    // the texture whose texels count; empty for none
-  int divisor = 1;        // divides the texture's width and height, rounded up
-  bool indirect = false;  // the first three words are the numbers of groups of dispatches
 };
 
 // The name of the shadow map in filters and passes of casters.
@@ -91,7 +79,6 @@ struct GroupCount {
   std::array<int, 3> fixed{};  // if all are 0, the number is not fixed
   std::string texels_of;       // one thread per texel of this texture,
   int divisor = 1;             // or per block of divisor x divisor texels
-  std::string indirect;        // this buffer holds the number
 };
 
 struct GraphPass {
@@ -101,7 +88,7 @@ struct GraphPass {
   Frequency frequency = Frequency::frame;
   std::string file;     // .shader or .compute, relative to the package's folder; empty for a filter
   std::string program;  // pass of the .shader or kernel of the .compute
-  // The program's name of each texture or buffer, and its name in the graph.
+  // The program's name of each texture, and its name in the graph.
   std::vector<std::pair<std::string, std::string>> reads;
   // Textures that the program declares and this pass does not bind. The program sees from a size of 0 that it
   // must not read them.
@@ -117,13 +104,15 @@ struct GraphPass {
   // depth is tested against and kept; casters change its stencil, and a raster pass is tested against it.
   std::string stencil;
   std::vector<std::string> parameters;  // structs
-  bool each_mip = false;                // runs once for each mip level but the first, from the level before
+  // For raster passes that read and write one texture: they run once for each mip level but the first, from
+  // the level before.
+  bool each_mip = false;
   GroupCount groups;
   // The function that it computes at a receiver: a filter always has one, others if they call one.
   std::optional<FilterCall> filter;
 };
 
-// Returns whether it writes a texture or buffer of that name; a depth target is written, too.
+// Returns whether it writes a texture of that name; a depth target is written, too.
 bool writes_to(const GraphPass& pass, const std::string& name);
 bool changes(const GraphPass& pass, const std::string& name);  // true if it is among the pass's updates
 
@@ -141,7 +130,6 @@ std::vector<Need> all_needs();
 
 struct PassGraph {
   std::vector<GraphTexture> textures;
-  std::vector<GraphBuffer> buffers;
   std::vector<GraphPass> passes;      // in the order in which they run
   std::vector<std::string> keywords;  // these are on in every program that declares them
   std::vector<Need> needs{};          // each once
@@ -153,7 +141,6 @@ struct PassGraph {
   std::vector<std::string> published{};
 
   const GraphTexture* texture(const std::string& name) const;
-  const GraphBuffer* buffer(const std::string& name) const;
   const GraphPass* filter_pass() const;  // the pass of kind filter; null if there is none
   const FilterCall* filter() const;      // filter of the last pass that has one
   bool over_screen() const { return !visibility.empty(); }
@@ -168,7 +155,7 @@ PassGraph graph_of(FilterCall filter, const std::string& where);
 // Returns both, one after the other: the visibility of `earlier`, a texture, is the source of `later`.
 PassGraph in_sequence(const PassGraph& earlier, const PassGraph& later);
 
-// Throws InputError for the first thing that is wrong, at its texture, buffer or pass, or else at `where`:
+// Throws InputError for the first thing that is wrong, at its texture or pass, or else at `where`:
 // names that nothing has or two have, a texture that nothing or two passes write (others may change it), or
 // nothing reads, depth where there is none, passes that wait for each other, a pass that runs more rarely
 // than what it reads, targets of different extents, uses that a format does not have anywhere, no visibility

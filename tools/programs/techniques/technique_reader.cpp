@@ -28,7 +28,7 @@ PassGraph checked(const JsonObject& object, const std::string& key, PassGraph gr
 }
 
 std::size_t item_count(const PassGraph& graph) {
-  return graph.passes.size() + graph.textures.size() + graph.buffers.size();
+  return graph.passes.size() + graph.textures.size();
 }
 
 // Reads entries over the defaults of their manifest, which supply what an entry leaves out.
@@ -211,8 +211,7 @@ class TechniqueReader {
 
   void count(const JsonObject& from, const char* key, const PassGraph& graph) {
     graph_items_ += item_count(graph);
-    require_at_most(from, key, graph_items_, most_graph_items,
-                    "passes, textures and buffers of all techniques");
+    require_at_most(from, key, graph_items_, most_graph_items, "passes and textures of all techniques");
   }
 
   CascadeRule read_rule(JsonObject& object, const Technique& technique) {
@@ -327,7 +326,7 @@ Graphs read_graphs(JsonObject& root, const TechniqueList& list, const ManifestFi
       object.fail("name", "there are two graphs '" + name + "'",
                   "choose another name; the graphs of a manifest's library are known in it, too");
     items += item_count(graphs.at(name));
-    require_at_most(object, "name", items, most_graph_items, "passes, textures and buffers of all graphs");
+    require_at_most(object, "name", items, most_graph_items, "passes and textures of all graphs");
   }
   return graphs;
 }
