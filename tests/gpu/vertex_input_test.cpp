@@ -59,8 +59,10 @@ TEST_F(GpuVertices, MayBeWrittenInTheSameSequence) {
   const RasterPass pass(*device, shaders());
   const Buffer positions = buffer(corners), coordinates = buffer(uvs), order = buffer(indices);
   const Image target(*device, Format::rgba32f, 2, 2);
+  ComputePass zeros(*device, {.spirv = compile_test_shader("Pyramid.hlsl", "Zeros"), .entry = "Zeros"});
+  zeros.bindings().buffer("_Zeroed", order);
   Sequence sequence(*device);
-  sequence.fill(order, 0);
+  sequence.dispatch(zeros, zeros.bindings(), {6, 1, 1});
   sequence.draw(pass, pass.more_bindings(), {{&target}}, {{0, 0, 2, 2, 6, {}}},
                 {{&positions, &coordinates}, &order});
   sequence.run();

@@ -1,8 +1,7 @@
-// Test: one level of a pyramid of maxima from the one below it; and a count of the texels above a limit, as
-// the groups of the dispatch that follows.
+// Test: one level of a pyramid of maxima from the one below it; a count of the texels above a limit; and zeros.
 Texture2D<float> _Below;
 RWTexture2D<float> _Above;
-RWStructuredBuffer<uint> _Groups;
+RWStructuredBuffer<uint> _Count;
 
 [numthreads(1, 1, 1)] void Reduce(uint3 id : SV_DispatchThreadID)
 {
@@ -11,21 +10,16 @@ RWStructuredBuffer<uint> _Groups;
                         max(_Below.Load(at + int3(0, 1, 0)), _Below.Load(at + int3(1, 1, 0))));
 }
 
-[numthreads(1, 1, 1)] void CountGroups(uint3 id : SV_DispatchThreadID)
+[numthreads(1, 1, 1)] void Count(uint3 id : SV_DispatchThreadID)
 {
     uint ignored;
     if (_Below.Load(int3(id.xy, 0)) > 0.5)
-        InterlockedAdd(_Groups[0], 1u, ignored);
-    if (all(id.xy == 0))
-    {
-        _Groups[1] = 1;
-        _Groups[2] = 1;
-    }
+        InterlockedAdd(_Count[0], 1u, ignored);
 }
 
-RWStructuredBuffer<uint> _Ran;
+RWStructuredBuffer<uint> _Zeroed;
 
-[numthreads(1, 1, 1)] void Run(uint3 id : SV_DispatchThreadID)
+[numthreads(1, 1, 1)] void Zeros(uint3 id : SV_DispatchThreadID)
 {
-    _Ran[id.x] = 7;
+    _Zeroed[id.x] = 0;
 }

@@ -7,11 +7,8 @@
 namespace penumbra::gpu {
 namespace {
 
-constexpr Access indirect_read{vk::PipelineStageFlagBits::eDrawIndirect,
-                               vk::AccessFlagBits::eIndirectCommandRead, false};
 constexpr Access transfer_write{vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
                                 true};
-constexpr std::size_t indirect_bytes = 3 * sizeof(std::uint32_t);
 
 }  // namespace
 
@@ -49,34 +46,9 @@ void Sequence::dispatch(const ComputePass& pass, const Bindings& bindings,
   state_->steps.push_back(std::move(step));
 }
 
-void Sequence::dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
-                                 std::size_t byte) {
-  if (byte % sizeof(std::uint32_t) != 0 || byte + indirect_bytes > groups.size_bytes())
-    throw std::invalid_argument("the numbers of groups are three whole words in their buffer");
-  const std::shared_ptr<ComputeState> compute = pass.state();
-  SequenceStep step = step_with(bindings, *compute->interface, vk::PipelineBindPoint::eCompute);
-  step.uses.buffers.push_back({groups.state(), indirect_read});
-  step.used = compute;
-  step.record = [compute, buffer = groups.state(), byte](const vk::raii::CommandBuffer& commands) {
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, compute->pipeline());
-    commands.dispatchIndirect(*buffer->allocation.buffer, byte);
-  };
-  state_->steps.push_back(std::move(step));
-}
-
 void Sequence::draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
                     const std::vector<RasterTile>& tiles, const VertexStreams& streams) {
   state_->steps.push_back(raster_step(pass.state(), bindings, targets, tiles, streams));
-}
-
-void Sequence::fill(const Buffer& buffer, std::uint32_t word) {
-  SequenceStep step;
-  step.uses.buffers.push_back({buffer.state(), transfer_write});
-  step.used = buffer.state();
-  step.record = [state = buffer.state(), word](const vk::raii::CommandBuffer& commands) {
-    commands.fillBuffer(*state->allocation.buffer, 0, VK_WHOLE_SIZE, word);
-  };
-  state_->steps.push_back(std::move(step));
 }
 
 void Sequence::clear(const Image& image, float value) {

@@ -24,12 +24,8 @@ class Sequence {
   // replaced since. Uniforms may change from run to run. These throw std::invalid_argument for work that no
   // device does, and std::logic_error where a shader reads a resource to which nothing is bound.
   void dispatch(const ComputePass& pass, const Bindings& bindings, std::array<std::uint32_t, 3> groups);
-  // The numbers of groups are three words in the buffer, from this byte on; they may be 0.
-  void dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
-                         std::size_t byte = 0);
   void draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
             const std::vector<RasterTile>& tiles, const VertexStreams& streams = {});
-  void fill(const Buffer& buffer, std::uint32_t word);
   // Clears every texel of every level and layer: each channel, or the depth. For integer formats only 0 is
   // allowed.
   void clear(const Image& image, float value);
