@@ -68,9 +68,6 @@ public partial class CommandBuffer : IDisposable
         Record(static (device, told) => device.Draw(told.pass, told.vertices),
                (pass: material.shader.PassNames[shaderPass], vertices: vertexCount * instanceCount));
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-    public void SetGlobalBuffer(int nameID, GraphicsBuffer value) => Texture(nameID, value.What);
-
     public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel, CubemapFace cubemapFace, int depthSlice) =>
         Target(rt.What, mipLevel, depthSlice);
 
@@ -101,23 +98,8 @@ public partial class CommandBuffer : IDisposable
                                        RenderTargetIdentifier rt) => Texture(nameID, rt.What);
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-    public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID,
-                                       RenderTargetIdentifier rt, int mipLevel) =>
-        Texture(nameID, Silent ? null : rt.What + " mip " + mipLevel);
-
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-    public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer) =>
-        Texture(nameID, buffer.What);
-
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void DispatchCompute(ComputeShader computeShader, int kernelIndex, int threadGroupsX, int threadGroupsY,
                                 int threadGroupsZ) =>
         Record(static (device, told) => device.Dispatch(told.Name, told.x + " " + told.y + " " + told.z),
                (computeShader.Kernels[kernelIndex].Name, x: threadGroupsX, y: threadGroupsY, z: threadGroupsZ));
-
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-    public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer,
-                                uint argsOffset) =>
-        Record(static (device, told) => device.Dispatch(told.Name, "as " + told.What + " at " + told.argsOffset),
-               (computeShader.Kernels[kernelIndex].Name, indirectBuffer.What, argsOffset));
 }

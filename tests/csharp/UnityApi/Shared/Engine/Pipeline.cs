@@ -102,7 +102,6 @@ namespace UnityEngine
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static Rendering.GraphicsDeviceType graphicsDeviceType => Device;
         public static bool supportsComputeShaders { get; [OwnBehaviour] set; } = true;
-        public static bool supportsIndirectArgumentsBuffer { get; [OwnBehaviour] set; } = true;
         public static int maxComputeWorkGroupSize { get; [OwnBehaviour] set; } = 1024;
         public static int maxComputeWorkGroupSizeX { get; [OwnBehaviour] set; } = 1024;
         public static int maxComputeWorkGroupSizeY { get; [OwnBehaviour] set; } = 1024;
@@ -113,7 +112,6 @@ namespace UnityEngine
         public static Rendering.CopyTextureSupport copyTextureSupport { get; [OwnBehaviour] set; } =
             Rendering.CopyTextureSupport.Basic;
         public static int supportedRenderTargetCount { get; [OwnBehaviour] set; } = 8;
-        public static int maxComputeBufferInputsFragment { get; [OwnBehaviour] set; } = 8;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
 

@@ -82,31 +82,6 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
-    public sealed partial class GraphicsBuffer : IDisposable
-    {
-        [Flags]
-        public enum Target { Structured = 1 << 4, Raw = 1 << 5, IndirectArguments = 1 << 8 }
-
-        /// <summary>All buffers that are not released.</summary>
-        [OwnBehaviour] public static readonly List<GraphicsBuffer> Living = new List<GraphicsBuffer>();
-
-        [OwnBehaviour] public string What { get; }
-
-        public GraphicsBuffer(Target target, int count, int stride)
-        {
-            this.count = count;
-            What = target + " of " + count + " x " + stride;
-            Living.Add(this);
-        }
-
-        public int count { get; }
-
-        public void Release() => Living.Remove(this);
-
-        public void Dispose() => Release();
-    }
-
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
     public partial class Material : Object
     {
