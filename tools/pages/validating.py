@@ -75,16 +75,35 @@ def causes(last, explanations):
 def front_ends(data):
     """One row for all third-party repositories, and one for each version of URP."""
     def row(name, entries):
-        one = total([{**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
+        one = total([{**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us", "from_bytecode")},
                       **{kind: sum(cause["variants"] for cause in entry[kind])
                          for kind in ("false_passes", "false_refusals")}} for entry in entries])
         return [name, one["variants"], share(one["accepted_by_fxc"], one["variants"]),
-                share(one["passed_by_us"], one["variants"]), one["false_passes"], one["false_refusals"]]
+                share(one["passed_by_us"], one["variants"]), one["from_bytecode"], one["false_passes"],
+                one["false_refusals"]]
 
     rows = [row(f"{len(data['third_party'])} repositories", data["third_party"]),
             *(row(f"URP {entry['version']}", [entry]) for entry in data["urp"])]
-    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes",
-                                          "false refusals"], rows, 1)
+    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "from bytecode",
+                                          "false passes", "false refusals"], rows, 1)
+
+
+def judged(data, pipelines):
+    """One row for the later repositories of each pipeline, and one for Unity's built-in shaders."""
+    def row(name, entries):
+        one = total([entry["blocks"] for entry in entries])
+        return [name, one["total"], one["editor_only"] + one["include_missing"],
+                share(one["accepted_by_fxc"], one["counted"]),
+                *(share(one[key], one["accepted_by_fxc"]) for key in ("spirv", "all_targets")), one["from_bytecode"]]
+
+    def of(pipeline):
+        return [entry for entry in data["later"] if pipelines[entry["repository"]].startswith(pipeline)]
+
+    rows = [row(f"{len(of(pipeline))} repositories, {name}", of(pipeline))
+            for pipeline, name in (("built-in", "built-in pipeline"), ("17", "URP 17"), ("14", "URP 14"))]
+    rows.append(row(f"Unity's built-in shaders, {data['built_in']['version']}", [data["built_in"]]))
+    return f"{data['fxc']}.\n\n" + table(["shaders", "blocks", "left out", "FXC accepts", "of these SPIR-V",
+                                          "of these all targets", "from bytecode"], rows, 1)
 
 
 SETS = {"techniques": "this library's techniques", "urp_lighting": "URP's Lighting.hlsl"}
@@ -179,8 +198,11 @@ TAKES = {"speed": take_speed, "programs": take_programs}
 
 
 def parts(_):
-    first, last, explanations, both = (read_json(CORPUS / f"{name}.json")
-                                       for name in ("first_run", "last_run", "explanations", "front_ends"))
+    first, last, explanations, both, with_fxc, listed = (
+        read_json(CORPUS / f"{name}.json") for name in
+        ("first_run", "last_run", "explanations", "front_ends", "fxc_run", "third_party_shaders"))
+    pipelines = {entry["repository"]: entry.get("pipeline", "built-in") for entry in listed["later"]}
     measured = read_json(SPEED)
     return {PAGE: {"front-ends": front_ends(both), "corpus": corpus(first, last), "causes": causes(last, explanations),
+                   "judged": judged(with_fxc, pipelines),
                    "validation-speed": speed_summary(measured), "programs": random_programs(read_json(PROGRAMS))}}

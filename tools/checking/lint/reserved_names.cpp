@@ -20,8 +20,8 @@ constexpr hlsl::NameSet reserved("pass", "technique", "technique10", "technique1
                                  "String", "PixelShader", "VertexShader", "GeometryShader", "HullShader",
                                  "DomainShader", "ComputeShader", "CompileShader", "BlendState",
                                  "RasterizerState", "DepthStencilState", "RenderTargetView",
-                                 "DepthStencilView", "NULL", "texture1D", "texture2D",
-                                 "texture3D", "textureCUBE");
+                                 "DepthStencilView", "NULL", "texture1D", "texture2D", "texture3D",
+                                 "textureCUBE");
 
 // FXC reads these in upper and lower case.
 constexpr hlsl::NameSet reserved_in_any_case("pass", "technique", "asm", "decl");

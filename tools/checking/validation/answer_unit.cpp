@@ -142,19 +142,19 @@ class UnitAtWork {
 
   bool may_ask_fxc() const { return fxc_decides(job_.context, job_.unit) && !is_given_up(fxc_target); }
 
-  // FXC decides on a text that glslang refuses. Where it refuses the text, too, its messages take the place
-  // of glslang's, because they are Unity's; where it accepts the text, its bytecode gives the module.
+  // FXC decides on a text that glslang refuses. Where FXC refuses the text, too, its messages take the place
+  // of glslang's, because they are Unity's; where it accepts the text, its bytecode gives the module. After a
+  // crash of FXC, or of what translates its bytecode, glslang's refusal stands.
   void decide_by_fxc(const PlainText& plain, const hlsl::SourceFiles& sources, CompileAnswer& answer) {
     link_.note(fxc_target);
     const fxc::Verdict verdict = ask_fxc(plain.text);
-    link_.note(note_compile);
     const hlsl::Diagnostic refusal =
         *std::find_if(answer.diagnostics.begin(), answer.diagnostics.end(),
                       [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
     answer.diagnostics = plain.diagnostics;
     for (hlsl::Diagnostic& said : messages_of(verdict, plain.text, sources))
       answer.diagnostics.push_back(std::move(said));
-    if (!verdict.compiled) return;
+    if (!verdict.compiled) return link_.note(note_compile);
     hlsl::Diagnostic note = refusal;
     note.severity = hlsl::Severity::note;
     note.rule = from_bytecode;
@@ -166,6 +166,7 @@ class UnitAtWork {
                          refusal.message + "), and " + error.what();
     }
     answer.diagnostics.push_back(std::move(note));
+    link_.note(note_compile);
   }
 
   void answer_module() {

@@ -19,8 +19,9 @@
 //                                PREPASSFINAL, SHADOWCASTER, META, MOTIONVECTORS. Unity Manual,
 //                                "Built-in macros", and UnityCG.cginc of the built-in shaders
 //   the settings of a platform   1, as "Platform defines:" in Unity's error messages names them: those of
-//                                desktops in a message of Unity 6 for d3d11, those of mobile devices in one of
-//                                2021.3 for Android. They are the editor's defaults, in linear colour space:
+//                                desktops in one of Unity 6 for d3d11, those of mobile devices in one of
+//                                2021.3 for Android. They are the editor's defaults, in linear colour
+//                                space:
 //                                  both     UNITY_ENABLE_REFLECTION_BUFFERS
 //                                  desktop, UNITY_PBS_USE_BRDF1, UNITY_SPECCUBE_BLENDING,
 //                                  console  UNITY_SPECCUBE_BOX_PROJECTION, UNITY_ENABLE_DETAIL_NORMALMAP,
@@ -29,9 +30,9 @@
 //                                  mobile   UNITY_PBS_USE_BRDF2, UNITY_NO_DXT5nm, UNITY_NO_RGBM,
 //                                           UNITY_NO_SCREENSPACE_SHADOWS, UNITY_LIGHTMAP_DLDR_ENCODING
 //
-//   _Object2World,               unity_ObjectToWorld, unity_WorldToObject: the names before Unity 5.4, which the
-//   _World2Object                editor replaces in the file when it imports it ("Upgrade NOTE"). In CGPROGRAM
-//                                blocks alone
+//   _Object2World,               unity_ObjectToWorld, unity_WorldToObject: the names before Unity 5.4, which
+//   _World2Object                the editor replaces in the file when it imports it ("Upgrade NOTE"). In
+//                                CGPROGRAM blocks alone
 //
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:
