@@ -75,13 +75,16 @@ TEST_F(ValidateFxc, WhatTakesFxcTooLongIsNotCountedAsRefused) {
       write("Long.compute",
             "#pragma kernel Main\nRWStructuredBuffer<float> o;\n[numthreads(1, 1, 1)] void Main() {\n"
             "float s = o[0];\n[unroll(1000)] for (int i = 0; i < 1000; ++i)\n"
-            "[unroll(1000)] for (int j = 0; j < 1000; ++j) s = sin(s + cos(s + i * j));\no[0] = s; }\n")
+            "[unroll(1000)] for (int j = 0; j < 1000; ++j) s = sin(s + cos(s + i * j));\nfloat1 v; v.x = s; "
+            "o[0] = v.x; }\n")
           .string();
   const auto result = run_with_fxc({"validate", file, "--target", "spirv,d3d11", "--no-cache", "--no-lint",
                                     "--time-limit", "2", "--format", "json"});
   EXPECT_EQ(result.exit_code, 1) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("took more than 2 s of CPU time in FXC"));
-  EXPECT_FALSE(nlohmann::json::parse(result.output).contains("front_ends"));
+  const nlohmann::json report = nlohmann::json::parse(result.output);
+  for (const nlohmann::json& record : report["variants"])
+    EXPECT_EQ(record["status"], record["target"] == "d3d11" ? "failed" : "unchecked") << record;
 }
 
 TEST_F(ValidateFxc, TheReportHasCountsAndIsReadAgain) {
@@ -184,6 +187,33 @@ TEST_F(ValidateFxc, ACrashOfGlslangLeavesTheVerdictToFxc) {
     ASSERT_EQ(record["status"], "failed") << record;
     EXPECT_THAT(record["diagnostics"][0]["message"].get<std::string>(), HasSubstr("X3017")) << record;
   }
+}
+
+// A target's text from the bytecode is not Unity's, so that an error in it is none of the shader; and a stage
+// that a target does not have is absent, whatever made the module.
+TEST_F(ValidateFxc, AnErrorInWhatIsMadeFromBytecodeIsUncheckedAndAnAbsentStageIsAbsent) {
+  PENUMBRA_NEEDS_FXC();
+  const auto statuses = [&](const std::string& stage, const std::string& text) {
+    const std::string file = write("Stage.hlsl", text).string();
+    const auto result =
+        run_with_fxc({"validate", file, "--stage", stage, "--no-cache", "--no-lint", "--format", "json"});
+    const nlohmann::json report = nlohmann::json::parse(result.output);
+    std::map<std::string, std::string> found;
+    for (const nlohmann::json& record : report["variants"]) found[record["target"]] = record["status"];
+    return found;
+  };
+  const auto vertex = statuses(
+      "vertex", "float4 Main(uint id : SV_VertexID) : SV_Position { float1 v; v.x = id; return v.x; }\n");
+  EXPECT_EQ(vertex.at("essl310"), "unchecked");
+  EXPECT_EQ(vertex.at("glsl450"), "passed");
+  const auto geometry = statuses(
+      "geometry",
+      "#pragma target 5.0\nstruct V { float4 p : SV_Position; };\n[maxvertexcount(3)] void Main(triangle V "
+      "v[3], inout "
+      "TriangleStream<V> s)\n{\n    float1 k; k.x = v[0].p.x; V o = v[0]; o.p.x = k.x; s.Append(o);\n}\n");
+  EXPECT_EQ(geometry.at("spirv"), "passed");
+  EXPECT_EQ(geometry.at("hlsl50"), "absent");
+  EXPECT_EQ(geometry.at("msl23"), "absent");
 }
 
 // On mobile devices half has minimum precision, for which the bytecode has other chunks of signatures.

@@ -169,6 +169,18 @@ class UnitAtWork {
     link_.note(note_compile);
   }
 
+  // Without FXC's verdict, glslang's refusal may be of HLSL that it does not know.
+  static void leave_undecided(CompileAnswer& answer) {
+    const auto refusal =
+        std::find_if(answer.diagnostics.begin(), answer.diagnostics.end(),
+                     [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
+    if (refusal == answer.diagnostics.end()) return;
+    answer.unchecked = "glslang refuses it (" + refusal->message +
+                       "), and FXC gave no verdict: it crashed or " + "reached a limit";
+    std::erase_if(answer.diagnostics,
+                  [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
+  }
+
   void answer_module() {
     const std::string key = emitted_key(job_.context, job_.unit, reply_.compile->module_key);
     if (!is_mine(question_module, key)) return;
@@ -200,6 +212,7 @@ class UnitAtWork {
     answer.of_targets = std::move(result.of_targets);
     if (!spirv_.empty()) answer.signature = std::make_shared<const std::string>(encode(result.signature));
     if (plain && hlsl::has_errors(answer.diagnostics)) decide_by_fxc(*plain, result.sources, answer);
+    if (fxc_decides(job_.context, job_.unit) && is_given_up(fxc_target)) leave_undecided(answer);
     if (!spirv_.empty()) answer.module_key = module_key(spirv_);
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
@@ -213,8 +226,7 @@ class UnitAtWork {
   shaders::CompileResult by_glslang(const shaders::CompileRequest& request) {
     if (is_given_up(note_compile)) {
       shaders::CompileResult crashed;
-      crashed.diagnostics = {
-          {request.file.string(), 0, 0, hlsl::Severity::error, "it ends without a verdict", {}}};
+      crashed.diagnostics = {{request.file.string(), 0, 0, hlsl::Severity::error, "it crashes", {}}};
       crashed.sources = std::move(source_.sources);
       return crashed;
     }
@@ -247,7 +259,21 @@ class UnitAtWork {
       const auto driver = job_.context.drivers.find(target);
       const bool checked = driver != job_.context.drivers.end() && !driver->second.empty();
       said = check_target(module, job_.unit.compile.stage, target, checked);
+      if (is_from_bytecode(reply_.compile->diagnostics)) leave_unchecked(said);
     }
+  }
+
+  // Unity makes a target's text from the bytecode by a translator of its own: an error in what vkd3d and
+  // SPIRV-Cross make of it is not one of the shader.
+  static void leave_unchecked(std::vector<hlsl::Diagnostic>& said) {
+    if (!hlsl::has_errors(said)) return;
+    hlsl::Diagnostic first = *std::find_if(said.begin(), said.end(), [](const hlsl::Diagnostic& one) {
+      return one.severity == hlsl::Severity::error;
+    });
+    first.severity = hlsl::Severity::note;
+    first.rule = from_bytecode;
+    first.message = "what is made from FXC's bytecode could not be checked: " + first.message;
+    said = {std::move(first)};
   }
 
   void keep(EntryKind kind, std::string key, std::string content) {

@@ -386,6 +386,7 @@ void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& compiled
           errors_in_source(*compiled.reply.compile, unit.targets[i]);
       const std::vector<hlsl::Diagnostic>& said = of_source == nullptr ? of_text : *of_source;
       diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+      if (is_from_bytecode(said)) result.targets[i].status = VariantStatus::unchecked;
       add_failure(unit, emitted, unit.targets[i], result.targets[i]);
     } else {  // the module was compiled once, and a second attempt crashed earlier
       add_failure(unit, emitted, note_compile, result.targets[i]);

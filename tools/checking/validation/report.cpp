@@ -28,13 +28,12 @@ bool refused(const VariantRecord& record) {
          });
 }
 
-// Returns whether FXC's bytecode, and not glslang, gave the module of its variant.
-bool is_from_bytecode(const VariantRecord& record) {
-  return std::any_of(record.diagnostics.begin(), record.diagnostics.end(),
-                     [](const hlsl::Diagnostic& said) { return said.rule == from_bytecode; });
-}
-
 }  // namespace
+
+bool is_from_bytecode(const std::vector<hlsl::Diagnostic>& said) {
+  return std::any_of(said.begin(), said.end(),
+                     [](const hlsl::Diagnostic& one) { return one.rule == from_bytecode; });
+}
 
 const char* status_name(VariantStatus status) {
   switch (status) {
@@ -108,7 +107,7 @@ FrontEnds front_ends(const ValidationReport& report) {
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
     if (record.target == whole_source) continue;
-    if (record.status == VariantStatus::unchecked && !is_from_bytecode(record)) continue;
+    if (record.status == VariantStatus::unchecked && !is_from_bytecode(record.diagnostics)) continue;
     // A compiler that reached a limit or crashed has given no verdict on the variant.
     if (!record.reproduction.empty()) continue;
     Verdicts& of_variant = verdicts[variants.of_record(i)];
@@ -116,7 +115,8 @@ FrontEnds front_ends(const ValidationReport& report) {
       of_variant.fxc = !failed(record);
     else  // a target that is made from the module shows only that glslang made none
       of_variant.glslang = of_variant.glslang.value_or(true) && record.status != VariantStatus::unreached &&
-                           !(is_spirv_target(record.target) && refused(record)) && !is_from_bytecode(record);
+                           !(is_spirv_target(record.target) && refused(record)) &&
+                           !is_from_bytecode(record.diagnostics);
   }
   FrontEnds counts;
   for (const Verdicts& of_variant : verdicts) {

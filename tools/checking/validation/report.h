@@ -25,6 +25,7 @@ inline constexpr const char* whole_source = "source";
 
 // The rule of the note that a variant's module is made from FXC's bytecode, because glslang refuses the text.
 inline constexpr const char* from_bytecode = "from-bytecode";
+bool is_from_bytecode(const std::vector<hlsl::Diagnostic>& said);
 
 // The result of one entry point of one file with one keyword set for one target.
 struct VariantRecord {

@@ -191,9 +191,14 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
     record.module = result.module_key;
     record.place = report_place;
     record.reason = result.unchecked;
-    if (record.status == VariantStatus::passed && record.diagnostics.empty()) {
-      record.reason = why_absent(record.stage, record.target);
-      if (!record.reason.empty()) record.status = VariantStatus::absent;
+    if (record.status == VariantStatus::unchecked && record.reason.empty() && !record.diagnostics.empty())
+      record.reason = record.diagnostics.back().message;
+    if (record.status == VariantStatus::passed || record.status == VariantStatus::unchecked) {
+      const std::string absent = why_absent(record.stage, record.target);
+      if (!absent.empty()) {
+        record.status = VariantStatus::absent;
+        record.reason = absent;
+      }
     }
     add_target_problems(record, variant.technique);
     judge(record, variant.technique);
@@ -236,6 +241,10 @@ ValidationReport validate(const ValidationRequest& request) {
     for (const std::string& target : units[result.unit].targets) unique.emplace(result.module_key, target);
   }
   report.unique = unique.size();
+  if (std::any_of(report.records.begin(), report.records.end(),
+                  [](const VariantRecord& record) { return is_from_bytecode(record.diagnostics); }))
+    report.rules[from_bytecode] =
+        "Tells that FXC accepts a program that glslang refuses, and that its bytecode was checked.";
   if (request.lint.wanted) {
     for (const lint::RuleInfo& rule : lint::rules()) report.rules[rule.name] = rule.summary;
     // A single shard has only a part of the variants.

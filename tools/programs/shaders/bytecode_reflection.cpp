@@ -252,15 +252,26 @@ SignatureType signature_type(std::uint32_t component) {  // D3D_REGISTER_COMPONE
   }
 }
 
-// `plain` is the chunk's name without precisions; one with minimum precisions has a stream before each
-// element and a precision after it.
-void add_elements(std::string_view bytecode, const char* plain, const char* with_precisions, bool output,
-                  Signature& signature) {
-  const bool precise = fxc::chunk(bytecode, with_precisions).has_value();
-  const ChunkReader part(bytecode, precise ? with_precisions : plain);
-  const std::size_t step = precise ? 32 : 24;
+// The chunks of a signature: one of a geometry program of shader model 5 has a stream before each element,
+// and one with minimum precisions a precision after it, too.
+struct SignatureChunk {
+  const char* input;
+  const char* output;
+  std::size_t step;   // bytes
+  std::size_t first;  // byte of the name in an element
+};
+constexpr SignatureChunk signature_chunks[] = {
+    {"ISGN", "OSGN", 24, 0}, {"ISG1", "OSG1", 32, 4}, {"ISGN", "OSG5", 28, 4}};
+
+void add_elements(std::string_view bytecode, bool output, Signature& signature) {
+  const auto name_of = [output](const SignatureChunk& chunk) { return output ? chunk.output : chunk.input; };
+  const auto* found = std::find_if(
+      std::begin(signature_chunks), std::end(signature_chunks),
+      [&](const SignatureChunk& chunk) { return fxc::chunk(bytecode, name_of(chunk)).has_value(); });
+  if (found == std::end(signature_chunks)) found = std::begin(signature_chunks);
+  const ChunkReader part(bytecode, name_of(*found));
   for (std::uint32_t i = 0; i < part.word(0); ++i) {
-    const std::size_t at = part.word(4) + step * i + (precise ? 4 : 0);
+    const std::size_t at = part.word(4) + found->step * i + found->first;
     SignatureElement element;
     element.written = part.text(part.word(at));
     element.semantic = element.written;
@@ -286,8 +297,8 @@ std::vector<BytecodeResource> bytecode_resources(std::string_view bytecode) {
 
 Signature bytecode_signature(std::string_view bytecode) {
   Signature signature;
-  add_elements(bytecode, "ISGN", "ISG1", false, signature);
-  add_elements(bytecode, "OSGN", "OSG1", true, signature);
+  add_elements(bytecode, false, signature);
+  add_elements(bytecode, true, signature);
   return signature;
 }
 
