@@ -49,6 +49,10 @@ class Page(unittest.TestCase):
 
 
 class FrontEnds(unittest.TestCase):
+    def note(self, message):
+        return {"file": "/r/Inc/B.hlsl", "line": 7, "severity": "note", "rule": "from-bytecode",
+                "message": "FXC accepts this, and glslang does not: " + message}
+
     def compared(self):
         def of(status, target, keywords, message=""):
             return {**record(status, target, message=message), "keywords": keywords, "entry": "Frag", "stage": "fragment"}
@@ -57,21 +61,42 @@ class FrontEnds(unittest.TestCase):
             [of("passed", "spirv", []), of("passed", "d3d11", []),
              of("passed", "spirv", ["A"]), of("failed", "d3d11", ["A"], "X3004: undeclared identifier 'a'"),
              of("passed", "spirv", ["B"]), of("failed", "d3d11", ["B"], "X3004: undeclared identifier 'b'"),
-             of("failed", "spirv", ["C"], "no \"c\""), of("passed", "d3d11", ["C"]),
+             {**of("passed", "spirv", ["C"]), "diagnostics": [self.note("no \"c\"")]}, of("passed", "d3d11", ["C"]),
+             {**of("unchecked", "spirv", ["F"]), "diagnostics": [self.note("no \"f\"")]}, of("passed", "d3d11", ["F"]),
              of("failed", "spirv", ["D"], "no"), of("failed", "d3d11", ["D"], "no"),
              of("failed", "spirv", ["E"], "cannot find 'E'"), of("passed", "d3d11", ["E"])], [(Path("/r"), "")])
 
     def test_variants_that_one_alone_refuses_are_counted_by_cause(self):
         result = self.compared()
-        self.assertEqual((result["variants"], result["accepted_by_fxc"], result["passed_by_us"]), (5, 2, 3))
+        self.assertEqual((result["variants"], result["accepted_by_fxc"], result["passed_by_us"],
+                          result["from_bytecode"]), (6, 3, 3, 1))
         self.assertEqual(result["false_passes"], [{"message": "X3004: undeclared identifier '...'", "variants": 2,
                                                    "says": "X3004: undeclared identifier 'a'", "example": "Inc/B.hlsl:7"}])
-        self.assertEqual([cause["message"] for cause in result["false_refusals"]], ["no '...'"])
+        self.assertEqual([(cause["message"], cause["variants"]) for cause in result["false_refusals"]],
+                         [("no '...'", 2)])
 
     def test_the_page_adds_up_repositories(self):
         data = {"fxc": "FXC 1", "third_party": [{"repository": "o/n", **self.compared()}],
                 "urp": [{"version": "9", **self.compared()}]}
-        self.assertIn("| 1 repositories | 5 | 2 (40.0 %) | 3 (60.0 %) | 2 | 1 |\n| URP 9 | 5 |", page.front_ends(data))
+        self.assertIn("| 1 repositories | 6 | 3 (50.0 %) | 3 (50.0 %) | 2 | 2 |\n| URP 9 | 6 |", page.front_ends(data))
+
+
+class Judged(unittest.TestCase):
+    def test_of_the_blocks_that_fxc_accepts_those_that_reach_all_targets_count(self):
+        def note(status, target, place):
+            return {**record(status, target, place), "diagnostics": [
+                {"file": "/r/B.hlsl", "line": 7, "severity": "note", "rule": "from-bytecode", "message": "no"}]}
+
+        result = run.sum_up_judged(
+            [record("passed", "d3d11"), record("passed"), record("passed", "d3d11", "0.1"), note("passed", "spirv", "0.1"),
+             record("failed", "essl310", "0.1", "no ES"), record("passed", "d3d11", "0.2"), note("unchecked", "spirv", "0.2"),
+             record("failed", "d3d11", "0.3", "X1"), record("failed", place="0.3", message="X1"),
+             record("failed", "d3d11", "0.4", "cannot find 'x'; tried /y"), record("unchecked", place="0.5")],
+            [(Path("/r"), "")])
+        self.assertEqual(result["blocks"], {"total": 6, "editor_only": 1, "include_missing": 1, "counted": 4,
+                                            "accepted_by_fxc": 3, "spirv": 2, "all_targets": 1, "from_bytecode": 2})
+        self.assertEqual(result["refused_by_fxc"], [{"message": "X1", "blocks": 1}])
+        self.assertEqual(result["lost"], [{"message": "no", "blocks": 1}, {"message": "no ES", "blocks": 1}])
 
 
 class Sums(unittest.TestCase):

@@ -75,17 +75,16 @@ def causes(last, explanations):
 def front_ends(data):
     """One row for all third-party repositories, and one for each version of URP."""
     def row(name, entries):
-        one = total([{**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us", "from_bytecode")},
+        one = total([{**{key: entry[key] for key in ("variants", "accepted_by_fxc", "passed_by_us")},
                       **{kind: sum(cause["variants"] for cause in entry[kind])
                          for kind in ("false_passes", "false_refusals")}} for entry in entries])
         return [name, one["variants"], share(one["accepted_by_fxc"], one["variants"]),
-                share(one["passed_by_us"], one["variants"]), one["from_bytecode"], one["false_passes"],
-                one["false_refusals"]]
+                share(one["passed_by_us"], one["variants"]), one["false_passes"], one["false_refusals"]]
 
     rows = [row(f"{len(data['third_party'])} repositories", data["third_party"]),
             *(row(f"URP {entry['version']}", [entry]) for entry in data["urp"])]
-    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "from bytecode",
-                                          "false passes", "false refusals"], rows, 1)
+    return f"{data['fxc']}.\n\n" + table(["shaders", "variants", "FXC accepts", "glslang passes", "false passes",
+                                          "false refusals"], rows, 1)
 
 
 def judged(data, pipelines):
