@@ -91,10 +91,11 @@ class Judged(unittest.TestCase):
             [record("passed", "d3d11"), record("passed"), record("passed", "d3d11", "0.1"), note("passed", "spirv", "0.1"),
              record("failed", "essl310", "0.1", "no ES"), record("passed", "d3d11", "0.2"), note("unchecked", "spirv", "0.2"),
              record("failed", "d3d11", "0.3", "X1"), record("failed", place="0.3", message="X1"),
-             record("failed", "d3d11", "0.4", "cannot find 'x'; tried /y"), record("unchecked", place="0.5")],
+             record("failed", "d3d11", "0.4", "cannot find 'x'; tried /y"), record("unchecked", place="0.5"),
+             record("passed", place="0.6")],
             [(Path("/r"), "")])
-        self.assertEqual(result["blocks"], {"total": 6, "editor_only": 1, "include_missing": 1, "counted": 4,
-                                            "accepted_by_fxc": 3, "spirv": 2, "all_targets": 1, "from_bytecode": 2})
+        self.assertEqual(result["blocks"], {"total": 7, "editor_only": 1, "include_missing": 1, "other_apis": 1,
+                                            "counted": 4, "accepted_by_fxc": 3, "spirv": 2, "all_targets": 1, "from_bytecode": 2})
         self.assertEqual(result["refused_by_fxc"], [{"message": "X1", "blocks": 1}])
         self.assertEqual(result["lost"], [{"message": "no", "blocks": 1}, {"message": "no ES", "blocks": 1}])
 

@@ -91,7 +91,7 @@ def judged(data, pipelines):
     """One row for the later repositories of each pipeline, and one for Unity's built-in shaders."""
     def row(name, entries):
         one = total([entry["blocks"] for entry in entries])
-        return [name, one["total"], one["editor_only"] + one["include_missing"],
+        return [name, one["total"], one["editor_only"] + one["include_missing"] + one["other_apis"],
                 share(one["accepted_by_fxc"], one["counted"]),
                 *(share(one[key], one["accepted_by_fxc"]) for key in ("spirv", "all_targets")), one["from_bytecode"]]
 
