@@ -46,12 +46,6 @@ bool quotes(const CompileAnswer& answer, const std::string& file) {
                      [&](const shaders::TargetDiagnostics& of) { return quotes(of.diagnostics, file); });
 }
 
-// An expanded text before it is prepared for glslang, and what was said about it until then.
-struct PlainText {
-  std::string text;
-  std::vector<hlsl::Diagnostic> diagnostics;
-};
-
 class UnitAtWork {
  public:
   UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& sources,
@@ -120,10 +114,14 @@ class UnitAtWork {
     return fxc_->compile(shaders::fxc_program(job_.unit.compile, expanded));
   }
 
-  std::vector<hlsl::Diagnostic> messages_of(const fxc::Verdict& verdict, const std::string& expanded,
-                                            const hlsl::SourceFiles& sources) const {
+  // Returns what was said while the text was expanded, and FXC's messages.
+  std::vector<hlsl::Diagnostic> messages_of(const fxc::Verdict& verdict,
+                                            const shaders::PreprocessedSource& expanded) const {
     const std::string file = job_.unit.compile.file.string();
-    std::vector<hlsl::Diagnostic> messages = fxc::diagnostics_of(verdict.messages, expanded, file, sources);
+    std::vector<hlsl::Diagnostic> messages = expanded.diagnostics;
+    for (hlsl::Diagnostic& said :
+         fxc::diagnostics_of(verdict.messages, expanded.text, file, expanded.sources))
+      messages.push_back(std::move(said));
     if (!verdict.compiled && !hlsl::has_errors(messages))
       messages.push_back({file, 0, 0, hlsl::Severity::error, "FXC refuses it without a message", {}});
     return messages;
@@ -131,54 +129,39 @@ class UnitAtWork {
 
   void compile_by_fxc() {
     CompileAnswer answer;
-    answer.diagnostics = source_.diagnostics;
-    for (hlsl::Diagnostic& said : messages_of(ask_fxc(source_.text), source_.text, source_.sources))
-      answer.diagnostics.push_back(std::move(said));
+    answer.diagnostics = messages_of(ask_fxc(source_.text), source_);
     for (const std::string& file : source_.sources.names())
       if (quotes(answer, file)) answer.quoted.emplace_back(file, source_hash(source_.sources.text(file)));
     keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
   }
 
-  bool may_ask_fxc() const { return fxc_decides(job_.context, job_.unit) && !is_given_up(fxc_target); }
-
   // FXC decides on a text that glslang refuses. Where FXC refuses the text, too, its messages take the place
-  // of glslang's, because they are Unity's; where it accepts the text, its bytecode gives the module. After a
-  // crash of FXC, or of what translates its bytecode, glslang's refusal stands.
-  void decide_by_fxc(const PlainText& plain, const hlsl::SourceFiles& sources, CompileAnswer& answer) {
-    link_.note(fxc_target);
+  // of glslang's, because they are Unity's; where it accepts the text, its bytecode gives the module. Without
+  // a verdict, after a crash of FXC or of what translates its bytecode, glslang's refusal may be of HLSL that
+  // it does not know. The text is expanded again, because few are refused.
+  void decide_by_fxc(CompileAnswer& answer) {
+    hlsl::Diagnostic note = *hlsl::first_error(answer.diagnostics);
+    const std::string refusal = "glslang refuses it (" + note.message + "), and ";
+    if (is_given_up(fxc_target)) {
+      answer.unchecked = refusal + "FXC gave no verdict: it crashed or reached a limit";
+      std::erase_if(answer.diagnostics,
+                    [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
+      return;
+    }
+    const shaders::PreprocessedSource plain = shaders::expand(job_.unit.compile, memory_);
     const fxc::Verdict verdict = ask_fxc(plain.text);
-    const hlsl::Diagnostic refusal =
-        *std::find_if(answer.diagnostics.begin(), answer.diagnostics.end(),
-                      [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
-    answer.diagnostics = plain.diagnostics;
-    for (hlsl::Diagnostic& said : messages_of(verdict, plain.text, sources))
-      answer.diagnostics.push_back(std::move(said));
-    if (!verdict.compiled) return link_.note(note_compile);
-    hlsl::Diagnostic note = refusal;
-    note.severity = hlsl::Severity::note;
-    note.rule = from_bytecode;
-    note.message = "FXC accepts this, and glslang does not: " + refusal.message;
+    answer.diagnostics = messages_of(verdict, plain);
+    if (!verdict.compiled) return;
     try {
       spirv_ = shaders::bytecode_module(verdict.bytecode, job_.unit.compile.entry).spirv;
     } catch (const std::invalid_argument& error) {
-      answer.unchecked = "FXC accepts it, but no other target could be made: glslang refuses it (" +
-                         refusal.message + "), and " + error.what();
+      answer.unchecked = "FXC accepts it, but no other target could be made: " + refusal + error.what();
     }
+    note.severity = hlsl::Severity::note;
+    note.rule = from_bytecode;
+    note.message = "FXC accepts this, and glslang does not: " + note.message;
     answer.diagnostics.push_back(std::move(note));
-    link_.note(note_compile);
-  }
-
-  // Without FXC's verdict, glslang's refusal may be of HLSL that it does not know.
-  static void leave_undecided(CompileAnswer& answer) {
-    const auto refusal =
-        std::find_if(answer.diagnostics.begin(), answer.diagnostics.end(),
-                     [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
-    if (refusal == answer.diagnostics.end()) return;
-    answer.unchecked = "glslang refuses it (" + refusal->message +
-                       "), and FXC gave no verdict: it crashed or " + "reached a limit";
-    std::erase_if(answer.diagnostics,
-                  [](const hlsl::Diagnostic& said) { return said.severity == hlsl::Severity::error; });
   }
 
   void answer_module() {
@@ -201,8 +184,6 @@ class UnitAtWork {
     std::vector<hlsl::Diagnostic> names;
     if (job_.unit.lint.wanted)
       names = lint::reserved_name_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
-    std::optional<PlainText> plain;
-    if (may_ask_fxc()) plain = {source_.text, source_.diagnostics};
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
     shaders::CompileResult result = by_glslang(request);
@@ -211,8 +192,11 @@ class UnitAtWork {
     answer.diagnostics = std::move(result.diagnostics);
     answer.of_targets = std::move(result.of_targets);
     if (!spirv_.empty()) answer.signature = std::make_shared<const std::string>(encode(result.signature));
-    if (plain && hlsl::has_errors(answer.diagnostics)) decide_by_fxc(*plain, result.sources, answer);
-    if (fxc_decides(job_.context, job_.unit) && is_given_up(fxc_target)) leave_undecided(answer);
+    if (fxc_decides(job_.context, job_.unit) && hlsl::has_errors(answer.diagnostics)) {
+      link_.note(fxc_target);
+      decide_by_fxc(answer);
+      link_.note(note_compile);
+    }
     if (!spirv_.empty()) answer.module_key = module_key(spirv_);
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
@@ -227,7 +211,6 @@ class UnitAtWork {
     if (is_given_up(note_compile)) {
       shaders::CompileResult crashed;
       crashed.diagnostics = {{request.file.string(), 0, 0, hlsl::Severity::error, "it crashes", {}}};
-      crashed.sources = std::move(source_.sources);
       return crashed;
     }
     return job_.sharing == Sharing::nothing
@@ -266,10 +249,9 @@ class UnitAtWork {
   // Unity makes a target's text from the bytecode by a translator of its own: an error in what vkd3d and
   // SPIRV-Cross make of it is not one of the shader.
   static void leave_unchecked(std::vector<hlsl::Diagnostic>& said) {
-    if (!hlsl::has_errors(said)) return;
-    hlsl::Diagnostic first = *std::find_if(said.begin(), said.end(), [](const hlsl::Diagnostic& one) {
-      return one.severity == hlsl::Severity::error;
-    });
+    const hlsl::Diagnostic* error = hlsl::first_error(said);
+    if (error == nullptr) return;
+    hlsl::Diagnostic first = *error;
     first.severity = hlsl::Severity::note;
     first.rule = from_bytecode;
     first.message = "what is made from FXC's bytecode could not be checked: " + first.message;

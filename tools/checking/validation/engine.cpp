@@ -293,8 +293,8 @@ void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outco
     state.reply.dependencies = std::move(reply->dependencies);
   }
   state.failures[crash.target].reproduction = write_reproduction(keep_folder(), unit(place), crash);
-  const bool may_ask_fxc = fxc_decides(context_, unit(place)) && !compiled_by_fxc(unit(place)) &&
-                           !state.failures.contains(std::string(fxc_target));
+  const bool may_ask_fxc =
+      fxc_decides(context_, unit(place)) && !state.failures.contains(std::string(fxc_target));
   if (state.failures.contains(std::string(note_compile)) && !may_ask_fxc) return say_done();
   send_first(place);
 }

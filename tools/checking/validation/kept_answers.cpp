@@ -97,7 +97,7 @@ bool compiled_by_fxc(const CompileUnit& unit) {
 }
 
 bool fxc_decides(const AnswerContext& context, const CompileUnit& unit) {
-  return !unit.compile.dxc && context.drivers.contains(std::string(fxc_target));
+  return !compiled_by_fxc(unit) && !unit.compile.dxc && context.drivers.contains(std::string(fxc_target));
 }
 
 bool emits(const CompileUnit& unit) {

@@ -78,8 +78,14 @@ std::string format(const Diagnostic& diagnostic) {
 }
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
+  return first_error(diagnostics) != nullptr;
+}
+
+const Diagnostic* first_error(const std::vector<Diagnostic>& diagnostics) {
+  const auto found = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error;
+  });
+  return found == diagnostics.end() ? nullptr : &*found;
 }
 
 }  // namespace penumbra::hlsl

@@ -24,5 +24,6 @@ struct Diagnostic {
 std::string format(const Diagnostic& diagnostic);
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
+const Diagnostic* first_error(const std::vector<Diagnostic>& diagnostics);  // null if there is none
 
 }  // namespace penumbra::hlsl

@@ -3,12 +3,9 @@
 #include <utility>
 
 #include "hlsl/declarations.h"
-#include "preparation/declarators.h"
 #include "preparation/number_shape.h"
 #include "preparation/passes.h"
 #include "preparation/postfix_expression.h"
-#include "preparation/resource_types.h"
-#include "preparation/source_checks.h"
 #include "preparation/value_types.h"
 
 namespace penumbra::preparation {

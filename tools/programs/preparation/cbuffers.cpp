@@ -5,7 +5,6 @@
 #include "preparation/number_shape.h"
 #include "preparation/passes.h"
 #include "preparation/resource_types.h"
-#include "preparation/source_checks.h"
 #include "preparation/value_types.h"
 
 namespace penumbra::preparation {

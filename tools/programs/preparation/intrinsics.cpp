@@ -1,12 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <unordered_set>
 
 #include "hlsl/declarations.h"
 #include "preparation/passes.h"
-#include "preparation/postfix_expression.h"
-#include "preparation/source_checks.h"
-#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 

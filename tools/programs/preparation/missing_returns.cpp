@@ -1,12 +1,6 @@
-#include <algorithm>
-
 #include "hlsl/declarations.h"
-#include "preparation/declarators.h"
-#include "preparation/expression_reader.h"
 #include "preparation/passes.h"
-#include "preparation/postfix_expression.h"
 #include "preparation/resource_types.h"
-#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 

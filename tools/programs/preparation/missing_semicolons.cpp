@@ -1,10 +1,6 @@
-#include <map>
-
 #include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/declared_values.h"
-#include "preparation/entry_functions.h"
-#include "preparation/resource_types.h"
 #include "preparation/source_checks.h"
 
 namespace penumbra::preparation {

@@ -3,7 +3,6 @@
 #include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/passes.h"
-#include "preparation/resource_types.h"
 #include "preparation/value_types.h"
 #include "preparation/written_values.h"
 
