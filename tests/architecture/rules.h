@@ -13,7 +13,7 @@ using Violations = std::vector<std::string>;
 
 // In tools/, an include of another room goes down this list: cli, measurement (study, lighting, bake,
 // reference, resolve, scene), checking (cost, validation, lint), programs (gpu, techniques, shaders,
-// preprocessing, preparation, variants, shaderlab, project, fxc, hlsl, spirv), base (parameters, platform,
+// preparation, variants, shaderlab, project, fxc, preprocessing, hlsl, spirv), base (parameters, platform,
 // input). Measurement and checking know nothing of each other, and checking and programs nothing of
 // parameters. Every room stands in its group's folder.
 Violations tool_includes_point_down(const Tree& tree);

@@ -216,6 +216,26 @@ TEST_F(ValidateFxc, AnErrorInWhatIsMadeFromBytecodeIsUncheckedAndAnAbsentStageIs
   EXPECT_EQ(geometry.at("msl23"), "absent");
 }
 
+// The fragment program is made from bytecode, the vertex program by glslang.
+TEST_F(ValidateFxc, AStageFromBytecodeIsComparedWithTheStageBeforeIt) {
+  PENUMBRA_NEEDS_FXC();
+  const auto errors_of = [&](const std::string& written) {
+    const std::string file = write("Linked.shader",
+                                   "Shader \"L\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma "
+                                   "fragment F\nfloat4 V(float4 p : POSITION, out float2 uv : " +
+                                       written +
+                                       ") : SV_Position { uv = p.xy; return p; }\n"
+                                       "float4 F(float4 p : SV_Position, float2 uv : TEXCOORD1) : SV_Target\n"
+                                       "{ float1 v; v.x = uv.x; return v.x; }\nENDHLSL } } }\n")
+                                 .string();
+    return run_with_fxc({"validate", file, "--no-cache", "--no-lint"}).output;
+  };
+  EXPECT_THAT(errors_of("TEXCOORD1"), Not(HasSubstr("error:")));
+  EXPECT_THAT(
+      errors_of("TEXCOORD0"),
+      HasSubstr("the fragment program reads 'TEXCOORD1', which the vertex program 'V' does not write"));
+}
+
 // On mobile devices half has minimum precision, for which the bytecode has other chunks of signatures.
 TEST_F(ValidateFxc, BytecodeWithMinimumPrecisionIsTranslated) {
   PENUMBRA_NEEDS_FXC();

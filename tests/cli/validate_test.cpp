@@ -469,17 +469,6 @@ TEST_F(Validate, AKeywordThatNobodyDeclaresIsRefusedBesideOtherErrorsToo) {
                         "'BRIGHT'?; not every program was understood"));
 }
 
-TEST_F(Validate, ErrorsOfSourceAndModuleAreReportedTogether) {
-  const std::string file = write("Both.hlsl",
-                                 "SamplerState sampler_Map;\n"
-                                 "float4 Main(float2 uv) : SV_Target\n{\n    Texture2D map;\n"
-                                 "    return map.Sample(sampler_Map, uv);\n}\n")
-                               .string();
-  EXPECT_THAT(run({"validate", file, "--no-cache", "--target", "spirv"}).output,
-              HasSubstrs("Both.hlsl:2:20: error: 'uv' has no semantic",
-                         "Both.hlsl:5: error: a texture is read uninitialised"));
-}
-
 TEST_F(Validate, UnknownTargetsAndFoldersSayTheRemedy) {
   EXPECT_THAT(run(command({"--target", "essl301"})).errors, HasSubstr("essl300"));
   EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);

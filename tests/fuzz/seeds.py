@@ -183,7 +183,7 @@ def target_seeds():
     json_texts = list(raw_strings('parameters/*_input_test.cpp', 'input/*.cpp', 'cli/*_test.cpp'))
     yield 'bake', bakes()
     yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdefanswer', bytes(64)]
-    yield 'expanded_text', [*hlsl_texts, *logged(files('tests/shaders/refused/recovery_*.hlsl'))]
+    yield 'expanded_text', [*hlsl_texts, *logged(files('tests/shaders/refused/unknown_names.hlsl'))]
     yield 'figures', results()
     yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/markdown_test.cpp', 'input/visible_text_test.cpp')]
     yield 'model', models()

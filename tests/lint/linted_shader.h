@@ -28,7 +28,7 @@ inline shaders::CompileResult compiled(shaders::CompileRequest request) {
   shaders::CompileResult result = shaders::compile(request);
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
     if (diagnostic.severity == hlsl::Severity::error)
-      ADD_FAILURE() << hlsl::format(diagnostic) << "\n" << request.text.value_or(request.entry);
+      ADD_FAILURE() << hlsl::format(diagnostic) << "\n" << (request.text ? *request.text : request.entry);
   return result;
 }
 
@@ -69,7 +69,7 @@ inline std::vector<hlsl::Diagnostic> lint(const shaders::CompileRequest& request
       lint_module({std::move(result.spirv), request.stage, request.file.string(), std::move(result.sources),
                    shader_target});
   if (const auto as_compiled = lint_as_compiled(request, shader_target)) {
-    EXPECT_EQ(told(*as_compiled), told(findings)) << request.text.value_or(request.entry);
+    EXPECT_EQ(told(*as_compiled), told(findings)) << (request.text ? *request.text : request.entry);
   }
   return findings;
 }

@@ -1,5 +1,6 @@
 // Tests reads of the pixel that is about to be written: what stands there instead, and what Vulkan, Metal and
 // the others make of it.
+#include "preparation/after_pass.h"
 #include "preparation/passes.h"
 
 #include <gmock/gmock.h>
@@ -19,12 +20,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-std::string after(const std::string& text) {
-  TokenText tokens(text, "m");
-  read_framebuffer(tokens);
-  return tokens.spelled(0, tokens.size());
-}
-
 std::string unchanged(const std::string& text) {
   const TokenText tokens(text, "m");
   return tokens.spelled(0, tokens.size());
@@ -32,17 +27,19 @@ std::string unchanged(const std::string& text) {
 
 TEST(FramebufferFetch, BlocksOfThatNameAreInputAttachments) {
   EXPECT_EQ(
-      after("cbuffer hlslcc_SubpassInput_h_1 { half4 a; } float4 F() { return a.x + s.a; }"),
+      after<read_framebuffer>(
+          "cbuffer hlslcc_SubpassInput_h_1 { half4 a; } float4 F() { return a.x + s.a; }"),
       "[[vk::input_attachment_index(1)]] SubpassInput<half4> a; float4 F() { return a .SubpassLoad() .x + "
       "s.a; }");
-  EXPECT_EQ(after("cbuffer hlslcc_SubpassInput_U_7 { uint4 a[8]; } uint4 F(int i) { return a[i + 1]; }"),
+  EXPECT_EQ(after<read_framebuffer>(
+                "cbuffer hlslcc_SubpassInput_U_7 { uint4 a[8]; } uint4 F(int i) { return a[i + 1]; }"),
             "[[vk::input_attachment_index(7)]] SubpassInputMS<uint4> a; uint4 F(int i) { return a "
             ".SubpassLoad( i + 1 ) ; }");
 }
 
 TEST(FramebufferFetch, InoutTargetsAreLoadedAtTheStart) {
   EXPECT_EQ(
-      after("void Frag(float4 p : SV_Position, inout half3 c : SV_Target) { c *= 2; }"),
+      after<read_framebuffer>("void Frag(float4 p : SV_Position, inout half3 c : SV_Target) { c *= 2; }"),
       "[[vk::input_attachment_index(0)]] SubpassInput<half4> penumbra_target0_half4; void Frag(float4 p : "
       "SV_Position, out half3 c : SV_Target) { c = (half3)penumbra_target0_half4.SubpassLoad(); c *= 2; }");
 }
@@ -56,7 +53,7 @@ TEST(FramebufferFetch, OtherBlocksAndParametersStay) {
         "void F(inout float4 c) { }", "void F(inout S c : SV_Target) { }",
         "void F(inout float4 c : SV_Target;", "void F(inout float4 c : SV_Target) { } void Main() { F(c); }",
         "void F(inout float4 c : SV_Target) { } void Main() { if (a) b; else F(c); }"})
-    EXPECT_EQ(after(text), unchanged(text));
+    EXPECT_EQ(after<read_framebuffer>(text), unchanged(text));
 }
 
 shaders::CompileResult compiled(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,

@@ -22,7 +22,7 @@ struct Passed {
   std::vector<Note> notes;
 };
 
-std::string spaced(const std::string& hlsl) {
+std::string blank_separated(const std::string& hlsl) {
   std::string text;
   for (const hlsl::Token& token : hlsl::lex(hlsl)) text += std::string(token.spelling) + " ";
   return text;
@@ -31,12 +31,12 @@ std::string spaced(const std::string& hlsl) {
 Passed pass(void (*run)(TokenText&), const std::string& hlsl) {
   TokenText text(hlsl, "m.hlsl");
   run(text);
-  return {spaced(text.print()), text.notes()};
+  return {blank_separated(text.print()), text.notes()};
 }
 
 void expect(void (*run)(TokenText&), const std::string& before, const std::string& after) {
   const Passed passed = pass(run, before);
-  EXPECT_EQ(passed.text, spaced(after));
+  EXPECT_EQ(passed.text, blank_separated(after));
   EXPECT_THAT(passed.notes, IsEmpty());
 }
 
@@ -332,7 +332,7 @@ TEST(ResourcePasses, AnyTokensAreRead) {
     for (std::size_t length = random() % 40; length > 0; --length)
       text += words[random() % words.size()] + " ";
     const std::string once = prepare(text, "m").text;
-    EXPECT_EQ(spaced(once), spaced(TokenText(once, "m").print())) << text;
+    EXPECT_EQ(blank_separated(once), blank_separated(TokenText(once, "m").print())) << text;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <random>
+#include <string_view>
 
 namespace penumbra::preprocessing {
 
@@ -42,12 +43,19 @@ class Source {
 
   void call(const std::string& name, int depth) {
     out_ += name;
-    if (below(12) == 0) return;  // this is no call after all
+    if (below(12) == 0) {  // this is no call after all
+      out_ += " ;";
+      return;
+    }
     if (below(4) == 0) gap(false);
     if (in_text_ && below(20) == 0) out_ += '\n';
     out_ += '(';
     for (std::size_t i = 0; i < parameters_of(name.front()); ++i) {
       if (i > 0) out_ += ',';
+      if (i > 0) {  // may be joined by ##, before which FXC expands arguments and C does not
+        out_ += one_of(others);
+        continue;
+      }
       if (below(10) != 0 || parameters_of(name.front()) == 1) tokens(1 + below(3), depth + 1);
       if (in_text_ && below(20) == 0) out_ += '\n';
     }
@@ -70,7 +78,9 @@ class Source {
       out_ += ')';
     } else {
       const char* const mark = one_of(marks);
-      out_ += depth > 0 && (*mark == ',' || *mark == '{' || *mark == '}') ? "." : mark;
+      // FXC takes text in brackets of any kind as one argument, C only in round ones.
+      const bool apart = std::string_view(",{}[]").find(*mark) != std::string_view::npos;
+      out_ += depth > 0 && apart ? "." : mark;
     }
   }
 
@@ -90,7 +100,7 @@ class Source {
       if (parameters && choice < 3) {
         out_ += name == "G" && choice == 0 ? "q" : "p";
       } else if (choice == 3) {
-        out_.append("x").append(below(2) == 0 ? "##" : " ## ").append(parameters ? "p" : "y");
+        out_.append("x").append(below(2) == 0 ? "##" : " ## ").append(name == "G" ? "q" : "y");
       } else if (choice == 4) {
         out_.append(one_of(names)).append("##").append(one_of(names));
       } else {
@@ -124,7 +134,7 @@ class Source {
       expression(depth + 1);
       out_ += ')';
     } else {
-      out_ += std::array<const char*, 5>{"0", "1", "2", "0x10", "4294967295"}[below(5)];
+      out_ += std::array<const char*, 5>{"0", "1", "2", "0x10", "017"}[below(5)];
     }
   }
 

@@ -50,12 +50,6 @@ TEST(Compile, DefinesReachTheSource) {
   EXPECT_THAT(first_message(compile(request)), HasSubstr("shader.hlsl:2:1: error: '#error': no keyword"));
 }
 
-// glslang's preprocessor throws at such a line.
-TEST(Compile, AJoinedLineThatBeginsInItsFirstColumnIsAnError) {
-  EXPECT_THAT(first_message(compile_text("#define B 1.5\nfloat x = B\\\n+2.0;\n")),
-              HasSubstr("a token begins in the first column of a line that"));
-}
-
 std::vector<std::string> errors_for(VulkanVersion vulkan, const std::string& text) {
   CompileRequest request;
   request.file = "shader.hlsl";
@@ -182,8 +176,9 @@ TEST(Compile, BytesThatAreNoUtf8DoNoHarmInCommentsAndAreErrorsInCode) {
 TEST(Compile, NulByteIsAnError) {
   const CompileResult result = compile_text(compute_shader("1") + std::string("\n\0 garbage", 10));
   EXPECT_TRUE(result.spirv.empty());
-  EXPECT_EQ(first_message(result),
-            "shader.hlsl:8:1: error: a NUL byte: save this file as text in UTF-8; UTF-16 is not read");
+  EXPECT_THAT(
+      first_message(result),
+      HasSubstr("shader.hlsl:8:1: error: a NUL byte: save this file as text in UTF-8; UTF-16 is not read"));
 }
 
 TEST(Compile, WarningsAreKeptOnce) {

@@ -33,11 +33,13 @@ TEST(PlatformDefines, AreThoseOfTheTable) {
       UnorderedElementsAre(Pair("SHADER_API_D3D11", "1"), Pair("SHADER_API_DESKTOP", "1"),
                            Pair("SHADER_STAGE_COMPUTE", "1"), Pair("SHADER_TARGET", "50"),
                            Pair("UNITY_VERSION", "60000023"), Pair("UNITY_COMPILER_HLSL", "1")));
-  EXPECT_THAT(
-      without_settings(platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35)),
-      UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("SHADER_API_MOBILE"), Key("SHADER_STAGE_VERTEX"),
-                           Key("SHADER_TARGET"), Key("UNITY_VERSION"), Key("SHADER_TARGET_GLSL"),
-                           Pair("_Object2World", "unity_ObjectToWorld"), Key("_World2Object")));
+  EXPECT_THAT(without_settings(platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35)),
+              UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("SHADER_API_MOBILE"),
+                                   Key("SHADER_STAGE_VERTEX"), Key("SHADER_TARGET"), Key("UNITY_VERSION"),
+                                   Key("SHADER_TARGET_GLSL"), Pair("_Object2World", "unity_ObjectToWorld"),
+                                   Key("_World2Object"), Pair("_LightMatrix0", "unity_WorldToLight"),
+                                   Key("unity_World2Shadow"), Key("_CameraToWorld"), Key("_WorldToCamera"),
+                                   Key("_Projector"), Key("_ProjectorClip")));
 }
 
 // The lists are those of Unity's own error messages, "Platform defines:".

@@ -1,4 +1,4 @@
-// bad_if_expression.hlsl:2:1: error: in this condition: expected ')'
+// bad_if_expression.hlsl:2:1: error: in this condition: '(' is never closed
 #if (_QUALITY > 1
 #define SHADE 1.0
 #else

@@ -141,7 +141,8 @@ class UnitAtWork {
   // a verdict, after a crash of FXC or of what translates its bytecode, glslang's refusal may be of HLSL that
   // it does not know. The text is expanded again, because few are refused.
   void decide_by_fxc(CompileAnswer& answer) {
-    hlsl::Diagnostic note = *hlsl::first_error(answer.diagnostics);
+    const std::vector<hlsl::Diagnostic> of_glslang = answer.diagnostics;
+    hlsl::Diagnostic note = *hlsl::first_error(of_glslang);
     const std::string refusal = "glslang refuses it (" + note.message + "), and ";
     if (is_given_up(fxc_target)) {
       answer.unchecked = refusal + "FXC gave no verdict: it crashed or reached a limit";
@@ -152,9 +153,15 @@ class UnitAtWork {
     const shaders::PreprocessedSource plain = shaders::expand(job_.unit.compile, memory_);
     const fxc::Verdict verdict = ask_fxc(plain.text);
     answer.diagnostics = messages_of(verdict, plain);
-    if (!verdict.compiled) return;
+    if (!verdict.compiled) {
+      // FXC reports some errors of whole programs without a line.
+      if (hlsl::first_error(answer.diagnostics)->line == 0 && note.line > 0) answer.diagnostics = of_glslang;
+      return;
+    }
     try {
-      spirv_ = shaders::bytecode_module(verdict.bytecode, job_.unit.compile.entry).spirv;
+      shaders::BytecodeModule made = shaders::bytecode_module(verdict.bytecode, job_.unit.compile.entry);
+      spirv_ = std::move(made.spirv);
+      answer.signature = std::make_shared<const std::string>(encode(made.signature));
     } catch (const std::invalid_argument& error) {
       answer.unchecked = "FXC accepts it, but no other target could be made: " + refusal + error.what();
     }
@@ -192,7 +199,8 @@ class UnitAtWork {
     answer.diagnostics = std::move(result.diagnostics);
     answer.of_targets = std::move(result.of_targets);
     if (!spirv_.empty()) answer.signature = std::make_shared<const std::string>(encode(result.signature));
-    if (fxc_decides(job_.context, job_.unit) && hlsl::has_errors(answer.diagnostics)) {
+    const bool decided = fxc_decides(job_.context, job_.unit) && hlsl::has_errors(answer.diagnostics);
+    if (decided) {
       link_.note(fxc_target);
       decide_by_fxc(answer);
       link_.note(note_compile);
@@ -202,7 +210,8 @@ class UnitAtWork {
     for (SourceState& file : files)
       if (file.silences || quotes(answer, file.name))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
-    if (job_.given_up.empty()) keep(EntryKind::compile, reply_.text_key, encode(answer));
+    const bool crash_decided = decided && job_.given_up.size() == 1 && is_given_up(note_compile);
+    if (job_.given_up.empty() || crash_decided) keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
     reply_.compile_cached = false;
   }

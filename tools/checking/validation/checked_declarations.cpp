@@ -1,12 +1,10 @@
 #include "validation/checked_declarations.h"
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "hlsl/expanded_text.h"
-#include "hlsl/tokens.h"
 #include "platform/content_hash.h"
 
 namespace penumbra::validation {
@@ -53,48 +51,25 @@ std::vector<Diagnostic> in_order(std::vector<Diagnostic> messages) {
   return messages;
 }
 
-std::set<std::string> identifiers(const std::string& text) {
-  std::set<std::string> names;
-  for (const hlsl::Token& token : hlsl::lex(text))
-    if (token.kind == hlsl::Token::Kind::identifier) names.emplace(token.spelling);
-  return names;
-}
-
 }  // namespace
 
 std::vector<std::size_t> CheckedDeclarations::unknown(const hlsl::Reach& reach,
                                                       const std::string& circumstances) const {
   std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < reach.unreached().size(); ++i) {
-    const std::string key = circumstances + reach.unreached()[i];
-    if (known_.count(key) == 0 && wrong_.count(key) == 0) indices.push_back(i);
-  }
-  return indices;
-}
-
-std::vector<std::size_t> CheckedDeclarations::wrong(const hlsl::Reach& reach,
-                                                    const std::string& circumstances) const {
-  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < reach.unreached().size(); ++i)
-    if (wrong_.count(circumstances + reach.unreached()[i]) != 0) indices.push_back(i);
+    if (known_.count(circumstances + reach.unreached()[i]) == 0) indices.push_back(i);
   return indices;
 }
 
-// Returns false if the messages do not tell which of the checked declarations have errors.
-bool CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& circumstances,
-                                const shaders::FrontEndMessages& said,
+// Keeps the warnings of the checked declarations.
+void CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& circumstances,
+                                const std::vector<Diagnostic>& said,
                                 const std::vector<std::size_t>& checked) {
-  if (!said.complete) return false;
   for (const std::size_t i : checked) known_[circumstances + reach.unreached()[i]] = {};
-  for (const Diagnostic& message : said.messages)
-    for (const std::size_t i : reach.at(message)) {
-      if (!std::binary_search(checked.begin(), checked.end(), i)) continue;
-      const std::string key = circumstances + reach.unreached()[i];
-      known_[key].push_back(message);
-      if (message.severity == hlsl::Severity::error) wrong_.insert(key);
-    }
-  std::erase_if(known_, [this](const auto& one) { return wrong_.count(one.first) != 0; });
-  return true;
+  for (const Diagnostic& message : said)
+    for (const std::size_t i : reach.at(message))
+      if (std::binary_search(checked.begin(), checked.end(), i))
+        known_[circumstances + reach.unreached()[i]].push_back(message);
 }
 
 // The result has no files, because these depend on the request.
@@ -140,44 +115,6 @@ shaders::CompileResult CheckedDeclarations::compile_reached(const shaders::Compi
   return result;
 }
 
-// Returns whether the diagnostics of known declarations are the same as before. They may differ: which of two
-// overloads is kept depends on their callers, and a text with errors has fewer.
-bool CheckedDeclarations::agrees(const hlsl::Reach& reach, const std::string& circumstances,
-                                 const std::vector<Diagnostic>& said) const {
-  return std::all_of(said.begin(), said.end(), [&](const Diagnostic& message) {
-    const std::vector<std::size_t> at = reach.at(message);
-    return std::all_of(at.begin(), at.end(), [&](std::size_t i) {
-      const auto known = known_.find(circumstances + reach.unreached()[i]);
-      return known == known_.end() ||
-             std::any_of(known->second.begin(), known->second.end(),
-                         [&](const Diagnostic& before) { return is_same(before, message); });
-    });
-  });
-}
-
-// `source` has all declarations with errors, and `text` everything. The messages are equal as long as the
-// same names may be suggested.
-shaders::CompileResult CheckedDeclarations::compile_wrong(const shaders::CompileRequest& request,
-                                                          shaders::PreprocessedSource source,
-                                                          const std::string& text) {
-  source.text = hlsl::dense_lines(source.text);
-  platform::ContentHash names;
-  for (const std::string& name : identifiers(text)) names.update(name);
-  const std::string key = key_of(request, source.text) + names.hex();
-  const std::vector<Diagnostic> said = std::exchange(source.diagnostics, {});
-  std::shared_ptr<const shaders::CompileResult> known = failed_.find(key);
-  if (!known) {
-    shaders::PreprocessedSource made = source;
-    made.suggested = text;
-    known = failed_.keep(key, compile_whole(request, std::move(made)));
-  }
-  shaders::CompileResult result = *known;
-  result.diagnostics.insert(result.diagnostics.begin(), said.begin(), said.end());
-  result.dependencies = std::move(source.dependencies);
-  result.sources = std::move(source.sources);
-  return result;
-}
-
 shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileRequest& request,
                                                     shaders::PreprocessedSource expanded, Sharing sharing) {
   const std::string text = std::move(expanded.text);
@@ -193,29 +130,19 @@ shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileReques
   if (const std::vector<std::size_t> unknown = this->unknown(reach, circumstances); !unknown.empty()) {
     expanded.text = reach.text_with(unknown);
     expanded.diagnostics.clear();
-    expanded.suggested = text;
     shaders::prepare(request, expanded);
-    const shaders::FrontEndMessages said = shaders::front_end_messages(request, expanded);
-    expanded.suggested.clear();
-    if (!learn(reach, circumstances, said, unknown)) return whole(std::move(expanded));
+    const std::vector<Diagnostic> said = shaders::front_end_messages(request, expanded);
+    if (hlsl::has_errors(said)) return whole(std::move(expanded));
+    learn(reach, circumstances, said, unknown);
   }
 
-  const std::vector<std::size_t> wrong = this->wrong(reach, circumstances);
   expanded.text = reach.text_with({});
   expanded.diagnostics = before;
-  shaders::CompileResult result;
-  if (wrong.empty()) result = compile_reached(request, expanded, sharing);
-  if (!wrong.empty() || hlsl::has_errors(result.diagnostics)) {
-    shaders::PreprocessedSource again = expanded;
-    again.text = reach.text_with(wrong);
-    result = compile_wrong(request, std::move(again), text);
-    if (!hlsl::has_errors(result.diagnostics) || !agrees(reach, circumstances, result.diagnostics))
-      return whole(std::move(expanded));
-  }
+  shaders::CompileResult result = compile_reached(request, expanded, sharing);
+  if (hlsl::has_errors(result.diagnostics)) return whole(std::move(expanded));
   for (const std::string& key : reach.unreached()) {
-    const auto said = known_.find(circumstances + key);
-    if (said != known_.end())
-      result.diagnostics.insert(result.diagnostics.end(), said->second.begin(), said->second.end());
+    const std::vector<Diagnostic>& said = known_.at(circumstances + key);
+    result.diagnostics.insert(result.diagnostics.end(), said.begin(), said.end());
   }
   result.diagnostics = in_order(std::move(result.diagnostics));
   return result;

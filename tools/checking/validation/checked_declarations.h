@@ -3,8 +3,8 @@
 // A variant of a pipeline's shader reaches a quarter of the functions in its includes. The rest is checked
 // only once: the parser's diagnostics of a declaration are cached under a key of everything that it depends
 // on (hlsl/reach.h), and reported again for every text with that key. The module is compiled from the reached
-// declarations, so it does not depend on earlier compilations; nor do the diagnostics. Those of a
-// text with errors come from the reached declarations and the others with an error.
+// declarations, so it does not depend on earlier compilations; nor do the diagnostics. A text with an error
+// is compiled as a whole.
 //
 // The reached declarations are often the same: keywords and graphics APIs mostly change code that an entry
 // point does not use. Equal reached texts are compiled once. Not thread-safe.
@@ -12,7 +12,6 @@
 
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "hlsl/reach.h"
@@ -31,25 +30,18 @@ class CheckedDeclarations {
 
  private:
   std::vector<std::size_t> unknown(const hlsl::Reach& reach, const std::string& circumstances) const;
-  bool learn(const hlsl::Reach& reach, const std::string& circumstances,
-             const shaders::FrontEndMessages& said, const std::vector<std::size_t>& checked);
-  std::vector<std::size_t> wrong(const hlsl::Reach& reach, const std::string& circumstances) const;
-  bool agrees(const hlsl::Reach& reach, const std::string& circumstances,
-              const std::vector<hlsl::Diagnostic>& said) const;
-  shaders::CompileResult compile_wrong(const shaders::CompileRequest& request,
-                                       shaders::PreprocessedSource source, const std::string& text);
+  void learn(const hlsl::Reach& reach, const std::string& circumstances,
+             const std::vector<hlsl::Diagnostic>& said, const std::vector<std::size_t>& checked);
   shaders::CompileResult compile_reached(const shaders::CompileRequest& request,
                                          shaders::PreprocessedSource reached, Sharing sharing);
   shaders::CompileResult compile_prepared(const shaders::CompileRequest& request,
                                           shaders::PreprocessedSource prepared);
 
   std::unordered_map<std::string, std::vector<hlsl::Diagnostic>> known_;
-  std::unordered_set<std::string> wrong_;  // keys of those with an error
   // The results by reached text, before and after its preparation, which makes more of them equal. Each takes
   // a tenth of a megabyte.
   RecentResults<shaders::CompileResult> reached_{64};
   RecentResults<shaders::CompileResult> prepared_{64};
-  RecentResults<shaders::CompileResult> failed_{64};
 };
 
 // Compiles the whole text, including unreached declarations: the results are equal, but it takes longer.

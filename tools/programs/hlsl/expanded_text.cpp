@@ -140,62 +140,6 @@ class BracketPairs {
   std::optional<OpenPlace> fault_;
 };
 
-// The tokens of a preprocessor line after '#', or empty; comments and continuation lines are skipped.
-class DirectiveReader {
- public:
-  std::string directive(std::string_view line) {
-    const bool continues = continued_;
-    continued_ = !line.empty() && line.back() == '\\';
-    const std::string code = without_comments(line);
-    const std::size_t hash = code.find_first_not_of(blanks);
-    if (continues || hash == std::string::npos || code[hash] != '#') return {};
-    const std::size_t start = code.find_first_not_of(blanks, hash + 1);
-    if (start == std::string::npos) return {};
-    return code.substr(start, code.find_first_of(" \t(!", start) - start);
-  }
-
- private:
-  std::string without_comments(std::string_view line) {
-    std::string code;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string_view two = line.substr(i, 2);
-      if (in_comment_) {
-        if (two == "*/") in_comment_ = false, ++i;
-      } else if (two == "//") {
-        break;
-      } else if (two == "/*") {
-        in_comment_ = true, ++i;
-      } else {
-        code += line[i];
-      }
-    }
-    return code;
-  }
-
-  bool in_comment_ = false;
-  bool continued_ = false;
-};
-
-std::optional<OpenPlace> open_condition_in(const std::string& file, const std::string& text) {
-  std::vector<OpenPlace> open;
-  DirectiveReader reader;
-  std::istringstream lines(text);
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    const std::string word = reader.directive(line);
-    const int column = static_cast<int>(line.find('#')) + 1;
-    if (word == "if" || word == "ifdef" || word == "ifndef") {
-      open.push_back({file, number, column, "#" + word, "'#" + word + "' has no '#endif' in this file"});
-    } else if (word == "endif" || word == "else" || word == "elif") {
-      if (open.empty())
-        return OpenPlace{file, number, column, "#" + word, "'#" + word + "' has no '#if' in this file"};
-      if (word == "endif") open.pop_back();
-    }
-  }
-  return open.empty() ? std::nullopt : std::optional<OpenPlace>(open.back());
-}
-
 // Up to this many empty lines are shorter than a directive.
 constexpr int most_empty_lines = 16;
 
@@ -235,12 +179,6 @@ std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, 
          at = line.text.find_first_of(brackets, at + 1))
       if (!pairs.take({line.text[at], &line, at})) return pairs.fault();
   return pairs.fault();
-}
-
-std::optional<OpenPlace> open_condition(const SourceFiles& sources) {
-  for (const std::string& name : sources.names())
-    if (std::optional<OpenPlace> open = open_condition_in(name, sources.text(name))) return open;
-  return std::nullopt;
 }
 
 std::string dense_lines(std::string_view preprocessed) {

@@ -1,5 +1,5 @@
-// Reads preprocessed text line by line with its origin, to report where a bracket, a condition or a statement
-// was left open: the parser only notices later, often in another file. Internal to this folder.
+// Reads preprocessed text line by line with its origin, to report where a bracket was left open: the parser
+// only notices later, often in another file. Internal to this folder.
 #pragma once
 
 #include <optional>
@@ -29,9 +29,6 @@ std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std:
 // several braces are open, it reports the one whose '}' seems to have closed another: the first that is
 // closed further left than the line that opened it.
 std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources);
-
-// Finds an #if without #endif, or the other way round, within one file.
-std::optional<OpenPlace> open_condition(const SourceFiles& sources);
 
 // Returns preprocessed text without its empty lines, with a #line directive only where one is needed: the
 // same code at the same locations gives the same text, whatever was removed between. Each token keeps its

@@ -14,6 +14,22 @@ namespace penumbra::hlsl {
 // CRLF and lone CR become LF; a UTF-8 byte order mark is dropped. Columns are counted in this text.
 std::string normalise_source(std::string_view bytes);
 
+// A text that copies share, or none.
+class SharedText {
+ public:
+  SharedText() = default;
+  SharedText(std::string text) : text_(std::make_shared<const std::string>(std::move(text))) {}
+  SharedText(const char* text) : SharedText(std::string(text)) {}
+
+  explicit operator bool() const { return text_ != nullptr; }
+  bool has_value() const { return text_ != nullptr; }
+  const std::string& operator*() const { return *text_; }
+  void reset() { text_.reset(); }
+
+ private:
+  std::shared_ptr<const std::string> text_;
+};
+
 // A text, or the reason why there is none ("is a directory", "No such file or directory").
 struct SourceRead {
   std::string text;

@@ -1,12 +1,8 @@
-#include <charconv>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "hlsl/name_set.h"
-#include "input/nearest_name.h"
 #include "preparation/entry_functions.h"
-#include "preparation/number_shape.h"
 #include "preparation/semantic_names.h"
 #include "preparation/source_checks.h"
 #include "preparation/token_text.h"
@@ -14,69 +10,6 @@
 namespace penumbra::preparation {
 
 namespace {
-
-// Semantics that two inputs or two outputs of a program share.
-//
-// FXC rejects shared outputs and system values (X4504, X4574) and inputs of different types (X3536); for
-// other inputs it warns (X4711). DXC rejects all.
-
-// A use of a semantic: `float4 c[2] : TEXCOORD1` takes TEXCOORD1 and TEXCOORD2.
-struct SemanticUse {
-  std::size_t type = npos;  // the tokens of its type, its name and its semantic
-  std::size_t name = npos;
-  std::size_t semantic = npos;
-  bool output = false;
-};
-
-class RepeatedSemantics {
- public:
-  RepeatedSemantics(TokenText& text, bool dxc) : text_(text), dxc_(dxc) {}
-
-  // Reports an error or a warning if an earlier one has the semantic.
-  void add(const SemanticUse& use);
-
- private:
-  std::size_t elements(const SemanticUse& use) const;
-
-  TokenText& text_;
-  const bool dxc_;
-  std::map<std::string, SemanticUse> uses_;  // by direction, name in capitals and index
-};
-
-// A matrix takes one per column, an array one per element; with an unknown size, only the first is checked.
-std::size_t RepeatedSemantics::elements(const SemanticUse& use) const {
-  const NumberShape shape = shape_of_type(text_.word(use.type));
-  std::size_t count = shape.is_matrix() ? static_cast<std::size_t>(shape.columns) : 1;
-  for (std::size_t at = use.name + 1; text_.is(at, "[") && text_.is(at + 2, "]"); at += 3) {
-    const std::string_view number = text_.word(at + 1);
-    std::size_t size = 0;
-    if (std::from_chars(number.data(), number.data() + number.size(), size).ec != std::errc()) return 1;
-    count = std::min<std::size_t>(count * std::max<std::size_t>(size, 1), 64);
-  }
-  return count;
-}
-
-void RepeatedSemantics::add(const SemanticUse& use) {
-  const std::string_view word = text_.word(use.semantic);
-  if (!shape_of_type(text_.word(use.type)).known()) return;
-  const std::size_t digits = word.find_last_not_of("0123456789") + 1;
-  std::size_t index = 0;
-  std::from_chars(word.data() + digits, word.data() + word.size(), index);
-  const std::string name = semantic_key(word);
-  for (std::size_t i = 0; i < elements(use); ++i) {
-    const auto [known, is_new] =
-        uses_.emplace((use.output ? "o" : "i") + name + " " + std::to_string(index + i), use);
-    if (is_new) continue;
-    const SemanticUse& other = known->second;
-    const bool may_share =
-        !use.output && !dxc_ && !name.starts_with("SV_") && text_.word(other.type) == text_.word(use.type);
-    text_.note(use.semantic, may_share ? hlsl::Severity::warning : hlsl::Severity::error,
-               "'" + text_.name(other.name) + "' at " + text_.file_of(other.name) + ":" +
-                   std::to_string(text_[other.name].line) + " has the semantic '" + std::string(word) +
-                   "', too: give each " + (use.output ? "output" : "input") + " its own");
-    return;
-  }
-}
 
 constexpr int deepest_struct = 16;  // nesting of structs
 
@@ -90,7 +23,6 @@ struct Value {
   std::size_t type = npos;      // its type's first token
   std::size_t name = npos;      // the token for messages about it
   std::size_t semantic = npos;  // the semantic's token, the last of several; npos without one
-  std::size_t before = npos;    // the one before it
   Direction direction;
   bool exempt = false;  // uniform, static, or with a ':' that is not followed by a semantic
 };
@@ -116,16 +48,6 @@ bool is_numeric(std::string_view type) {
           (type.substr(digit).size() == 3 && type[digit + 1] == 'x'));
 }
 
-// Returns 1 for TEXCOORD1, and 0 without an index.
-std::string index_of(const std::string& semantic) {
-  const std::string index = semantic.substr(semantic_key(semantic).size());
-  return index.empty() ? "0" : index;
-}
-
-bool is_system(std::string_view semantic) {
-  return semantic.starts_with("SV_") || semantic.starts_with("sv_");
-}
-
 // Types that contain several elements of their template argument.
 bool holds_elements(std::string_view type) {
   static constexpr hlsl::NameSet types("InputPatch", "OutputPatch", "PointStream", "LineStream",
@@ -135,18 +57,17 @@ bool holds_elements(std::string_view type) {
 
 class EntrySemantics {
  public:
-  EntrySemantics(TokenText& text, const EntryPoint& entry)
-      : text_(text), entry_(entry), repeated_(text, entry.dxc) {}
+  EntrySemantics(TokenText& text, const EntryPoint& entry) : text_(text), entry_(entry) {}
 
   std::vector<SemanticPlace> run() {
     const std::vector<const hlsl::Declaration*> named = entry_functions(text_, entry_);
     if (named.size() != 1 || named.front()->parameters_close == npos) return {};
     const hlsl::Declaration& function = *named.front();
-    check(returned(function), 0);
+    visit(returned(function), 0);
     for (std::size_t at = function.parameters_open + 1; at < function.parameters_close;) {
       const std::size_t end = element_end(at, function.parameters_close, ",");
       const std::optional<Value> parameter = value(at, end);
-      check(parameter, 0);
+      visit(parameter, 0);
       if (parameter && parameter->direction.in && parameter->direction.out) inouts_.push_back(*parameter);
       at = end + 1;
     }
@@ -179,12 +100,12 @@ class EntrySemantics {
 
   // Reads the last of `: A : B`.
   void read_semantic(std::size_t first, std::size_t end, Value& value) const {
-    value.semantic = value.before = npos;
+    value.semantic = npos;
     bool has_other = false;  // a register, or nothing, which the parser reports
     for (std::size_t at = first; at < end && !text_.is(at, "="); ++at) {
       if (!text_.is(at, ":")) continue;
       const bool is_semantic = at + 1 < end && text_.is_identifier(at + 1) && !text_.is(at + 2, "(");
-      if (is_semantic) value.before = std::exchange(value.semantic, at + 1);
+      if (is_semantic) value.semantic = at + 1;
       has_other = has_other || !is_semantic;
     }
     value.exempt = value.exempt || (has_other && value.semantic == npos);
@@ -238,9 +159,9 @@ class EntrySemantics {
     return value;
   }
 
-  void check(const std::optional<Value>& value, int depth) {
+  void visit(const std::optional<Value>& value, int depth) {
     if (!value || value->exempt || depth > deepest_struct || text_.is(value->type, "void")) return;
-    if (value->semantic != npos) return judge(*value);
+    if (value->semantic != npos) return add(*value);
     std::string_view type = text_.word(value->type);
     Direction direction = value->direction;
     if (holds_elements(type)) {
@@ -248,34 +169,22 @@ class EntrySemantics {
       direction = type.ends_with("Stream") ? Direction{false, true} : Direction{true, false};
       type = text_.word(value->type + 2);
     }
-    if (const hlsl::Declaration* members = structure(type)) {
-      check_members(*members, direction, depth + 1);
-    } else if (is_numeric(type)) {
-      report(value->name, missing(*value));
-    }
+    if (const hlsl::Declaration* members = structure(type)) visit_members(*members, direction, depth + 1);
   }
 
-  std::string missing(const Value& value) const {
-    const bool result = text_.word(value.name) == entry_.name;
-    const std::string what =
-        result ? "what '" + entry_.name + "' returns" : "'" + text_.name(value.name) + "'";
-    return what + " has no semantic, and is an " + (value.direction.in ? "input" : "output") + " of the " +
-           hlsl::stage_name(entry_.stage) + " program";
-  }
-
-  void check_members(const hlsl::Declaration& of, Direction direction, int depth) {
-    if (depth > deepest_struct || !checked_.insert({&of, direction.out}).second) return;
+  void visit_members(const hlsl::Declaration& of, Direction direction, int depth) {
+    if (depth > deepest_struct || !visited_.insert({&of, direction.out}).second) return;
     for (std::size_t at = of.name + 1; at < of.open; ++at)  // its bases
       if (text_.is_identifier(at))
         if (const hlsl::Declaration* base = structure(text_.word(at)))
-          if (base != &of) check_members(*base, direction, depth + 1);
+          if (base != &of) visit_members(*base, direction, depth + 1);
     for (std::size_t at = of.open + 1; at < of.close;) {
       const std::size_t semicolon = element_end(at, of.close, ";");
       if (const std::size_t behind = behind_function(at, semicolon); behind != npos) {
         at = behind;
         continue;
       }
-      check_declarators(at, semicolon, direction, depth);
+      visit_declarators(at, semicolon, direction, depth);
       at = semicolon + 1;
     }
   }
@@ -294,14 +203,14 @@ class EntrySemantics {
     return npos;
   }
 
-  // Checks `float a : A, b : B;`.
-  void check_declarators(std::size_t first, std::size_t end, Direction direction, int depth) {
+  // Visits `float a : A, b : B;`.
+  void visit_declarators(std::size_t first, std::size_t end, Direction direction, int depth) {
     std::size_t at = element_end(first, end, ",");
     std::optional<Value> member = value(first, at);
     if (!member || text_.is(member->type + 1, "{")) return;
     while (true) {
       member->direction = direction;
-      check(member, depth);
+      visit(member, depth);
       if (at >= end) return;
       const std::size_t next = element_end(at + 1, end, ",");
       if (!text_.is_identifier(at + 1)) return;
@@ -348,13 +257,6 @@ class EntrySemantics {
       const bool read_by_name = entry_.stage == hlsl::Stage::vertex && !entry_.rasterized;
       const Value* const apart = place.output ? inout_with(tokens_[i]) : nullptr;
       if (name.empty() || (both && apart == nullptr) || read_by_name) continue;
-      const auto same = std::find_if(places_.begin(), places_.end(), [&](const SemanticPlace& other) {
-        return other.output == place.output && semantic_key(other.semantic) == semantic_key(name) &&
-               index_of(other.semantic) == index_of(name);
-      });
-      if (same != places_.end())
-        report(tokens_[i], "'" + place.semantic + "' is Direct3D 9's name of '" + name +
-                               "', which the program has, too: write one of them");
       place.semantic = name;
       if (apart != nullptr) {
         take_apart(*apart, name, body);
@@ -364,47 +266,20 @@ class EntrySemantics {
     }
   }
 
-  void judge(const Value& value) {
+  void add(const Value& value) {
     const std::string semantic = text_.name(value.semantic);
-    if (value.before != npos && is_system(semantic) && is_system(text_.word(value.before)))
-      report(value.semantic, "'" + text_.name(value.name) + "' has two semantics, '" +
-                                 text_.name(value.before) + "' and '" + semantic + "': write one of them");
-    // A parameter `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
-    const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
-    for (const bool output : {false, true})
-      if (output ? value.direction.out : value.direction.in) add_place(value.semantic, output);
-    if (value.direction.in && !fetches) judge(value.semantic, semantic, true);
-    if (value.direction.out) judge(value.semantic, semantic, false);
-    judge(value.semantic, semantic, type_problem(semantic, shape_of_type(text_.word(value.type))));
-    if (entry_.stage != hlsl::Stage::vertex && entry_.stage != hlsl::Stage::fragment) return;
-    if (value.direction.in && !fetches) repeated_.add({value.type, value.name, value.semantic, false});
-    if (value.direction.out) repeated_.add({value.type, value.name, value.semantic, true});
-  }
-
-  void judge(std::size_t at, const std::string& semantic, bool input) {
-    judge(at, semantic, semantic_problem(semantic, entry_.stage, input));
-    if (judge(at, semantic, distance_problem(semantic, entry_.stage, input)))
-      text_.replace(at, 1, "Unsupported_" + semantic);
-    if (input && entry_.stage == hlsl::Stage::vertex)
-      judge(at, semantic, attribute_problem(semantic), hlsl::Severity::warning);
-  }
-
-  bool judge(std::size_t at, const std::string& semantic, const std::string& problem,
-             hlsl::Severity severity = hlsl::Severity::error) {
-    return !problem.empty() && report(at, "'" + semantic + "' " + problem, severity);
-  }
-
-  // False if one was reported there before.
-  bool report(std::size_t at, std::string message, hlsl::Severity severity = hlsl::Severity::error) {
-    if (!reported_.insert(at).second) return false;
-    text_.note(at, severity, std::move(message));
-    return true;
+    for (const bool output : {false, true}) {
+      if (!(output ? value.direction.out : value.direction.in)) continue;
+      add_place(value.semantic, output);
+      const std::string problem = distance_problem(semantic, entry_.stage, !output);
+      if (!problem.empty() && reported_.insert(value.semantic).second)
+        text_.error(value.semantic, "'" + semantic + "' " + problem);
+    }
   }
 
   TokenText& text_;
   const EntryPoint& entry_;
-  RepeatedSemantics repeated_;
-  std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
+  std::set<std::pair<const hlsl::Declaration*, bool>> visited_;
   std::set<std::size_t> reported_;
   std::vector<SemanticPlace> places_;
   std::vector<std::size_t> tokens_;  // tokens of places_
@@ -413,7 +288,7 @@ class EntrySemantics {
 
 }  // namespace
 
-std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry) {
+std::vector<SemanticPlace> read_entry_semantics(TokenText& text, const EntryPoint& entry) {
   return EntrySemantics(text, entry).run();
 }
 

@@ -48,7 +48,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
   if (entry) {
     text.set_entry(entry->name);
     check_semicolons(text);
-    semantics = check_entry_semantics(text, *entry);
+    semantics = read_entry_semantics(text, *entry);
   }
   for (const Pass& pass : passes()) pass.run(text);
   return {text.print(), text.notes(), std::move(semantics)};

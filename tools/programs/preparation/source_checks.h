@@ -23,12 +23,12 @@ struct EntryPoint {
 // ends, and `int i = 3 j = 4;`, `float a b;`, a name or number where only an operator, ',' or ';' may follow.
 void check_semicolons(TokenText& text);
 
-// Reports inputs and outputs of the entry point without a semantic, or with one that its stage does not have:
-// FXC X3502, X4502. Reports nothing if there is no entry point of that name, or several. Returns the places
-// of those with a semantic. Without DXC, Direct3D 9's names of system values are replaced (semantic_names.h),
-// because glslang takes them for names of the user's own. The POSITION of a vertex program that is not
-// rasterized is such a name: the hull or geometry program reads it under that name.
-std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry);
+// Returns the places of the entry point's semantics; none if there is no entry point of that name, or
+// several. Reports clip and cull distances that glslang crashes on. Without DXC, Direct3D 9's names of system
+// values are replaced (semantic_names.h), because glslang takes them for names of the user's own. The
+// POSITION of a vertex program that is not rasterized is such a name: the hull or geometry program reads it
+// under that name.
+std::vector<SemanticPlace> read_entry_semantics(TokenText& text, const EntryPoint& entry);
 
 // Reports parentheses, unary operators and conditions nested too deeply for the stack of a recursive parser;
 // it then returns false, and nothing else may process the text.

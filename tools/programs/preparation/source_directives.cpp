@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "hlsl/identifier.h"
 
@@ -56,9 +57,9 @@ class SourceScan {
  public:
   explicit SourceScan(std::string text) : text_(std::move(text)) {}
 
-  PreparedSource run() {
+  std::string run() {
     while (at_ < text_.size()) step();
-    return {std::move(text_), once_};
+    return std::move(text_);
   }
 
  private:
@@ -178,20 +179,16 @@ class SourceScan {
     while (word_end < text_.size() && hlsl::continues_identifier(text_[word_end])) ++word_end;
     const std::string_view name = std::string_view(text_).substr(word, word_end - word);
     line_is_empty_ = false;
-    if (name == "include_with_pragmas") {
-      std::fill_n(text_.begin() + static_cast<std::ptrdiff_t>(word) + 7, word_end - word - 7, ' ');
-      at_ = end_of_line();
-    } else if (name == "include" || name == "error") {
+    if (name == "include" || name == "include_with_pragmas" || name == "error") {
       at_ = end_of_line();  // no literals within strings
-    } else if (name == "pragma" || name == "warning") {
+    } else if (name == "pragma") {
       const std::size_t end = end_of_directive();
       const std::string_view rest = std::string_view(text_).substr(word_end, end - word_end);
-      once_ = once_ || (name == "pragma" && first_word(rest) == "once");
-      std::string marker = name == "pragma" ? packing_marker(rest) + warning_marker(rest) : std::string();
-      if (marker.size() > end - at_) marker.clear();
-      const std::size_t begin = at_;
-      for (; at_ < end; ++at_)
-        if (text_[at_] != '\n') text_[at_] = ' ';
+      const std::string marker = packing_marker(rest) + warning_marker(rest);
+      const std::size_t begin = std::exchange(at_, end);
+      if (marker.empty() || marker.size() > end - begin) return;
+      for (std::size_t i = begin; i < end; ++i)
+        if (text_[i] != '\n') text_[i] = ' ';
       text_.replace(begin, marker.size(), marker);
     } else {
       at_ = word_end;
@@ -245,12 +242,11 @@ class SourceScan {
   std::string text_;
   std::size_t at_ = 0;
   bool line_is_empty_ = true;
-  bool once_ = false;
 };
 
 }  // namespace
 
-PreparedSource prepare_source(std::string text) {
+std::string prepare_source(std::string text) {
   return SourceScan(std::move(text)).run();
 }
 

@@ -1,21 +1,17 @@
-// Directives and literals that are rewritten before the preprocessor reads a file, without moving a
-// character.
+// Pragmas and literals that are rewritten before the preprocessor reads a file, without moving a character.
 //
-// - `#include_with_pragmas "x"` (Unity's, docs.unity3d.com/Manual/shader-include-directives.html) becomes an
-//   `#include`: its pragmas are read by the code in variants/.
-// - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
 // - `#pragma pack_matrix(...)` becomes an identifier that matrix_layout.cpp reads after the preprocessor.
+//   Other pragmas are read by the code in variants/, and the preprocessor skips them.
 // - `#pragma warning(disable : 3206)` becomes an identifier, too, which is for FXC alone (with_pragmas), if
 // it fits.
-// - `#warning` is blanked: it is not an error in Unity, and glslang does not know the directive.
 // - The half literal `1.0h` becomes `1.0f`: half is float here. `1.#INF` becomes `1e9999`, which is infinite
 //   too, and is accepted by the preprocessor.
 // - Of an integer literal with a suffix and 33 to 64 bits, `0x1376312589U`, the low 32 bits stay,
 // `0x0076312589U`:
 //   FXC takes these, glslang refuses the number. Without a suffix FXC refuses it, too.
 // - The character literals 'N' and '\n' become their numeric values
-//   (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-appendix-grammar): glslang's
-//   preprocessor loses their quotes.
+//   (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-appendix-grammar), which glslang does
+//   not know.
 //
 // Guarantees: the length, every newline and every column are preserved. Comments and string literals are not
 // changed.
@@ -35,12 +31,7 @@ inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";
 // follow, as in "penumbra_w_di_3206_3556".
 inline constexpr std::string_view kWarningPragma = "penumbra_w_";
 
-struct PreparedSource {
-  std::string text;
-  bool once = false;  // the file says `#pragma once` outside comments
-};
-
-PreparedSource prepare_source(std::string text);
+std::string prepare_source(std::string text);
 
 // Returns the expanded text with these identifiers as pragmas again, for a compiler that knows them. No line
 // is added or moved.

@@ -53,13 +53,12 @@ std::int32_t wrapped(std::int64_t value) {
 }
 
 std::int32_t divided(Spelling operation, std::int32_t a, std::int32_t b) {
-  if (b == 0) throw Unusual("division by zero");
   if (a == std::numeric_limits<std::int32_t>::min() && b == -1) return 0;
   return operation == known::divide ? a / b : a % b;
 }
 
 std::int32_t shifted(Spelling operation, std::int32_t a, std::int32_t b) {
-  if (b < 0 || b > 31) throw Unusual("a shift that C++ does not define");
+  if (b < 0 || b > 31) throw Problem("in this condition: a shift by less than 0 or more than 31");
   return operation == known::shift_left ? wrapped(std::int64_t{a} << b) : a >> b;
 }
 
@@ -101,98 +100,105 @@ std::int32_t applied(Spelling operation, std::int32_t a, std::int32_t b) {
   }
 }
 
+// Identifiers that are no macros have the value 0.
 class Evaluation {
  public:
-  Evaluation(Expansion& expansion, const Macros& macros, const Spellings& spellings)
-      : expansion_(expansion), macros_(macros), spellings_(spellings) {}
+  Evaluation(const std::vector<Token>& tokens, const Spellings& spellings)
+      : tokens_(tokens), spellings_(spellings) {}
 
   std::int32_t run() {
-    read_ = expansion_.scan();
-    const std::int32_t value = expression(0);
-    if (read_.token.kind != Kind::newline) throw Unusual("tokens after a condition");
+    const std::int32_t value = choice(true);
+    if (at_ < tokens_.size())
+      throw Problem("the condition ends before its line does, at '" + spellings_.text(tokens_[at_].spelling) +
+                    "'");
     return value;
   }
 
  private:
-  void next() { read_ = expansion_.scan(); }
-
-  bool is_name() const {
-    return read_.token.kind == Kind::identifier && read_.token.spelling != known::word_defined;
+  bool take(Spelling punctuation) {
+    const bool is_there = at_ < tokens_.size() && tokens_[at_].is(punctuation);
+    if (is_there) ++at_;
+    return is_there;
   }
 
-  // Expands macros until the next token is not an identifier.
-  void expand() {
-    while (is_name()) {
-      if (!expansion_.expand(read_, true)) throw Unusual("an identifier without a value");
-      next();
-    }
-  }
-
-  std::int32_t expression(int precedence) {
-    if (++depth_ > deepest_expression) throw Unusual("parentheses nested too deeply");
-    if (is_name()) {
-      expansion_.paste(read_);
-      expand();
-    }
-    std::int32_t value = operand();
-    expand();
-    for (int here = precedence_of(read_.token); here > precedence; here = precedence_of(read_.token)) {
-      const Spelling operation = read_.token.spelling;
-      next();
-      value = applied(operation, value, expression(here));
+  // `counts` is false where the value is not used: dividing by zero is no error there.
+  std::int32_t choice(bool counts) {
+    if (++depth_ > deepest_expression) throw Problem("in this condition: brackets nested too deeply");
+    const std::int32_t condition = expression(0, counts);
+    std::int32_t value = condition;
+    if (take(known::question)) {
+      const std::int32_t first = choice(counts && condition != 0);
+      if (!take(known::colon)) throw Problem("in this condition: '?' without ':'");
+      const std::int32_t second = choice(counts && condition == 0);
+      value = condition != 0 ? first : second;
     }
     --depth_;
     return value;
   }
 
-  std::int32_t operand() {
-    const Token token = read_.token;
-    if (token.kind == Kind::identifier) return defined();
-    next();
-    if (token.kind == Kind::integer) return value_of(token);
-    if (token.is(known::open)) {
-      const std::int32_t value = expression(0);
-      if (!read_.token.is(known::close)) throw Unusual("an unmatched '(' in a condition");
-      next();
-      return value;
+  std::int32_t expression(int precedence, bool counts) {
+    std::int32_t value = operand(counts);
+    while (at_ < tokens_.size()) {
+      const int here = precedence_of(tokens_[at_]);
+      if (here <= precedence) break;
+      const Spelling operation = tokens_[at_++].spelling;
+      const bool decided =
+          (operation == known::logical_or && value != 0) || (operation == known::logical_and && value == 0);
+      const std::int32_t other = expression(here, counts && !decided);
+      if ((operation == known::divide || operation == known::remainder) && other == 0) {
+        if (counts) throw Problem("in this condition: division by 0");
+        value = 0;
+      } else {
+        value = applied(operation, value, other);
+      }
     }
-    if (token.is(known::plus)) return expression(of_unary);
-    if (token.is(known::minus)) return wrapped(-std::int64_t{expression(of_unary)});
-    if (token.is(known::complement)) return ~expression(of_unary);
-    if (token.is(known::negate)) return expression(of_unary) == 0;
-    throw Unusual("a condition that cannot be evaluated");
-  }
-
-  std::int32_t value_of(const Token& token) const {
-    return wrapped(
-        static_cast<std::int64_t>(std::strtoull(spellings_.text(token.spelling).c_str(), nullptr, 0)));
-  }
-
-  std::int32_t defined() {
-    next();
-    const bool bracket = read_.token.is(known::open);
-    if (bracket) next();
-    if (read_.token.kind != Kind::identifier) throw Unusual("defined without an identifier");
-    const bool value = macros_.is_defined(read_.token.spelling);
-    next();
-    if (bracket && !read_.token.is(known::close)) throw Unusual("an unmatched '(' after defined");
-    if (bracket) next();
     return value;
   }
 
-  Expansion& expansion_;
-  const Macros& macros_;
+  std::int32_t operand(bool counts) {
+    if (at_ == tokens_.size()) throw Problem("this condition has no value");
+    const Token token = tokens_[at_++];
+    if (token.kind == Kind::identifier) return 0;
+    if (token.kind == Kind::integer) return value_of(spellings_.text(token.spelling));
+    if (++depth_ > deepest_expression) throw Problem("in this condition: operators nested too deeply");
+    std::int32_t value = 0;
+    if (token.is(known::open)) {
+      value = choice(counts);
+      if (!take(known::close)) throw Problem("in this condition: '(' is never closed");
+    } else if (token.is(known::plus)) {
+      value = expression(of_unary, counts);
+    } else if (token.is(known::minus)) {
+      value = wrapped(-std::int64_t{expression(of_unary, counts)});
+    } else if (token.is(known::complement)) {
+      value = ~expression(of_unary, counts);
+    } else if (token.is(known::negate)) {
+      value = expression(of_unary, counts) == 0;
+    } else {
+      throw Problem("this condition has no value: unexpected '" + spellings_.text(token.spelling) + "'");
+    }
+    --depth_;
+    return value;
+  }
+
+  static std::int32_t value_of(const std::string& number) {
+    char* end = nullptr;
+    const std::uint64_t value = std::strtoull(number.c_str(), &end, 0);
+    if (std::string_view("uUlL").find(*end) == std::string_view::npos && *end != '\0')
+      throw Problem("in this condition: '" + number + "' is not an integer");
+    return wrapped(static_cast<std::int64_t>(value));
+  }
+
+  const std::vector<Token>& tokens_;
   const Spellings& spellings_;
-  Read read_;
+  std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
 
-bool holds(const Token* first, const Token* last, Expansion& expansion, const Macros& macros,
-           const Spellings& spellings) {
-  expansion.read_condition(first, last);
-  return Evaluation(expansion, macros, spellings).run() != 0;
+bool holds(const Token* first, const Token* last, Expansion& expansion, const Spellings& spellings) {
+  const std::vector<Token> tokens = expansion.expanded(first, last, true);
+  return Evaluation(tokens, spellings).run() != 0;
 }
 
 }  // namespace penumbra::preprocessing

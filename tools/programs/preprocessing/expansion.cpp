@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "preprocessing/cut_source.h"
 #include "preprocessing/token_scan.h"
 
 namespace penumbra::preprocessing {
@@ -16,6 +15,38 @@ bool may_be_joined(const Token& token) {
   return token.kind == Kind::identifier || token.kind == Kind::integer || token.kind == Kind::number;
 }
 
+bool are_identical(const Definition& a, const Definition& b) {
+  if (a.has_list != b.has_list || a.parameters != b.parameters || a.body.size() != b.body.size())
+    return false;
+  for (std::size_t i = 0; i < a.body.size(); ++i)
+    if (a.body[i].kind != b.body[i].kind || a.body[i].spelling != b.body[i].spelling) return false;
+  return true;
+}
+
+// The closing bracket, which follows the opening one in `known`; 0 for other tokens.
+Spelling closing(const Token& token) {
+  const bool opens = token.is(known::open) || token.is(known::open_square) || token.is(known::open_brace);
+  return opens ? token.spelling + 1 : 0;
+}
+
+// Splits a list at the commas that are in no brackets.
+std::vector<std::vector<Token>> split(const std::vector<Token>& list) {
+  std::vector<std::vector<Token>> parts(1);
+  std::vector<Spelling> open;
+  for (const Token& token : list) {
+    if (open.empty() && token.is(known::comma)) {
+      parts.emplace_back();
+      continue;
+    }
+    if (const Spelling close = closing(token); close != 0)
+      open.push_back(close);
+    else if (!open.empty() && token.is(open.back()))
+      open.pop_back();
+    parts.back().push_back(token);
+  }
+  return parts;
+}
+
 }  // namespace
 
 void Expansion::read_text(const Token* first, const Token* last, const Place* places) {
@@ -24,61 +55,25 @@ void Expansion::read_text(const Token* first, const Token* last, const Place* pl
   places_ = places;
 }
 
-void Expansion::read_condition(const Token* first, const Token* last) {
-  read_text(first, last, nullptr);
-  line_ = column_ = 0;
-  joined_ = false;
-}
-
-Read Expansion::scan_bottom() {
-  Read read;
-  if (at_ == last_) {
-    if (places_ != nullptr) throw Unusual("a directive among a macro's arguments");
-    read.token.kind = Kind::newline;
-    return read;
+Token Expansion::scan() {
+  if (++scanned_ > most_tokens) throw Problem("a macro expansion that is too large");
+  Token token;
+  while (inputs_.size() > floor_ && inputs_.back().at == inputs_.back().last) pop();
+  if (inputs_.size() > floor_) {
+    token = *inputs_.back().at++;
+  } else if (depth_ == 0) {
+    if (at_ == last_ && in_call_ && continuation_ != nullptr && !continuation_->go_on()) return token;
+    if (at_ == last_) return token;
+    token = *at_++;
+    place_ = *places_++;
   }
-  read.token = *at_++;
-  if (places_ == nullptr) return read;
-  const Place& place = *places_++;
-  read.line = line_ = place.line;
-  read.column = place.column;
-  column_ = place.after;
-  joined_ = place.joined;
-  return read;
-}
-
-// Reads the next token of the top input, which is not exhausted. Returns false if an argument was pushed
-// instead.
-bool Expansion::scan_input(Read& out) {
-  Input& input = inputs_.back();
-  if (input.source == Source::put_back) {
-    out = input.read;
-    ++input.at;
-    return true;
-  }
-  if (joined_) throw Unusual("macro text without a known position");
-  out = {*input.at++, line_, column_};
-  if (input.source != Source::macro) return true;
-  input.pasted_behind = input.at != input.last && input.at->kind == Kind::paste;
-  if (out.token.parameter == no_parameter) return true;
-  push_argument(input.call->expanded[static_cast<std::size_t>(out.token.parameter)], input.pasted_behind);
-  return false;
-}
-
-Read Expansion::scan() {
-  if (++scanned_ > most_tokens) throw Unusual("a macro expansion that is too large");
-  Read read;
-  while (!at_bottom() && !scan_input(read)) {
-  }
-  if (inputs_.empty()) read = scan_bottom();
-  if (read.token.kind == Kind::unusual || read.token.is(known::hash)) throw Unusual("an unusual token");
-  return read;
+  if (token.kind == Kind::bad || token.is(known::hash))
+    throw Problem(message_for_bad(spellings_.text(token.spelling)));
+  return token;
 }
 
 void Expansion::pop() {
-  Input& input = inputs_.back();
-  if (input.source == Source::macro) macros_.set_busy(input.macro, false);
-  if (input.call) free_calls_.push_back(std::move(input.call));
+  if (inputs_.back().macro != nullptr) macros_.set_busy(inputs_.back().macro->name, false);
   inputs_.pop_back();
 }
 
@@ -89,188 +84,213 @@ bool Expansion::at_bottom() {
 
 void Expansion::clear() {
   while (!inputs_.empty()) pop();
+  floor_ = 0;
   depth_ = 0;
+  in_call_ = false;
+}
+
+void Expansion::restart() {
+  clear();
   scanned_ = 0;
 }
 
-bool Expansion::peek_paste() const {
-  if (inputs_.empty()) return false;
-  const Input& input = inputs_.back();
-  if (input.source == Source::macro) return input.pasted_behind;
-  if (input.source != Source::argument) return false;
-  return input.at == input.last ? input.pasted_behind : input.at->kind == Kind::paste;
+bool Expansion::open_follows() const {
+  for (std::size_t i = inputs_.size(); i > floor_; --i)
+    if (inputs_[i - 1].at != inputs_[i - 1].last) return inputs_[i - 1].at->is(known::open);
+  return depth_ == 0 && at_ != last_ && at_->is(known::open);
 }
 
-// glslang splits "3A" into two tokens, and pastes tokens without white space between them.
-bool Expansion::peek_continued() const {
-  if (inputs_.empty()) return false;
-  const Input& input = inputs_.back();
-  const bool stream = input.source == Source::macro || input.source == Source::argument;
-  if (!stream || input.at == input.last || input.at->space) return false;
-  return may_be_joined(*input.at) || input.at->kind == Kind::string;
+Token Expansion::integer(int value) {
+  Token token;
+  token.kind = Kind::integer;
+  token.spelling = spellings_.number(std::to_string(value));
+  return token;
 }
 
-void Expansion::paste(Read& left) {
-  if (left.token.kind == Kind::paste) throw Unusual("## without a token before it");
-  while (peek_paste()) {
-    if (scan().token.kind != Kind::paste) throw Unusual("## after an expanded macro");
-    const bool at_end = inputs_.empty() ||
-                        (inputs_.back().source == Source::macro && inputs_.back().at == inputs_.back().last);
-    if (at_end) throw Unusual("## without a token after it");
-    do {
-      const Read right = scan();
-      if (inputs_.empty()) throw Unusual("## before an empty argument");
-      if (left.token.kind != Kind::identifier || !may_be_joined(right.token))
-        throw Unusual("## between tokens that do not form an identifier");
-      const std::string name = spellings_.text(left.token.spelling) + spellings_.text(right.token.spelling);
-      if (is_left_to_glslang(name)) throw Unusual("## forms an identifier that glslang treats specially");
-      left.token.spelling = spellings_.number(name);
-    } while (peek_continued());
+bool Expansion::expand(Token& name) {
+  if (names_ != nullptr) names_->insert(name.spelling);
+  if (name.spelling == known::word_line) {
+    name = integer(place_.line);
+    return false;
   }
-}
-
-void Expansion::put_back(const Read& read) {
-  static const Token one;
-  Input input;
-  input.source = Source::put_back;
-  input.at = &one;
-  input.last = &one + 1;
-  input.read = read;
-  inputs_.push_back(std::move(input));
-}
-
-void Expansion::push_argument(const std::vector<Token>& tokens, bool pasted_behind) {
-  Input input;
-  input.pasted_behind = pasted_behind;
-  input.at = tokens.data();
-  input.last = tokens.data() + tokens.size();
-  inputs_.push_back(std::move(input));
-}
-
-bool Expansion::expand(Read& name, bool undefined_as_zero) {
-  name.token.space = false;
-  const Spelling spelling = name.token.spelling;
-  const Definition* const macro = macros_.definition(spelling);
-  if (macro == nullptr && !undefined_as_zero) return false;
-  if (macro == nullptr) {
-    Read zero;
-    zero.token.kind = Kind::integer;
-    zero.token.spelling = spellings_.number("0");
-    put_back(zero);
-    return true;
+  const Definition* const macro = name.final ? nullptr : macros_.definition(name.spelling);
+  if (macro == nullptr) return false;
+  if (macros_.is_busy(name.spelling)) {
+    name.final = true;
+    return false;
   }
-  if (macros_.is_busy(spelling)) return false;
-  std::unique_ptr<Call> call;
+  if (macro->has_list && !open_follows()) return false;
+  const Place begin = place_;
+  Input input;
+  input.macro = macro;
   if (macro->has_list) {
-    Read open = scan();
-    if (!open.token.is(known::open)) {
-      put_back(open);
-      return false;
+    Arguments arguments = read_arguments(*macro, begin);
+    Arguments expansions;
+    for (const std::vector<Token>& argument : arguments)
+      expansions.push_back(expanded(argument.data(), argument.data() + argument.size(), false));
+    if (arguments.size() < macro->parameters.size()) {
+      std::vector<Token> list;
+      for (const std::vector<Token>& expansion : expansions) {
+        if (&expansion != &expansions.front()) {
+          list.emplace_back().kind = Kind::punctuation;
+          list.back().spelling = known::comma;
+        }
+        list.insert(list.end(), expansion.begin(), expansion.end());
+      }
+      arguments = expansions = split(list);
     }
-    call = read_arguments(*macro, open);
+    check_count(*macro, arguments.size(), begin);
+    input.tokens = substituted(*macro, arguments, expansions);
+  } else if (macro->pastes) {
+    input.tokens = substituted(*macro, {}, {});
   }
-  Input input;
-  input.source = Source::macro;
-  input.at = macro->body.data();
-  input.last = macro->body.data() + macro->body.size();
-  input.macro = spelling;
-  input.call = std::move(call);
+  const std::vector<Token>& body = macro->has_list || macro->pastes ? input.tokens : macro->body;
+  input.at = body.data();
+  input.last = input.at + body.size();
   inputs_.push_back(std::move(input));
-  macros_.set_busy(spelling, true);
+  macros_.set_busy(macro->name, true);
   return true;
 }
 
-std::unique_ptr<Expansion::Call> Expansion::new_call(std::size_t arguments) {
-  std::unique_ptr<Call> call;
-  if (free_calls_.empty()) {
-    call = std::make_unique<Call>();
-  } else {
-    call = std::move(free_calls_.back());
-    free_calls_.pop_back();
-  }
-  if (call->arguments.size() < arguments) {
-    call->arguments.resize(arguments);
-    call->expanded.resize(arguments);
-  }
-  for (std::size_t i = 0; i < arguments; ++i) {
-    call->arguments[i].clear();
-    call->expanded[i].clear();
-  }
-  return call;
+// A call without anything between its brackets has one argument, which is empty.
+void Expansion::check_count(const Definition& macro, std::size_t count, const Place& call) const {
+  const std::size_t wanted = macro.parameters.size();
+  if (count == wanted) return;
+  throw Problem((count < wanted ? "too few arguments for macro '" : "too many arguments for macro '") +
+                    spellings_.text(macro.name) + "'",
+                call);
 }
 
-// Reads from after the '(' to after the ')'.
-std::unique_ptr<Expansion::Call> Expansion::read_arguments(const Definition& macro, Read& read) {
-  const std::size_t count = macro.parameters.size();
-  std::unique_ptr<Call> call = new_call(count);
-  if (count == 0) {
-    read = scan();
-    if (!read.token.is(known::close)) throw Unusual("too many arguments");
-    return call;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    read_argument(read, call->arguments[i]);
-    const bool ends = read.token.is(known::close);
-    if (ends != (i + 1 == count)) throw Unusual("too few or too many arguments");
-  }
-  if (count == 1 && call->arguments[0].empty()) throw Unusual("no argument");
-  for (std::size_t i = 0; i < count; ++i) expand_argument(call->arguments[i], call->expanded[i]);
-  return call;
-}
-
-// Reads to the comma or the ')' that ends it, which is left in `read`.
-void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
-  std::vector<Spelling> open;  // the token that closes each bracket
+// Reads from the '(' to the ')'.
+Expansion::Arguments Expansion::read_arguments(const Definition& macro, const Place& call) {
+  scan();
+  const bool was_in_call = std::exchange(in_call_, true);
+  std::vector<Token> list;
+  std::vector<Spelling> open;
   for (;;) {
-    read = scan();
-    const Token& token = read.token;
-    if (token.kind == Kind::newline || token.kind == Kind::argument_end)
-      throw Unusual("an unterminated macro call");
-    if (open.empty() && (token.is(known::comma) || token.is(known::close))) return;
-    if (token.is(known::open)) {
-      open.push_back(known::close);
-    } else if (token.is(known::open_brace)) {
-      open.push_back(known::close_brace);
-    } else if (!open.empty() && token.is(open.back())) {
+    const Token token = scan();
+    if (token.kind == Kind::end)
+      throw Problem("the call of macro '" + spellings_.text(macro.name) + "' is never closed", call);
+    if (open.empty() && token.is(known::close)) break;
+    if (const Spelling close = closing(token); close != 0)
+      open.push_back(close);
+    else if (!open.empty() && token.is(open.back()))
       open.pop_back();
+    list.push_back(token);
+  }
+  in_call_ = was_in_call;
+  if (macro.parameters.empty() && list.empty()) return {};
+  return split(list);
+}
+
+std::vector<Token> Expansion::expanded(const Token* first, const Token* last, bool condition) {
+  if (++depth_ > deepest_call) throw Problem("macro calls nested too deeply");
+  const std::size_t floor = std::exchange(floor_, inputs_.size());
+  const bool in_call = std::exchange(in_call_, false);
+  Input input;
+  input.at = first;
+  input.last = last;
+  inputs_.push_back(std::move(input));
+  std::vector<Token> tokens;
+  for (Token token = scan(); token.kind != Kind::end; token = scan()) {
+    if (token.kind == Kind::identifier) {
+      if (condition && token.spelling == known::word_defined)
+        token = is_defined();
+      else if (expand(token))
+        continue;
     }
-    argument.push_back(token);
+    tokens.push_back(token);
   }
-}
-
-// Returns the expansion of an argument's tokens.
-void Expansion::expand_argument(const std::vector<Token>& argument, std::vector<Token>& expanded) {
-  if (++depth_ > deepest_call) throw Unusual("macro calls nested too deeply");
-  Read end;
-  end.token.kind = Kind::argument_end;
-  put_back(end);
-  push_argument(argument, false);
-  for (Read read = scan(); read.token.kind != Kind::argument_end; read = scan()) {
-    paste(read);
-    if (read.token.kind == Kind::identifier && expand(read, false)) continue;
-    expanded.push_back(read.token);
-  }
+  floor_ = floor;
+  in_call_ = in_call;
   --depth_;
+  return tokens;
 }
 
-void Macros::define(const Definition& definition) {
+// Reads what follows `defined`.
+Token Expansion::is_defined() {
+  Token name = scan();
+  const bool bracket = name.is(known::open);
+  if (bracket) name = scan();
+  if (name.kind != Kind::identifier) throw Problem("'defined' takes the name of a macro");
+  if (names_ != nullptr) names_->insert(name.spelling);
+  if (bracket && !scan().is(known::close)) throw Problem("'(' after 'defined' is never closed");
+  return integer(macros_.is_defined(name.spelling) ? 1 : 0);
+}
+
+std::vector<Token> Expansion::substituted(const Definition& macro, const Arguments& arguments,
+                                          const Arguments& expanded) {
+  std::vector<Token> tokens;
+  bool pastes = false;
+  bool any_before = false;  // the operand before has tokens
+  for (auto token = macro.body.begin(); token != macro.body.end(); ++token) {
+    if (token->kind == Kind::paste) {
+      pastes = true;
+      continue;
+    }
+    const bool text = macro.has_list && token->is(known::hash) && token + 1 != macro.body.end() &&
+                      token[1].parameter != no_parameter;
+    Token one = *token;
+    if (text) one = as_text(arguments[static_cast<std::size_t>((++token)->parameter)]);
+    const Token* first = &one;
+    const Token* last = first + 1;
+    if (!text && token->parameter != no_parameter) {
+      const std::vector<Token>& argument = expanded[static_cast<std::size_t>(token->parameter)];
+      first = argument.data();
+      last = first + argument.size();
+    }
+    if (pastes && any_before && first != last)
+      join(tokens, first, last);
+    else
+      tokens.insert(tokens.end(), first, last);
+    any_before = first != last || (pastes && any_before);
+    pastes = false;
+  }
+  for (Token& token : tokens) token.parameter = no_parameter;
+  return tokens;
+}
+
+// Joins the last token and the first of these, with what follows it without white space: 2D is two tokens.
+// Tokens that do not form one stay two.
+void Expansion::join(std::vector<Token>& left, const Token* right, const Token* last) {
+  const std::string text = spellings_.text(left.back().spelling) + spellings_.text(right->spelling);
+  TokenScan scan(text, spellings_);
+  Token joined = scan.next();
+  if (scan.next().kind == Kind::end) {
+    joined.space = left.back().space;
+    left.back() = joined;
+    for (++right; right != last && joined.kind == Kind::identifier && !right->space && may_be_joined(*right);
+         ++right) {
+      const std::string more = spellings_.text(left.back().spelling) + spellings_.text(right->spelling);
+      left.back().spelling = spellings_.number(more);
+    }
+  }
+  left.insert(left.end(), right, last);
+}
+
+Token Expansion::as_text(const std::vector<Token>& argument) {
+  std::string text = "\"";
+  for (const Token& token : argument)
+    text.append(token.space && text.size() > 1 ? " " : "").append(spellings_.text(token.spelling));
+  Token token;
+  token.kind = Kind::string;
+  token.spelling = spellings_.number(text + '"');
+  return token;
+}
+
+Macros::Known Macros::define(const Definition& definition, const std::string& file) {
   if (definition.name >= entries_.size()) {
     entries_.resize(definition.name + 1);
     defined_.resize(definition.name + 1);
   }
   Entry& entry = entries_[definition.name];
-  if (entry.definition != nullptr && entry.definition != &definition &&
-      !are_identical(*entry.definition, definition))
-    throw Unusual("a macro is redefined differently");
+  Known replaced;
+  if (defined_[definition.name] != 0 && !are_identical(*entry.definition, definition)) replaced = entry;
   entry.definition = &definition;
+  entry.file = &file;
   defined_[definition.name] = 1;
   names_.push_back(definition.name);
-}
-
-void Macros::undefine(Spelling name) {
-  if (!is_defined(name)) return;
-  entries_[name].definition = nullptr;
-  defined_[name] = 0;
+  return replaced;
 }
 
 void Macros::clear() {

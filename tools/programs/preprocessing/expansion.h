@@ -1,13 +1,11 @@
-// Macro expansion as glslang does it for HLSL (its Pp.cpp and PpTokens.cpp): a stack of inputs with a text's
-// tokens at the bottom. It differs from C in two ways: arguments beside ## are expanded, and text in braces
-// counts as one argument. Internal to this folder.
+// Macro expansion: a stack of inputs with a text's tokens at the bottom. It is C's, but where FXC differs:
+// arguments beside ## are expanded, text in any brackets counts as one argument, and where a call has too few
+// arguments, those that they expand to are counted. Internal to this folder.
 #pragma once
 
-#include <memory>
+#include <set>
 
 #include "preprocessing/cut_source.h"
-#include "preprocessing/spellings.h"
-#include "preprocessing/token.h"
 
 namespace penumbra::preprocessing {
 
@@ -19,9 +17,17 @@ class Macros {
     return is_defined(name) ? entries_[name].definition : nullptr;
   }
 
-  // The definition must outlive this object. Throws Unusual if the name already has another definition.
-  void define(const Definition& definition);
-  void undefine(Spelling name);
+  struct Known {
+    const Definition* definition = nullptr;
+    const std::string* file = nullptr;
+  };
+
+  // The definition and the file's name must outlive this object. Returns the definition that this one
+  // replaces by another one; null if there is none.
+  Known define(const Definition& definition, const std::string& file);
+  void undefine(Spelling name) {
+    if (is_defined(name)) defined_[name] = 0;
+  }
 
   // Returns whether its own expansion is being read.
   bool is_busy(Spelling name) const { return entries_[name].busy; }
@@ -30,8 +36,7 @@ class Macros {
   void clear();
 
  private:
-  struct Entry {
-    const Definition* definition = nullptr;
+  struct Entry : Known {
     bool busy = false;
   };
 
@@ -40,76 +45,72 @@ class Macros {
   std::vector<Spelling> names_;         // all that were ever defined
 };
 
-// A token and the location that glslang would report for it.
-struct Read {
-  Token token;
-  int line = 0;
-  int column = 0;
+// What follows a text whose tokens end in the middle of a macro's call.
+class Continuation {
+ public:
+  virtual ~Continuation() = default;
+  // Calls Expansion::read_text(), or returns false at the end of the file.
+  virtual bool go_on() = 0;
 };
 
 class Expansion {
  public:
   Expansion(Spellings& spellings, Macros& macros) : spellings_(spellings), macros_(macros) {}
 
-  // Sets the bottom of the stack. After a condition's last token, scan() returns newlines; nothing may be
-  // read after the last token of a text.
+  // Sets the bottom of the stack.
   void read_text(const Token* first, const Token* last, const Place* places);
-  void read_condition(const Token* first, const Token* last);
+  void continue_with(Continuation* continuation) { continuation_ = continuation; }
   const Token* position() const { return at_; }  // position in the bottom input
+  const Place& place() const { return place_; }  // place of the token that was read last from the text
 
-  Read scan();
-  // Applies the ## operators that follow a scanned token.
-  void paste(Read& left);
-  // If a macro of that name is called here, pushes its expansion and returns true. For an undefined name,
-  // pushes 0 if requested.
-  bool expand(Read& name, bool undefined_as_zero);
+  Token scan();
+  // If a macro of that name is called here, pushes its expansion and returns true.
+  bool expand(Token& name);
   // Pops the inputs that are exhausted; returns true if only the bottom is left.
   bool at_bottom();
+  // Returns the expansion of these tokens alone. In a condition, `defined NAME` becomes a number.
+  std::vector<Token> expanded(const Token* first, const Token* last, bool condition);
+  // Collects the names that are looked up from now on.
+  void record_names(std::set<Spelling>* names) { names_ = names; }
+  // Ends what is read after an error.
   void clear();
+  // Ends what is read, and begins to count the work again, which has a limit.
+  void restart();
 
  private:
-  struct Call {
-    std::vector<std::vector<Token>> arguments;
-    std::vector<std::vector<Token>> expanded;
-  };
-
-  enum class Source { macro, argument, put_back };
+  using Arguments = std::vector<std::vector<Token>>;
 
   struct Input {
-    Source source = Source::argument;
-    bool pasted_behind =
-        false;  // for an argument: ## follows its last token; for a macro: ## follows the token read last
     const Token* at = nullptr;
     const Token* last = nullptr;
-    Spelling macro = 0;
-    std::unique_ptr<Call> call;
-    Read read;  // the token that was put back
+    const Definition* macro = nullptr;  // null for a list of tokens
+    std::vector<Token> tokens{};        // the substituted body of the macro; empty where it is read in place
   };
 
-  Read scan_bottom();
-  bool scan_input(Read& out);
   void pop();
-  void put_back(const Read& read);
-  bool peek_paste() const;
-  bool peek_continued() const;
-  void push_argument(const std::vector<Token>& tokens, bool pasted_behind);
-  std::unique_ptr<Call> read_arguments(const Definition& macro, Read& read);
-  void read_argument(Read& read, std::vector<Token>& argument);
-  void expand_argument(const std::vector<Token>& argument, std::vector<Token>& expanded);
-  std::unique_ptr<Call> new_call(std::size_t arguments);
+  bool open_follows() const;
+  Token is_defined();
+  Arguments read_arguments(const Definition& macro, const Place& call);
+  void check_count(const Definition& macro, std::size_t count, const Place& call) const;
+  std::vector<Token> substituted(const Definition& macro, const Arguments& arguments,
+                                 const Arguments& expanded);
+  void join(std::vector<Token>& left, const Token* right, const Token* last);
+  Token as_text(const std::vector<Token>& argument);
+  Token integer(int value);
 
   Spellings& spellings_;
   Macros& macros_;
   std::vector<Input> inputs_;
-  std::vector<std::unique_ptr<Call>> free_calls_;
+  std::size_t floor_ = 0;  // the inputs from here on are read
   const Token* at_ = nullptr;
   const Token* last_ = nullptr;
-  const Place* places_ = nullptr;  // place of the token at `at_`; null for a condition
-  int line_ = 0;                   // the position of glslang's scanner
-  int column_ = 0;
-  bool joined_ = false;  // Place::joined of the last token
+  const Place* places_ = nullptr;  // place of the token at `at_`
+  Place place_;
+  Continuation* continuation_ = nullptr;
+  bool in_call_ = false;  // the arguments of a call in the text are read
+  std::set<Spelling>* names_ = nullptr;
   std::size_t scanned_ = 0;
-  int depth_ = 0;  // depth of nested argument expansions
+  int depth_ = 0;  // depth of nested lists; at 0 the text is below the inputs
 };
 
 }  // namespace penumbra::preprocessing

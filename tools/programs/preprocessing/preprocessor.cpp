@@ -1,196 +1,264 @@
 #include "preprocessing/preprocessor.h"
 
 #include <algorithm>
+#include <deque>
+#include <set>
 #include <utility>
 
 #include "preprocessing/condition.h"
-#include "preprocessing/cut_source.h"
-#include "preprocessing/token.h"
 
 namespace penumbra::preprocessing {
 
 namespace {
 
-// The text that glslang's preprocessor produces from tokens and their lines (DoPreprocessing and
-// SourceLineSynchronizer in its ShaderLang.cpp).
+// Up to this many empty lines are shorter than a directive.
+constexpr int most_empty_lines = 16;
 
 class Output {
  public:
-  explicit Output(const Spellings& spellings) : spellings_(spellings) {}
+  // The names of files must outlive this object. Text before the first #line is of `main`.
+  Output(const Spellings& spellings, const std::string& main) : spellings_(spellings), file_(&main) {}
 
-  // `place.column` may be 0 for a token that begins no line.
-  void token(const Token& token, int line, int column);
+  void go_to(const std::string& file) { next_file_ = &file; }
+
+  void token(const Token& token, const Place& place) {
+    if (sync_to(place.line))
+      text_.append(static_cast<std::size_t>(place.column - 1), ' ');
+    else if (blank_between(before_, token))
+      text_ += ' ';
+    text_ += spellings_.text(token.spelling);
+    before_ = token;
+  }
+
   // Copies tokens of one run, in which no macro is called.
-  void copy(const CutSource& source, std::size_t first, std::size_t last);
-  // Emits a directive on `line`: the next line is line `next` of the file.
-  void line_directive(int line, int next, const std::string& file);
+  void copy(const CutSource& source, std::size_t first, std::size_t last) {
+    if (first == last) return;
+    token(source.tokens[first], source.places[first]);
+    text_.append(source.printed, source.ends[first], source.ends[last - 1] - source.ends[first]);
+    line_ = source.places[last - 1].line;
+    before_ = source.tokens[last - 1];
+  }
 
-  std::string take();
+  std::string take() { return std::move(text_ += '\n'); }
 
  private:
-  bool sync_to(int line);
-  void begin(const Token& token, int line, int column);
+  // Returns true if the text is now at the beginning of the line.
+  bool sync_to(int line) {
+    const bool same_file = file_ == next_file_ || *file_ == *next_file_;
+    if (same_file && line == line_ && !text_.empty()) return false;
+    file_ = next_file_;
+    if (same_file && line >= line_ && line - line_ <= most_empty_lines) {
+      text_.append(static_cast<std::size_t>(line - line_), '\n');
+    } else {
+      if (!text_.empty()) text_ += '\n';
+      text_.append("#line ").append(std::to_string(line)).append(" \"").append(*file_).append("\"\n");
+    }
+    line_ = line;
+    return true;
+  }
 
   const Spellings& spellings_;
   std::string text_;
-  int line_ = -1;  // the current line of the text
+  const std::string* file_;
+  const std::string* next_file_ = nullptr;
+  int line_ = 1;  // the current line of the text
   Token before_;
 };
 
-// Returns true if it begins a line.
-bool Output::sync_to(int line) {
-  const bool begins = line_ < line;
-  for (; line_ < line; ++line_)
-    if (line_ > 0) text_ += '\n';
-  return begins;
-}
-
-void Output::begin(const Token& token, int line, int column) {
-  if (sync_to(line)) {
-    if (column < 1) throw Unusual("a token without a known column");
-    text_.append(static_cast<std::size_t>(column - 1), ' ');
-  } else if (blank_between(before_, token)) {
-    text_ += ' ';
-  }
-}
-
-void Output::token(const Token& token, int line, int column) {
-  begin(token, line, column);
-  text_ += spellings_.text(token.spelling);
-  before_ = token;
-}
-
-void Output::copy(const CutSource& source, std::size_t first, std::size_t last) {
-  if (first == last) return;
-  const Place& place = source.places[first];
-  token(source.tokens[first], place.line, place.column);
-  text_.append(source.printed, source.ends[first], source.ends[last - 1] - source.ends[first]);
-  line_ = source.places[last - 1].line;
-  before_ = source.tokens[last - 1];
-}
-
-void Output::line_directive(int line, int next, const std::string& file) {
-  sync_to(line);
-  text_.append("#line ").append(std::to_string(next)).append(" \"").append(file).append("\"\n");
-  line_ = next;
-}
-
-std::string Output::take() {
-  text_ += '\n';
-  return std::exchange(text_, {});
-}
-
-constexpr int deepest_nesting = 60;  // conditions; glslang's limit is 65
-constexpr std::size_t longest_name = 1000;
-
-class Reading {
+class Reading final : public Continuation {
  public:
-  Reading(Spellings& spellings, Macros& macros, Expansion& expansion, Includes& includes)
-      : spellings_(spellings), macros_(macros), expansion_(expansion), includes_(includes), out_(spellings) {}
+  Reading(Spellings& spellings, Macros& macros, Expansion& expansion, Includes& includes,
+          const std::string& main)
+      : spellings_(spellings),
+        macros_(macros),
+        expansion_(expansion),
+        includes_(includes),
+        out_(spellings, main) {
+    expansion_.continue_with(this);
+  }
+  ~Reading() override { expansion_.continue_with(nullptr); }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
 
-  void read(const CutSource& source, const std::string& name) {
-    if (!source.usual) throw Unusual("source text that only glslang can read");
-    if (depth_ + source.depth > deepest_nesting) throw Unusual("conditions nested too deeply");
-    for (std::size_t i = 0; i < source.items.size();) i = step(source, i, name);
+  // Returns false after an error.
+  bool read(const CutSource& source, std::string name) {
+    Frame frame{source, names_.emplace_back(std::move(name))};
+    Frame* const includer = std::exchange(frame_, &frame);
+    out_.go_to(frame.name);
+    bool right = true;
+    try {
+      if (!source.problem.empty()) throw Problem(source.problem, source.problem_place);
+      while (right && frame.at < source.items.size()) right = step();
+    } catch (const Problem& problem) {
+      const Place place = problem.place.line > 0 ? problem.place : place_of_problem();
+      report(frame.name, place, hlsl::Severity::error, problem.what());
+      right = false;
+    }
+    frame_ = includer;
+    if (includer != nullptr) out_.go_to(includer->name);
+    return right;
   }
 
   std::string take() { return out_.take(); }
+  std::vector<hlsl::Diagnostic> diagnostics() { return std::move(diagnostics_); }
+
+  // Goes to the next run of text in the middle of a macro's call.
+  bool go_on() override {
+    const std::vector<Item>& items = frame_->source.items;
+    for (++frame_->at; frame_->at < items.size();) {
+      const Item& item = items[frame_->at];
+      if (item.step == Step::include) throw Problem("#include among a macro's arguments", item.place);
+      if (item.step != Step::run) {
+        step();
+        continue;
+      }
+      const Run& run = frame_->source.runs[item.index];
+      read_text(run.first, run.last);
+      return true;
+    }
+    return false;
+  }
 
  private:
-  // Returns the item to continue with.
-  std::size_t step(const CutSource& source, std::size_t at, const std::string& name) {
-    const Item& item = source.items[at];
-    if (item.whole_float && depth_ == 0) throw Unusual("a number like 1f");
+  struct Frame {
+    const CutSource& source;
+    const std::string& name;
+    std::size_t at = 0;  // the item that is read
+  };
+
+  Place place_of_problem() const {
+    const Item& item = frame_->source.items[std::min(frame_->at, frame_->source.items.size() - 1)];
+    return item.step == Step::run ? expansion_.place() : item.place;
+  }
+
+  void report(const std::string& file, const Place& place, hlsl::Severity severity, std::string message) {
+    diagnostics_.push_back({file, place.line, place.column, severity, std::move(message), {}});
+  }
+
+  // Reads an item and goes to the next. Returns false after an error in an included file.
+  bool step() {
+    Frame& frame = *frame_;
+    const CutSource& source = frame.source;
+    const Item& item = source.items[frame.at];
     switch (item.step) {
       case Step::run:
-        run(source, source.runs[item.index]);
-        return at + 1;
+        run();
+        break;
       case Step::define:
-        macros_.define(source.definitions[item.index]);
-        return at + 1;
+        define(source.definitions[item.index]);
+        break;
       case Step::undef:
-        if (item.malformed) throw Unusual("#undef");
         macros_.undefine(static_cast<Spelling>(item.index));
-        return at + 1;
+        break;
       case Step::include:
-        include(source.includes[item.index], item.line, name);
-        return at + 1;
+        if (!include(source.includes[item.index], item.place)) return false;
+        break;
       case Step::on_condition:
       case Step::on_defined:
       case Step::on_undefined:
-        ++depth_;
-        return branch(source, at);
+        branch();
+        return true;
       case Step::or_on_condition:
       case Step::otherwise:
-        return item.end;
+        frame.at = item.end;
+        return true;
       case Step::end:
-        --depth_;
-        return at + 1;
-      case Step::unusual:
+      case Step::skipped:
         break;
+      case Step::problem:
+        throw Problem(source.messages[item.index], item.place);
     }
-    throw Unusual("a directive that only glslang can read");
+    ++frame.at;
+    return true;
   }
 
-  // Returns the first item of the active branch, or the end of the condition.
-  std::size_t branch(const CutSource& source, std::size_t at) {
-    while (source.items[at].step != Step::end && !chosen(source, source.items[at]))
-      at = source.items[at].next;
-    return source.items[at].step == Step::end ? at : at + 1;
+  // Goes to the first item of the active branch, or to the end of the condition.
+  void branch() {
+    const std::vector<Item>& items = frame_->source.items;
+    while (items[frame_->at].step != Step::end && !chosen(items[frame_->at]))
+      frame_->at = items[frame_->at].next;
+    ++frame_->at;
   }
 
-  bool chosen(const CutSource& source, const Item& item) {
+  bool chosen(const Item& item) {
     if (item.step == Step::otherwise) return true;
-    if (item.malformed) throw Unusual("#ifdef without an identifier");
-    const Token* const tokens = source.tokens.data();
+    const Token* const tokens = frame_->source.tokens.data();
     if (item.step == Step::on_condition || item.step == Step::or_on_condition)
-      return holds(tokens + item.first, tokens + item.last, expansion_, macros_, spellings_);
+      return holds(tokens + item.first, tokens + item.last, expansion_, spellings_);
+    if (item.index == known::open)
+      throw Problem(item.step == Step::on_defined ? "'#ifdef' takes the name of one macro"
+                                                  : "'#ifndef' takes the name of one macro",
+                    item.place);
     return macros_.is_defined(static_cast<Spelling>(item.index)) == (item.step == Step::on_defined);
   }
 
-  void include(const Include& include, int line, const std::string& includer) {
-    const std::optional<IncludedFile> file = includes_.enter(include.name, includer);
-    if (!file) throw Unusual("an include that is not found");
-    if (file->name.size() > longest_name || file->name.find_first_of("\"\n\r") != std::string::npos)
-      throw Unusual("a file name that #line cannot express");
-    if (file->source != nullptr) {
-      out_.line_directive(line, 1, file->name);
-      read(*file->source, file->name);
-      out_.line_directive(file->source->lines + 1, line + 1, includer);
-    }
+  // A macro that is defined as something else is no error in FXC: from then on this definition is used.
+  void define(const Definition& definition) {
+    const Macros::Known other = macros_.define(definition, frame_->name);
+    if (other.definition == nullptr || !told_.emplace(frame_->name, definition.place.line).second) return;
+    const bool first = other.file == &names_.front();
+    report(frame_->name, definition.place, hlsl::Severity::warning,
+           "macro '" + spellings_.text(definition.name) + "' is defined as something else" +
+               (first ? " before the first line"
+                      : " at " + *other.file + ":" + std::to_string(other.definition->place.line)) +
+               "; from here on this definition is used");
+  }
+
+  bool include(const std::string& asked, const Place& place) {
+    IncludedFile file = includes_.enter(asked, frame_->name);
+    if (!file.problem.empty()) throw Problem(file.problem, place);
+    const bool skipped = file.source->once && !once_.insert(file.name).second;
+    const bool right = skipped || read(*file.source, std::move(file.name));
     includes_.leave();
+    return right;
   }
 
-  void run(const CutSource& source, const Run& run) {
-    const auto name = source.names.begin();
-    const bool plain = std::none_of(name + static_cast<std::ptrdiff_t>(run.first_name),
-                                    name + static_cast<std::ptrdiff_t>(run.last_name),
-                                    [&](Spelling each) { return macros_.is_defined(each); });
-    for (std::size_t at = run.first; at < run.last;) {
-      const std::size_t macro = plain ? run.last : next_macro(source, at, run.last);
+  void read_text(std::size_t first, std::size_t last) {
+    const CutSource& source = frame_->source;
+    expansion_.read_text(source.tokens.data() + first, source.tokens.data() + last,
+                         source.places.data() + first);
+  }
+
+  // A call may end in a later run.
+  void run() {
+    const CutSource& source = frame_->source;
+    const Run* run = &source.runs[source.items[frame_->at].index];
+    for (std::size_t at = run->first; at < run->last;) {
+      const std::size_t macro = next_macro(*run, at);
+      if (run->bad >= at && run->bad < macro)
+        throw Problem(message_for_bad(spellings_.text(source.tokens[run->bad].spelling)),
+                      source.places[run->bad]);
       out_.copy(source, at, macro);
-      at = macro == run.last ? macro : expand(source, macro, run.last);
+      if (macro == run->last) break;
+      read_text(macro, run->last);
+      expand();
+      run = &source.runs[source.items[frame_->at].index];
+      at = static_cast<std::size_t>(expansion_.position() - source.tokens.data());
     }
   }
 
-  std::size_t next_macro(const CutSource& source, std::size_t at, std::size_t last) const {
-    while (at < last &&
-           !(source.tokens[at].kind == Kind::identifier && macros_.is_defined(source.tokens[at].spelling)))
+  std::size_t next_macro(const Run& run, std::size_t at) const {
+    const CutSource& source = frame_->source;
+    const auto names = source.names.begin();
+    const bool plain = std::none_of(names + static_cast<std::ptrdiff_t>(run.first_name),
+                                    names + static_cast<std::ptrdiff_t>(run.last_name), [&](Spelling each) {
+                                      return macros_.is_defined(each) || each == known::word_line;
+                                    });
+    if (plain) return run.last;
+    while (at < run.last &&
+           !(source.tokens[at].kind == Kind::identifier && (macros_.is_defined(source.tokens[at].spelling) ||
+                                                            source.tokens[at].spelling == known::word_line)))
       ++at;
     return at;
   }
 
-  // Expands a macro's name with its arguments. Returns the token to continue with.
-  std::size_t expand(const CutSource& source, std::size_t name, std::size_t last) {
-    const Token* const tokens = source.tokens.data();
-    expansion_.read_text(tokens + name, tokens + last, source.places.data() + name);
+  // Expands a macro's name with its arguments.
+  void expand() {
     do {
-      Read read = expansion_.scan();
-      expansion_.paste(read);
-      if (read.token.kind == Kind::identifier && expansion_.expand(read, false)) continue;
-      out_.token(read.token, read.line, read.column);
+      Token token = expansion_.scan();
+      if (token.kind == Kind::identifier && expansion_.expand(token)) continue;
+      out_.token(token, expansion_.place());
     } while (!expansion_.at_bottom());
-    return static_cast<std::size_t>(expansion_.position() - tokens);
   }
 
   Spellings& spellings_;
@@ -198,25 +266,26 @@ class Reading {
   Expansion& expansion_;
   Includes& includes_;
   Output out_;
-  int depth_ = 0;
+  Frame* frame_ = nullptr;
+  std::deque<std::string> names_;  // of the files that are read: elements never move
+  std::set<std::string> once_;
+  std::set<std::pair<std::string, int>> told_;
+  std::vector<hlsl::Diagnostic> diagnostics_;
 };
 
 }  // namespace
 
-std::optional<std::string> Preprocessor::run(const CutSource& definitions, const CutSource& source,
-                                             const std::string& name, Includes& includes) {
-  Reading reading(spellings_, macros_, expansion_, includes);
-  std::optional<std::string> text;
-  try {
-    reading.read(definitions, name);
-    reading.read(source, name);
-    text = reading.take();
-  } catch (const Unusual&) {
-    text.reset();
+Preprocessed Preprocessor::run(const CutSource& definitions, const CutSource& source, const std::string& name,
+                               Includes& includes) {
+  Preprocessed out;
+  {
+    Reading reading(spellings_, macros_, expansion_, includes, name);
+    if (reading.read(definitions, name) && reading.read(source, name)) out.text = reading.take();
+    out.diagnostics = reading.diagnostics();
   }
-  expansion_.clear();
+  expansion_.restart();
   macros_.clear();
-  return text;
+  return out;
 }
 
 }  // namespace penumbra::preprocessing

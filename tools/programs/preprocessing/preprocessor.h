@@ -1,31 +1,34 @@
-// The preprocessor: a source with its includes, conditions and macros becomes one text with #line directives,
-// identical to the output of glslang's preprocessor, in a tenth of the time. Sources are split into
-// directives and runs of text once; a run that mentions no macro's name is copied.
+// The preprocessor: a source with its includes, conditions and macros becomes one text with #line directives.
 //
-// glslang's preprocessor remains the authority. Any source that would cause an error or a warning there, and
-// any rare construct (#pragma, #line, __LINE__, ## of anything but names and numbers), falls back to it: this
-// preprocessor then returns no text.
+// It reads what Unity's compilers read, which is checked against FXC's own preprocessor and against GCC's
+// (tests/preprocessing). Sources are split into directives and runs of text once; a run that mentions no
+// macro's name is copied.
 #pragma once
 
-#include "preprocessing/cut_source.h"
+#include "hlsl/diagnostic.h"
 #include "preprocessing/expansion.h"
-#include "preprocessing/spellings.h"
 
 namespace penumbra::preprocessing {
 
-// A file that #include has found. The source is valid until the file is left; if it is null, the file is
-// skipped.
+// A file that #include has found, or the problem with it. The source is valid until the file is left.
 struct IncludedFile {
   std::string name;
   const CutSource* source = nullptr;
+  std::string problem{};
 };
 
 class Includes {
  public:
   virtual ~Includes() = default;
-  // If it returns nothing, preprocessing stops. `includer` is the name of the file with the #include.
-  virtual std::optional<IncludedFile> enter(const std::string& asked, const std::string& includer) = 0;
+  // `includer` is the name of the file with the #include.
+  virtual IncludedFile enter(const std::string& asked, const std::string& includer) = 0;
   virtual void leave() = 0;  // the file that was entered last
+};
+
+// A text, or an error. The diagnostics have no text of their line yet.
+struct Preprocessed {
+  std::string text;
+  std::vector<hlsl::Diagnostic> diagnostics;
 };
 
 // A preprocessor that splits and reads many sources in turn. Not thread-safe.
@@ -34,10 +37,9 @@ class Preprocessor {
   // The result may be read by this preprocessor only.
   CutSource cut(std::string_view text) { return cut_source(text, spellings_); }
 
-  // `definitions` precede the source and count as no lines. Returns nothing if glslang has to preprocess the
-  // source.
-  std::optional<std::string> run(const CutSource& definitions, const CutSource& source,
-                                 const std::string& name, Includes& includes);
+  // `definitions` precede the source and count as no lines.
+  Preprocessed run(const CutSource& definitions, const CutSource& source, const std::string& name,
+                   Includes& includes);
 
  private:
   Spellings spellings_;

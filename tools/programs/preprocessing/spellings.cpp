@@ -7,10 +7,13 @@ namespace penumbra::preprocessing {
 namespace {
 
 constexpr std::array<std::string_view, known::count> known_texts{
-    "(",      ")",     "[",  "]",     "{",      "}",    ",",    ";",     "#",      "||",
-    "&&",     "|",     "^",  "&",     "==",     "!=",   ">",    ">=",    "<",      "<=",
-    "<<",     ">>",    "+",  "-",     "*",      "/",    "%",    "~",     "!",      "defined",
-    "define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif", "include"};
+    "(",      ")",       "[",    "]",       "{",       "}",       ",",
+    ";",      "#",       "||",   "&&",      "|",       "^",       "&",
+    "==",     "!=",      ">",    ">=",      "<",       "<=",      "<<",
+    ">>",     "+",       "-",    "*",       "/",       "%",       "~",
+    "!",      "?",       ":",    "defined", "define",  "undef",   "if",
+    "ifdef",  "ifndef",  "elif", "else",    "endif",   "include", "include_with_pragmas",
+    "pragma", "warning", "line", "error",   "__LINE__"};
 
 }  // namespace
 

@@ -42,6 +42,8 @@ enum : Spelling {
   remainder,
   complement,
   negate,
+  question,
+  colon,
   word_defined,
   word_define,
   word_undef,
@@ -52,6 +54,12 @@ enum : Spelling {
   word_else,
   word_endif,
   word_include,
+  word_include_with_pragmas,
+  word_pragma,
+  word_warning,
+  word_line_directive,
+  word_error,
+  word_line,
   count
 };
 }  // namespace known

@@ -2,22 +2,22 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include "preprocessing/spellings.h"
 
 namespace penumbra::preprocessing {
 
 enum class Kind : std::uint8_t {
-  end,  // the end of the text
+  end,  // the end of the text, or of the tokens that are read
   newline,
-  argument_end,
   identifier,
   integer,  // a number of type int, which #if can evaluate
   number,   // any other number
   string,
   punctuation,
-  paste,   // ## in a macro's body
-  unusual  // anything that only glslang's preprocessor reads
+  paste,  // ## in a macro's body
+  bad     // a character or byte that begins no token, or a text without its closing '"'
 };
 
 constexpr std::int16_t no_parameter = -1;
@@ -25,29 +25,31 @@ constexpr std::int16_t no_parameter = -1;
 struct Token {
   Kind kind = Kind::end;
   bool space = false;                     // white space or a comment precedes it
+  bool final = false;                     // a name in its own macro's expansion, which is not expanded again
   std::int16_t parameter = no_parameter;  // in a macro's body: the index of the parameter that it names
   Spelling spelling = 0;
 
   bool is(Spelling punctuation) const { return kind == Kind::punctuation && spelling == punctuation; }
 };
 
-// Lines and columns count from 1. `after` is the column that glslang's scanner reports once it has read the
-// token; 0 if unknown. `joined` means that a backslash right after the token joins the next line, and
-// glslang's scanner, which has read that line's first character, reports a location on that line.
+// Lines and columns count from 1.
 struct Place {
   int line = 0;
   int column = 0;
-  int after = 0;
-  bool joined = false;
 };
 
-// Thrown inside this folder: glslang's preprocessor has to read the source.
-class Unusual : public std::runtime_error {
+// An error of the source, thrown inside this folder. A place with line 0 is filled in by the reader.
+class Problem : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Problem(const std::string& message, Place place = {}) : runtime_error(message), place(place) {}
+
+  Place place;
 };
 
-// The spaces that glslang's preprocessor prints between two tokens (DoPreprocessing in its ShaderLang.cpp).
+// Returns what is wrong with a token of kind `bad`.
+std::string message_for_bad(std::string_view spelling);
+
+// A space is printed between two tokens unless one of them is a bracket, a ';' or a comma that follows.
 constexpr bool is_tight(Kind kind, Spelling spelling) {
   return kind == Kind::punctuation &&
          (spelling == known::semicolon || spelling == known::open || spelling == known::close ||

@@ -6,9 +6,9 @@
 
 #include "hlsl/identifier.h"
 #include "hlsl/source_text.h"
+#include "preprocessing/directive_lines.h"
 #include "shaderlab/characters.h"
 #include "shaderlab/cursor.h"
-#include "shaderlab/pragma_lines.h"
 
 namespace penumbra::shaderlab {
 
@@ -20,6 +20,17 @@ bool is_ray_tracing_file(std::string_view file) {
          same_keyword(file.substr(file.size() - extension.size()), extension);
 }
 
+using preprocessing::DirectiveLine;
+using preprocessing::Word;
+
+Place place_of(const Word& word) {
+  return {word.line, word.column, word.offset};
+}
+
+Name name_of(const Word& word) {
+  return {word.text, place_of(word)};
+}
+
 class KernelReader {
  public:
   KernelReader(std::string_view bytes, const std::string& file) : file_(file) {
@@ -27,17 +38,18 @@ class KernelReader {
   }
 
   ComputeKernels run() {
-    std::vector<PragmaLine> lines = pragma_lines(result_.text);
-    std::erase_if(
-        lines, [](const PragmaLine& line) { return line.words.empty() || line.words[0].text != "kernel"; });
-    for (PragmaLine& line : lines) {
+    std::vector<DirectiveLine> lines = preprocessing::directive_lines(result_.text);
+    std::erase_if(lines, [](const DirectiveLine& line) {
+      return line.name != "pragma" || line.words.empty() || line.words[0].text != "kernel";
+    });
+    for (DirectiveLine& line : lines) {
       // Unity takes a line that ends as a statement; the reader of the program's pragmas warns about it.
       std::string& last = line.words.back().text;
       if (last.back() == ';' && (last.size() > 1 || line.words.size() > 2)) last.pop_back();
       if (last.empty()) line.words.pop_back();
       if (std::optional<Kernel> kernel = read(line)) result_.kernels.push_back(std::move(*kernel));
-      if (line.has_line_comment && lines.size() > 1)
-        say(hlsl::Severity::warning, line.place,
+      if (line.line_comment && lines.size() > 1)
+        say(hlsl::Severity::warning, {line.line, line.column, line.offset},
             "with several kernels Unity's manual allows no // comment on a line with #pragma kernel");
     }
     return std::move(result_);
@@ -48,12 +60,12 @@ class KernelReader {
     result_.diagnostics.push_back(diagnostic_at(file_, result_.text, place, severity, message));
   }
 
-  std::optional<Kernel> read(const PragmaLine& line) {
+  std::optional<Kernel> read(const DirectiveLine& line) {
     if (line.words.size() < 2) {
-      say(hlsl::Severity::error, line.end, "expected the kernel's function after #pragma kernel");
+      say(hlsl::Severity::error, place_of(line.end), "expected the kernel's function after #pragma kernel");
       return std::nullopt;
     }
-    Kernel kernel{line.words[1], line.place, {}};
+    Kernel kernel{name_of(line.words[1]), {line.line, line.column, line.offset}, {}};
     if (!hlsl::is_identifier(kernel.function.text)) {
       say(hlsl::Severity::error, kernel.function.place,
           "expected the kernel's function after #pragma kernel, found '" + kernel.function.text + "'");
@@ -61,7 +73,7 @@ class KernelReader {
     }
     std::set<std::string> macros;
     for (std::size_t i = 2; i < line.words.size(); ++i)
-      if (!define(line.words[i], kernel, macros)) return std::nullopt;
+      if (!define(name_of(line.words[i]), kernel, macros)) return std::nullopt;
     return kernel;
   }
 

@@ -1,6 +1,6 @@
 #include "shaderlab/programs.h"
 
-#include "shaderlab/pragma_lines.h"
+#include "preprocessing/directive_lines.h"
 
 namespace penumbra::shaderlab {
 
@@ -69,8 +69,8 @@ class Collector {
     program.language = block.language;
     program.place = block.keyword;
     program.implicit_includes = block.language == Language::cg;
-    for (const PragmaLine& pragma : pragma_lines(program.text)) {
-      if (pragma.words.empty()) continue;
+    for (const preprocessing::DirectiveLine& pragma : preprocessing::directive_lines(program.text)) {
+      if (pragma.name != "pragma" || pragma.words.empty()) continue;
       program.is_surface_shader |= pragma.words.front().text == "surface";
       program.is_ray_tracing |= pragma.words.front().text == "raytracing";
     }

@@ -11,10 +11,9 @@
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "preparation/prepare.h"
-#include "shaders/error_recovery.h"
 #include "shaders/generated_words.h"
 #include "shaders/hlsl_problems.h"
-#include "shaders/macro_expansion.h"
+#include "shaders/include_resolver.h"
 #include "shaders/matrix_operations.h"
 #include "shaders/module_corrections.h"
 #include "shaders/parse_failure.h"
@@ -60,16 +59,14 @@ bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
 }
 
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
-           CompileResult& result, FoundErrors* found = nullptr) {
+           CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
                                    nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !tells_an_error(log, sources)) return true;
-  FoundErrors all = errors_of(source, log, sources);
-  for (hlsl::Diagnostic& error : all.errors) result.diagnostics.push_back(std::move(error));
-  if (found != nullptr) *found = std::move(all);
+  result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
   return false;
 }
 
@@ -176,45 +173,6 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-// Returns whether a message is about a module that the program's author did not write, or only follows from
-// the errors before it.
-bool follows_from_errors(const std::string& message) {
-  return message.starts_with("SPIR-V ") || message.starts_with("link: ") ||
-         message.starts_with("the HLSL front end gave up: ");
-}
-
-// Adds further errors, on other lines, for a source with errors.
-void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
-  CompileResult built;
-  build(source, sources, built);
-  for (hlsl::Diagnostic& said : built.diagnostics) {
-    if (follows_from_errors(said.message)) continue;
-    const bool known = std::any_of(
-        result.diagnostics.begin(), result.diagnostics.end(),
-        [&](const hlsl::Diagnostic& other) { return other.file == said.file && other.line == said.line; });
-    if (!known) result.diagnostics.push_back(std::move(said));
-  }
-}
-
-// glslang silently stops reading at a NUL byte.
-std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
-  for (const std::string& name : sources.names()) {
-    const std::string& text = sources.text(name);
-    const std::size_t at = text.find('\0');
-    if (at == std::string::npos) continue;
-    const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto line = static_cast<int>(std::count(text.begin(), before, '\n')) + 1;
-    const auto column = static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1;
-    return hlsl::Diagnostic{name,
-                            line,
-                            column,
-                            hlsl::Severity::error,
-                            "a NUL byte: save this file as text in UTF-8; UTF-16 is not read",
-                            {}};
-  }
-  return std::nullopt;
-}
-
 std::string source_text(const CompileRequest& request, SourceMemory& memory) {
   if (request.text) return hlsl::normalise_source(*request.text);
   const KnownSource& read = memory.read(request.file.string());
@@ -232,18 +190,23 @@ int column_of(const preparation::Note& note) {
 }  // namespace
 
 PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
-  initialise_glslang_once();
   const std::string name = request.file.string();
   const std::string text = source_text(request, memory);
   PreprocessedSource out;
   out.sources.add(name, text);
-  std::string to_expand = request.prepare ? prepared_source(text).text : text;
-  if (!to_expand.ends_with('\n')) to_expand += '\n';  // glslang requires one after an #include
-  expand_macros({request, name, to_expand, preamble(request)}, memory, out);
-  if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
-    out.diagnostics = {*std::move(nul)};
-    out.text.clear();
+  IncludeResolver resolver(request, out.sources, memory);
+  preprocessing::Preprocessor& preprocessor = memory.preprocessor();
+  preprocessing::Preprocessed read = preprocessor.run(preprocessor.cut(preamble(request)),
+                                                      memory.cut_text(text, request.prepare), name, resolver);
+  out.text = std::move(read.text);
+  out.diagnostics = resolver.warnings();
+  for (hlsl::Diagnostic& said : read.diagnostics) {
+    said.source_line = out.sources.line(said.file, said.line);
+    out.diagnostics.push_back(std::move(said));
   }
+  out.missing_editor_include = resolver.missing_editor_include();
+  out.absent.assign(resolver.absent().begin(), resolver.absent().end());
+  out.found_by_case = resolver.found_by_case();
   for (const std::string& file : out.sources.names())
     if (!request.text || file != name) out.dependencies.emplace_back(file);
   return out;
@@ -276,12 +239,8 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   result.diagnostics = std::move(source.diagnostics);
   result.dependencies = std::move(source.dependencies);
   result.missing_editor_include = std::move(source.missing_editor_include);
-  const std::string* suggested = source.suggested.empty() ? nullptr : &source.suggested;
-  if (hlsl::has_errors(result.diagnostics)) {
-    if (!source.text.empty())
-      add_further_errors({request, request.file.string(), source.text, {}, suggested}, source.sources,
-                         result);
-  } else if (!build({request, request.file.string(), source.text, {}, suggested}, source.sources, result)) {
+  const bool refused = hlsl::has_errors(result.diagnostics);
+  if (refused || !build({request, request.file.string(), source.text}, source.sources, result)) {
     result.spirv.clear();
     result.signature.clear();
   }
@@ -294,24 +253,20 @@ CompileResult compile(const CompileRequest& request) {
   return compile(request, preprocess(request));
 }
 
-FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source) {
+std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
+                                                 const PreprocessedSource& source) {
   initialise_glslang_once();
-  FrontEndMessages found{source.diagnostics};
-  if (hlsl::has_errors(found.messages)) return {std::move(found.messages), false};
   CompileResult result;
-  const auto accepts = [&](const std::string& text, FoundErrors* errors) {
-    const std::string* suggested = source.suggested.empty() ? nullptr : &source.suggested;
-    const Source whole{request, request.file.string(), text, {}, suggested};
-    SourceShader shader(whole);
-    if (!parse(whole, shader.get(), source.sources, result, errors)) return false;
+  result.diagnostics = source.diagnostics;
+  if (hlsl::has_errors(result.diagnostics)) return std::move(result.diagnostics);
+  const Source whole{request, request.file.string(), source.text};
+  SourceShader shader(whole);
+  if (parse(whole, shader.get(), source.sources, result)) {
     glslang::TProgram program;
     program.addShader(&shader.get());
-    return link(whole, source.sources, program, result);
-  };
-  FoundErrors errors;
-  if (!accepts(source.text, &errors)) found.complete = errors.rest && accepts(*errors.rest, nullptr);
-  for (hlsl::Diagnostic& said : result.diagnostics) found.messages.push_back(std::move(said));
-  return found;
+    link(whole, source.sources, program, result);
+  }
+  return std::move(result.diagnostics);
 }
 
 std::string compiler_version() {

@@ -18,7 +18,7 @@ using project::PackageRoot;
 
 struct CompileRequest {
   std::filesystem::path file;  // names the source in messages; read from disk unless text is given
-  std::optional<std::string> text;
+  hlsl::SharedText text;
   // For a text that this program writes itself, the user's file that it is written for, into whose tree
   // includes may lead (project/include_bounds.h); else empty. `file` is then a mere name, and no place on the
   // disk.
@@ -57,9 +57,6 @@ struct PreprocessedSource {
   // The include that ended the compilation, if it is one that ships only with the Unity editor
   // (project/editor_includes.h): reports count these separately from errors of the shader.
   std::string missing_editor_include{};
-  // A text whose identifiers are suggested in place of unknown ones; if it is empty, `text` is used, which is
-  // then not a part of another.
-  std::string suggested{};
   // The semantics of the entry point, where the source is prepared.
   std::vector<preparation::SemanticPlace> semantics{};
 };
@@ -96,14 +93,10 @@ PreprocessedSource preprocess(const CompileRequest& request);  // does both
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
 CompileResult compile(const CompileRequest& request);  // does all three
 
-struct FrontEndMessages {
-  std::vector<hlsl::Diagnostic> messages;
-  bool complete = true;  // true if every declaration without an error among them has none
-};
-
-// Returns all diagnostics of a preprocessed source up to linking, including those in functions that its entry
-// point does not reach: if none is an error, the front end accepts it.
-FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source);
+// Returns all warnings and the first error of a preprocessed source up to linking, including those in
+// functions that its entry point does not reach.
+std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
+                                                 const PreprocessedSource& source);
 
 // The versions of the compilers that produce SPIR-V: different versions may produce different code.
 std::string compiler_version();  // "glslang 12.0.0, SPIRV-Tools v2023.1"

@@ -55,7 +55,7 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
                rasterized] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
-  out.text(text.value_or(""));
+  out.text(text ? *text : std::string());
   out.number(written_for ? 1 : 0);
   out.text(written_for ? written_for->string() : "");
   out.text(entry);

@@ -50,28 +50,21 @@ project::IncludeRoots roots_of(const CompileRequest& request) {
 }  // namespace
 
 IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources,
-                                 SourceMemory& memory, const preparation::MacroArguments& arguments,
-                                 std::set<std::string> undefined_by_main_file)
+                                 SourceMemory& memory)
     : request_(request),
       roots_(roots_of(request)),
       roots_key_(key_of(roots_)),
       sources_(sources),
       memory_(memory),
-      arguments_(arguments),
-      undefined_(std::move(undefined_by_main_file)),
       open_{request.file.string()} {}
 
-// Returns the name of the file, which is now open.
-std::optional<std::string> IncludeResolver::open(const std::string& asked, const std::string& includer) {
-  // A file that includes itself twice would be read as often as there are paths to the greatest depth.
-  if (failure_) return std::nullopt;
+preprocessing::IncludedFile IncludeResolver::enter(const std::string& asked, const std::string& includer) {
   const bool is_nowhere = request_.written_for && includer == request_.file.string();
   const project::IncludeSearch& search =
       memory_.find(roots_, roots_key_, asked, is_nowhere ? std::string() : includer);
   if (!search.file) {
     missing_editor_include_ = search.missing_editor_include;
-    fail(search.problem);
-    return std::nullopt;
+    return {{}, nullptr, search.problem};
   }
   for (const fs::path& absent : search.absent) absent_.insert(absent.string());
   if (!search.warning.empty()) {
@@ -79,74 +72,25 @@ std::optional<std::string> IncludeResolver::open(const std::string& asked, const
     warn(includer, asked, search.warning);
   }
   std::string name = search.file->string();
-  if (!open_file(name)) return std::nullopt;
-  return name;
+  if (std::string problem = open_file(name); !problem.empty()) return {{}, nullptr, std::move(problem)};
+  const preprocessing::CutSource& source = memory_.cut(name, request_.prepare);
+  return {std::move(name), &source};
 }
 
-IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
-                                                              std::size_t /*depth*/) {
-  const std::optional<std::string> name = open(header, includer);
-  if (!name) return nullptr;
-  auto* text = new std::string(text_to_read(*name));
-  return new IncludeResult(*name, text->data(), text->size(), text);
-}
-
-std::optional<preprocessing::IncludedFile> IncludeResolver::enter(const std::string& asked,
-                                                                  const std::string& includer) {
-  std::optional<std::string> name = open(asked, includer);
-  if (!name) return std::nullopt;
-  const SourceToExpand* source = to_read(*name);
-  const bool any = source != nullptr && !source->text.empty();
-  return preprocessing::IncludedFile{*std::move(name), any ? &memory_.cut(open_.back()) : nullptr};
-}
-
-// glslang calls this after includeLocal has failed; <...> is searched like "...".
-IncludeResolver::IncludeResult* IncludeResolver::includeSystem(const char* header, const char* includer,
-                                                               std::size_t depth) {
-  return includeLocal(header, includer, depth);
-}
-
-void IncludeResolver::releaseInclude(IncludeResult* result) {
-  if (result == nullptr) return;
-  open_.pop_back();
-  delete static_cast<std::string*>(result->userData);
-  delete result;
-}
-
-bool IncludeResolver::open_file(const std::string& name) {
+// Returns the problem; empty if there is none.
+std::string IncludeResolver::open_file(const std::string& name) {
   // The file at the depth limit may not be part of the cycle and have a guard: a file of the cycle then
   // follows.
   const bool repeats = std::count(open_.begin(), open_.end(), name) > 1;
   if (open_.size() > (repeats ? max_include_depth : 2 * max_include_depth))
-    return fail("includes nest too deeply: " + chain_to(name));
+    return "includes nest too deeply: " + chain_to(name);
   if (!sources_.contains(name)) {
     const KnownSource& read = memory_.read(name);
-    if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);
+    if (!read.problem.empty()) return "cannot read '" + name + "': " + read.problem;
     sources_.add(name, read.text);
   }
   open_.push_back(name);
-  return true;
-}
-
-bool IncludeResolver::fail(const std::string& problem) {
-  failure_ = problem;
-  return false;
-}
-
-// Returns the file as the preprocessor sees it: empty, the second time, for a file with `#pragma once` or
-// with an include guard that is still defined.
-const SourceToExpand* IncludeResolver::to_read(const std::string& name) {
-  const SourceToExpand& prepared = memory_.prepared(name);
-  const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;
-  if (!read_.insert(name).second && (prepared.once || guarded)) return nullptr;
-  undefined_.insert(prepared.undefined.begin(), prepared.undefined.end());
-  return &prepared;
-}
-
-std::string IncludeResolver::text_to_read(const std::string& name) {
-  if (!request_.prepare) return sources_.text(name);
-  const SourceToExpand* const prepared = to_read(name);
-  return prepared == nullptr ? std::string() : arguments_.rewritten(prepared->text);
+  return {};
 }
 
 // The warning appears once for each #include, however often its file is read.

@@ -1,7 +1,6 @@
 #include "shaders/parse_failure.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -14,76 +13,8 @@ namespace penumbra::shaders {
 
 namespace {
 
-bool is_directive(const std::string& token) {
-  return !token.empty() && token.front() == '#';
-}
-
-constexpr std::string_view kVariadicMacro =
-    "not supported here: macros with '...'; name the parameters, and write a macro for each number of "
-    "arguments";
-
-bool of_preprocessor(const LogLine& line) {
-  return is_directive(line.token) || line.token == "preprocessor evaluation" ||
-         line.token == "macro expansion" || line.message == "End of input in comment";
-}
-
-// glslang reports the line after one that ends too early.
-void step_back_to_directive(LogLine& line, const hlsl::SourceFiles& sources) {
-  const bool condition = line.token == "preprocessor evaluation";
-  if (!condition && !is_directive(line.token)) return;
-  const auto is_there = [&](int number) {
-    const std::string text = sources.line(line.file, number);
-    if (!condition) return text.find(line.token) != std::string::npos;
-    return text.find("#if") != std::string::npos || text.find("#elif") != std::string::npos;
-  };
-  if (!is_there(line.line) && is_there(line.line - 1)) --line.line;
-}
-
-// Returns the original text of #error: glslang's has a space between any two tokens.
-std::string error_directive(const std::string& text) {
-  const std::size_t word = text.find("error");
-  const std::size_t start = word == std::string::npos ? word : text.find_first_not_of(" \t", word + 5);
-  return start == std::string::npos ? "'#error'" : "'#error': " + text.substr(start);
-}
-
-int column_of_directive(const LogLine& line, const std::string& text) {
-  if (line.token == "macro expansion") return column_of(last_word(line.message), text);
-  const std::size_t hash = text.find('#');
-  return hash == std::string::npos ? 0 : static_cast<int>(hash) + 1;
-}
-
-hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
-  step_back_to_directive(line, sources);
-  const std::string text = sources.line(line.file, line.line);
-  if (line.message == "End of input in comment") {
-    const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 if it does not occur
-    return {line.file, line.line, column, line.severity, "'/*' is never closed", text};
-  }
-  const bool variadic = line.token == "#define" && text.find("...") != std::string::npos;
-  const std::string message = line.token == "#error" ? error_directive(text)
-                              : variadic             ? std::string(kVariadicMacro)
-                                                     : sentence(line, {});
-  return {line.file, line.line, column_of_directive(line, text), line.severity, message, text};
-}
-
-// Returns the column of the '"' that is not closed; 0 if every one is.
-int column_of_open_quote(const std::string& text) {
-  std::size_t open = std::string::npos;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '\\') {
-      ++at;  // escapes the next character
-    } else if (text[at] == '"') {
-      open = open == std::string::npos ? at : std::string::npos;
-    }
-  }
-  return open == std::string::npos ? 0 : static_cast<int>(open) + 1;
-}
-
 hlsl::Diagnostic at_line(const LogLine& line, const hlsl::SourceFiles& sources) {
   const std::string text = sources.line(line.file, line.line);
-  if (line.message == "End of line in string")
-    return {line.file, line.line, column_of_open_quote(text), line.severity, sentence(line, {}), text};
-  if (of_preprocessor(line)) return at_directive(line, sources);
   const int column = line.message == "Expected" ? 0 : column_of(line.token, text);
   return {line.file, line.line, column, line.severity, sentence(line, {}), text};
 }
@@ -175,17 +106,14 @@ bool names_something_unknown(const LogLine& error) {
 
 // A method's name is printed as "__BI_Sample"; a function that the text does not declare is unknown.
 std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places,
-                         std::size_t at, const std::string* suggested) {
-  const std::optional<hlsl::TokenPlaces> others =
-      suggested == nullptr ? std::nullopt : std::optional<hlsl::TokenPlaces>(std::in_place, *suggested, "");
-  const hlsl::TokenPlaces& names = others ? *others : places;
+                         std::size_t at) {
   const std::string built_in = "__BI_";
   if (error.token.starts_with(built_in)) {
     error.token.erase(0, built_in.size());
     return "no method '" + error.token + "' takes these arguments" + nearest_method(error.token);
   }
   if (error.message != "no matching overloaded function found")
-    return sentence(error, around) + nearest_word(error.token, names);
+    return sentence(error, around) + nearest_word(error.token, places);
   if (const std::size_t first = places.first_declaration(error.token); first > at && first < places.size())
     return "'" + error.token + "' is declared only in line " + std::to_string(places[first].line) +
            (places[first].file == places[at].file ? "" : " of " + std::string(places[first].file)) +
@@ -194,7 +122,7 @@ std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::
   if (function != places.size()) return sentence(error, around) + "; there is " + signature(places, function);
   return is_intrinsic(error.token)
              ? sentence(error, around)
-             : "unknown function '" + error.token + "'" + nearest_word(error.token, names);
+             : "unknown function '" + error.token + "'" + nearest_word(error.token, places);
 }
 
 // A missing ';' is detected at the next token, often a line or a file later; it is reported after the
@@ -216,7 +144,7 @@ hlsl::Diagnostic missing_semicolon(LogLine error, std::size_t at, const Surround
 }
 
 hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::TokenPlaces& places,
-                          const hlsl::SourceFiles& sources, const std::string* suggested) {
+                          const hlsl::SourceFiles& sources) {
   const Surroundings around = surroundings(places, at);
   if (is_missing_semicolon(error, around, at)) return missing_semicolon(error, at, around, places, sources);
   if (error.message == "Expected" && error.token.starts_with("loop") && at > 0)  // detected after 'break'
@@ -228,19 +156,10 @@ hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::Toke
   if (error.message != "Expected" && place.file == error.file && place.line == error.line)
     if (const int column = column_of(error.token, sources.line(error.file, error.line)); column != 0)
       place.column = column;
-  return at_place(place,
-                  names_something_unknown(error) ? unknown_name(error, around, places, at, suggested)
-                                                 : sentence(error, around),
-                  sources);
-}
-
-hlsl::Diagnostic of_include(LogLine line, const std::string& problem, const hlsl::SourceFiles& sources) {
-  line.token.clear();
-  line.message = problem;
-  hlsl::Diagnostic diagnostic = at_line(line, sources);
-  diagnostic.message = problem;
-  diagnostic.column = column_of("#include", diagnostic.source_line);
-  return diagnostic;
+  return at_place(
+      place,
+      names_something_unknown(error) ? unknown_name(error, around, places, at) : sentence(error, around),
+      sources);
 }
 
 hlsl::Diagnostic of_open_place(const hlsl::OpenPlace& open, const hlsl::SourceFiles& sources) {
@@ -266,59 +185,25 @@ std::string recursion(const std::string& caller, const std::string& callee) {
   return "'" + caller + "' calls '" + callee + "', which leads back to it: HLSL has no recursion";
 }
 
-constexpr std::string_view printed_for_it = "<bad token>";
-
-bool begins_a_token(char c) {
-  constexpr std::string_view marks = " \t_()[]{}<>.,;:?!~^&|+-*/%=\"'#\\";
-  const bool word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  return word || marks.find(c) != std::string_view::npos;
-}
-
-// Returns the character that begins here, or its byte value if it is not valid UTF-8.
-std::string in_words(std::string_view line, std::size_t at) {
-  std::size_t end = at + 1;
-  while (end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) ++end;
-  const auto lead = static_cast<unsigned char>(line[at]);
-  const std::size_t length = lead >= 0xF0U ? 4 : lead >= 0xE0U ? 3 : lead >= 0xC2U ? 2 : 1;
-  if (lead < 0x80U || (length > 1 && end - at == length))
-    return "unexpected token '" + std::string(line.substr(at, end - at)) + "'";
-  char byte[48];
-  std::snprintf(byte, sizeof byte, "unexpected byte 0x%02X; is this file UTF-8?",
-                static_cast<unsigned>(lead));
-  return byte;
-}
-
 }  // namespace
 
-PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
+hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(failure.log, sources);
   const LogLine* error = first_error_line(lines);
-  if (error != nullptr && failure.include_failure)
-    return {of_include(*error, *failure.include_failure, sources), {}};
-  // A bracket or condition that a file leaves open takes precedence over the parser's messages.
-  if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
-    return {of_open_place(*open, sources), {}};
   const bool placed = error != nullptr && error->line > 0;
+  // A bracket that is left open takes precedence over the parser's messages.
   if (!placed || error->message == "Expected" || past_the_end(*error, sources)) {
     const auto code = hlsl::expanded_lines(failure.preprocessed, failure.main_file);
     if (const std::optional<hlsl::OpenPlace> open = hlsl::unbalanced_bracket(code, sources))
-      return {of_open_place(*open, sources), {}};
+      return of_open_place(*open, sources);
   }
   if (!placed)
-    return {at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + std::string(failure.log),
-                     sources),
-            {}};
-  if (!of_preprocessor(*error)) {
-    const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
-    if (const std::optional<std::size_t> at = find_token(failure, *error, places, sources))
-      return {at_token(*error, *at, places, sources, failure.suggested),
-              static_cast<std::size_t>(places[*at].spelling.data() - failure.preprocessed.data())};
-  }
-  return {at_line(*error, sources), {}};
-}
-
-hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
-  return placed_error(failure, sources).diagnostic;
+    return at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + std::string(failure.log),
+                    sources);
+  const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
+  if (const std::optional<std::size_t> at = find_token(failure, *error, places, sources))
+    return at_token(*error, *at, places, sources);
+  return at_line(*error, sources);
 }
 
 hlsl::Diagnostic link_error(const ParseFailure& failure, const NamedEntry& entry,
@@ -362,27 +247,6 @@ std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceF
     diagnostics.push_back(diagnostic);
   }
   return diagnostics;
-}
-
-std::optional<hlsl::Diagnostic> bad_character(const std::string& preprocessed, const std::string& main_file,
-                                              const hlsl::SourceFiles& sources) {
-  if (preprocessed.find(printed_for_it) == std::string::npos) return std::nullopt;
-  const std::vector<hlsl::CodeLine> lines = hlsl::expanded_lines(preprocessed, main_file);
-  const auto line = std::find_if(lines.begin(), lines.end(), [](const hlsl::CodeLine& code) {
-    return code.text.find(printed_for_it) != std::string::npos;
-  });
-  if (line == lines.end()) return std::nullopt;
-  const std::string text = sources.line(line->file, line->line);
-  hlsl::Diagnostic diagnostic{line->file, line->line, 0, hlsl::Severity::error, {}, text};
-  const std::size_t end = std::min(text.find("//"), text.size());
-  for (std::size_t at = 0; at < end; ++at) {
-    if (begins_a_token(text[at])) continue;
-    diagnostic.column = static_cast<int>(at) + 1;
-    diagnostic.message = in_words(text, at);
-    return diagnostic;
-  }
-  diagnostic.message = "a character here, or in a macro used here, is not allowed in HLSL";
-  return diagnostic;
 }
 
 }  // namespace penumbra::shaders

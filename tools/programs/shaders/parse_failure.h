@@ -1,6 +1,6 @@
 // Turns glslang's log into diagnostics. Internal to this folder.
 //
-// The first error of a parse is reported and the rest is dropped (error_recovery.h finds the others).
+// The first error of a parse is reported and the rest is dropped.
 // glslang's HLSL parser does not recover: after an error it abandons one production after the other, each
 // with its own message, most of them in the wrong file. All warnings are kept, once each. glslang reports
 // only lines; the column is found by parsing the expanded text again with one token per line
@@ -20,21 +20,11 @@ namespace penumbra::shaders {
 struct ParseFailure {
   std::string_view log;
   std::string main_file;
-  std::optional<std::string> include_failure;
-  std::string preprocessed;  // glslang's own preprocessor output, may be empty
+  std::string preprocessed;
   // Returns the log of the same shader with another text.
   std::function<std::string(const std::string& text)> log_of;
-  const std::string* suggested = nullptr;  // the text whose names are suggested; null means `preprocessed`
 };
 
-struct PlacedError {
-  hlsl::Diagnostic diagnostic;
-  // The place in the preprocessed text at which the token begins where the parser stopped. It is empty if
-  // that is unknown, and if the error is elsewhere (a bracket that is never closed).
-  std::optional<std::size_t> offset;
-};
-
-PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 
 // The entry point, and the place that names it; line 0 means none.
@@ -45,10 +35,5 @@ struct NamedEntry {
 hlsl::Diagnostic link_error(const ParseFailure& failure, const NamedEntry& entry,
                             const hlsl::SourceFiles& sources);
 std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources);
-
-// A character with which no HLSL token begins. The preprocessor prints "<bad token>" for it and continues, so
-// it is searched for in the preprocessor's output, and then in the original line.
-std::optional<hlsl::Diagnostic> bad_character(const std::string& preprocessed, const std::string& main_file,
-                                              const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::shaders

@@ -99,8 +99,4 @@ int column_of(std::string_view token, std::string_view line) {
   return column;
 }
 
-std::string last_word(const std::string& message) {
-  return message.substr(message.rfind(' ') + 1);
-}
-
 }  // namespace penumbra::shaders

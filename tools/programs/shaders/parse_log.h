@@ -20,6 +20,4 @@ std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& so
 // Returns the 1-based column of the token if it occurs exactly once in the line as a whole token, else 0.
 int column_of(std::string_view token, std::string_view line);
 
-std::string last_word(const std::string& message);
-
 }  // namespace penumbra::shaders

@@ -68,7 +68,7 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 45> phrases{{
+constexpr std::array<Phrase, 27> phrases{{
     {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
     {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
@@ -88,7 +88,6 @@ constexpr std::array<Phrase, 45> phrases{{
      "'%' is a reserved word; the enum, operator and template of HLSL 2017 and 2021 are not supported"},
     {"", "no such field in structure", "the structure has no member '%'"},
     {"register", "ignoring unrecognized register type", "'$' is not a kind of register: use b, t, s, u or c"},
-    {"\\", "illegal use of escape character", "'\\' may only end a line"},
     {"", "Could not perform requested binary operation", "'@' cannot combine these two types"},
     {"", "array size must be a constant integer expression", "an array's size must be a constant integer"},
     {"return", "void function cannot return a value", "a void function returns no value"},
@@ -97,33 +96,12 @@ constexpr std::array<Phrase, 45> phrases{{
      "this cannot be converted to the function's return type"},
     {"", "numeric literal too big", "this number is too big for an int"},
     {"", "octal literal digit too large", "a number that starts with 0 is octal: no digit is above 7"},
-    {"preprocessor evaluation", "bad expression", "this condition has no value"},
-    {"preprocessor evaluation", "", "in this condition: $"},
-    {"macro expansion", "Too few args in Macro", "too few arguments for macro '$'"},
-    {"macro expansion", "Too many args in macro", "too many arguments for macro '$'"},
-    {"macro expansion", "End of input in macro", "the call of macro '$' is never closed"},
-    {"#define", "Macro redefined; different substitutions:", "macro '$' is already defined differently"},
-    {"#define", "Macro redefined; different argument names:", "macro '$' is already defined differently"},
-    {"#define",
-     "Macro redefined; different number of arguments:", "macro '$' is already defined differently"},
-    {"#define",
-     "Macro redefined; function-like versus object-like:", "macro '$' is already defined differently"},
-    {"#define", "must be followed by macro name", "'#define' names no macro"},
-    {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
-    {"#if", "unexpected tokens following directive",
-     "the condition of '#if' ends before its line does; conditions have no '?:'"},
-    {"#elif", "unexpected tokens following directive",
-     "the condition of '#elif' ends before its line does; conditions have no '?:'"},
-    {"#elif", "#elif after #else", "'#elif' comes after '#else'"},
-    {"#else", "#else after #else", "'#else' comes after another '#else'"},
     {"", "expected: SamplerComparisonState",
      "a method that compares takes a SamplerComparisonState: declare its sampler so, or read with Sample"},
     {"", "expected: mul arguments", "mul takes two arguments"},
-    {"", "End of line in string", "this text has no closing '\"' on its line"},
     {"", "could not create assignment",
      "'@' cannot assign this value: its type cannot be converted to the variable's, or the variable is a "
      "bool"},
-    {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
 // Returns the text trimmed, without quotes around it.

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "preparation/bare_source.h"
-#include "preparation/macro_arguments.h"
 #include "preparation/source_directives.h"
 
 namespace penumbra::shaders {
@@ -14,15 +12,6 @@ namespace {
 constexpr char separator = '\0';  // a character that no path has
 
 }  // namespace
-
-SourceToExpand prepared_source(const std::string& text) {
-  const preparation::PreparedSource prepared = preparation::prepare_source(text);
-  std::string bare = preparation::bare_source(prepared.text);
-  SourceToExpand source{
-      {}, prepared.once, preparation::include_guard(bare), preparation::undefined_macros(bare)};
-  source.text = preparation::with_own_names_marked(std::move(bare));
-  return source;
-}
 
 SourceMemory::File& SourceMemory::file(const std::string& name) {
   const auto [place, first] = files_.try_emplace(name);
@@ -38,23 +27,18 @@ const KnownSource& SourceMemory::read(const std::string& name) {
   return file(name).source;
 }
 
-const SourceToExpand& SourceMemory::prepared(const std::string& name) {
+const preprocessing::CutSource& SourceMemory::cut(const std::string& name, bool prepared) {
   File& known = file(name);
-  if (!known.prepared) known.prepared = prepared_source(*known.source.text);
-  return *known.prepared;
+  std::optional<preprocessing::CutSource>& cut = prepared ? known.prepared : known.cut;
+  const std::string& text = *known.source.text;
+  if (!cut) cut = preprocessor_.cut(prepared ? preparation::prepare_source(text) : text);
+  return *cut;
 }
 
-const preprocessing::CutSource& SourceMemory::cut(const std::string& name) {
-  const std::string& text = prepared(name).text;
-  File& known = file(name);
-  if (!known.cut) known.cut = preprocessor_.cut(text);
-  return *known.cut;
-}
-
-const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text) {
-  if (text_ != text) {
-    cut_text_ = preprocessor_.cut(text);
-    text_ = text;
+const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text, bool prepared) {
+  if (!text_ || text_->first != text || text_->second != prepared) {
+    cut_text_ = preprocessor_.cut(prepared ? preparation::prepare_source(text) : text);
+    text_ = {text, prepared};
   }
   return cut_text_;
 }

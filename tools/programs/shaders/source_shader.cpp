@@ -12,7 +12,7 @@ constexpr const char* forgotten = "#undef VULKAN\n";
 // Returns the parser's log for another text in place of the source's.
 std::string log_of(const Source& source, const std::string& text) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
-  const Source instead{source.request, source.name, text, {}};
+  const Source instead{source.request, source.name, text};
   SourceShader shader(instead);
   shader.get().parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
                      nothing_left_to_include);
@@ -48,10 +48,9 @@ SourceShader::SourceShader(const Source& source)
     : texts_{source.text.data()},
       names_{source.name.c_str()},
       lengths_{static_cast<int>(source.text.size())},
-      preamble_(forgotten + source.preamble),
       shader_(language(source.request.stage)) {
   shader_.setStringsWithLengthsAndNames(texts_, lengths_, names_, 1);
-  shader_.setPreamble(preamble_.c_str());
+  shader_.setPreamble(forgotten);
   shader_.setEntryPoint(source.request.entry.c_str());
   shader_.setSourceEntryPoint(source.request.entry.c_str());
   shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan, 100);
@@ -65,12 +64,7 @@ SourceShader::SourceShader(const Source& source)
 }
 
 ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
-  return {log,
-          source.name,
-          std::nullopt,
-          expanded,
-          [&source](const std::string& text) { return log_of(source, text); },
-          source.suggested};
+  return {log, source.name, expanded, [&source](const std::string& text) { return log_of(source, text); }};
 }
 
 }  // namespace penumbra::shaders

@@ -15,8 +15,6 @@ struct Source {
   const CompileRequest& request;
   std::string name;
   const std::string& text;
-  std::string preamble;                    // #define lines before the text that do not count as lines
-  const std::string* suggested = nullptr;  // see PreprocessedSource; null means the text
 };
 
 EShLanguage language(hlsl::Stage stage);
@@ -36,7 +34,6 @@ class SourceShader {
   const char* texts_[1];
   const char* names_[1];
   int lengths_[1];
-  std::string preamble_;
   glslang::TShader shader_;
 };
 

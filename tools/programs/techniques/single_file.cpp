@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <sstream>
 
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "platform/data_directory.h"
-#include "preparation/bare_source.h"
+#include "preprocessing/preprocessor.h"
 #include "project/include_bounds.h"
 #include "project/include_search.h"
 #include "techniques/emitted_text.h"
@@ -31,17 +32,19 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// The result is "include" of `# include "A.hlsl"`, and what stands behind it. A line of code gives two empty
-// texts.
-std::pair<std::string_view, std::string_view> directive_of(std::string_view bare_line) {
-  constexpr const char* blanks = " \t";
-  const auto trimmed = [&](std::string_view text) {
-    return text.substr(std::min(text.find_first_not_of(blanks), text.size()));
-  };
-  if (!bare_line.starts_with('#')) return {};
-  bare_line = trimmed(bare_line.substr(1));
-  const std::size_t end = std::min(bare_line.find_first_of(" \t\"<("), bare_line.size());
-  return {bare_line.substr(0, end), trimmed(bare_line.substr(end))};
+using preprocessing::CutSource;
+using preprocessing::Item;
+using preprocessing::Step;
+
+bool begins_condition(const Item& item) {
+  return item.step == Step::on_condition || item.step == Step::on_defined || item.step == Step::on_undefined;
+}
+
+// Returns whether all of the source is in `#ifndef G`, `#define G`, ..., `#endif`.
+bool has_guard(const CutSource& source) {
+  const std::vector<Item>& items = source.items;
+  return items.size() > 2 && items[0].step == Step::on_undefined && items[1].step == Step::define &&
+         source.definitions[items[1].index].name == items[0].index && items[0].next + 1 == items.size();
 }
 
 class Paste {
@@ -55,22 +58,40 @@ class Paste {
   // Adds the text of a file; an empty path says that it is in none.
   void add(const std::string& text, const fs::path& file) {
     const std::vector<std::string> lines = lines_of(text);
-    std::vector<std::string> bare = lines_of(preparation::bare_source(text));
-    bare.resize(lines.size());
-    const std::string guard = remove_guard(bare);
+    const CutSource source = preprocessor_.cut(text);
+    const bool guarded = has_guard(source);
+    std::map<std::size_t, const Item*> directives;  // by index of their line
+    std::set<std::size_t> code;                     // indices of lines with code
+    for (const Item& item : source.items) {
+      if (item.step != Step::run) {
+        directives.emplace(item.place.line - 1, &item);
+        continue;
+      }
+      const preprocessing::Run& run = source.runs[item.index];
+      for (std::size_t at = run.first; at < run.last; ++at) code.insert(source.places[at].line - 1);
+    }
     std::string own = "\n// ---- " + (file.empty() ? "what to bind and to call" : name_of(file)) + "\n";
     bool has_code = false;
-    int depth = 0;
+    int depth = guarded ? -1 : 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      const auto [directive, rest] = directive_of(bare[i]);
-      if (directive.starts_with("if")) ++depth;
-      if (directive == "endif") --depth;
-      if (bare[i] == kRemoved || (directive == "pragma" && rest.starts_with("once"))) continue;
+      const auto directive = directives.find(i);
+      const Item* const item = directive == directives.end() ? nullptr : directive->second;
+      if (item != nullptr && begins_condition(*item)) ++depth;
+      if (item != nullptr && item->step == Step::end) --depth;
+      // The condition of a guard goes, its #define stays.
+      const bool of_guard = guarded && item != nullptr;
+      if (of_guard && (item == &source.items.front() || item == &source.items.back())) continue;
+      if (item != nullptr && item->step == Step::skipped && lines[i].find("once") != std::string::npos)
+        continue;
       const std::string where = file.string() + ":" + std::to_string(i + 1);
-      const std::optional<fs::path> included =
-          directive == "include" ? included_file(rest, file, where) : std::nullopt;
+      if (item != nullptr && item->step == Step::problem && lines[i].find("include") != std::string::npos)
+        throw InputError(where, "an #include of a macro cannot be pasted", "write the file's name");
+      const std::optional<fs::path> included = item != nullptr && item->step == Step::include
+                                                   ? included_file(source.includes[item->index], file, where)
+                                                   : std::nullopt;
       if (!included) {
-        has_code = has_code || (!bare[i].empty() && (directive != "define" || rest != guard));
+        has_code =
+            has_code || code.contains(i) || (item != nullptr && !(of_guard && item == &source.items[1]));
         if (!lines[i].empty() || !own.ends_with("\n\n")) own += lines[i] + "\n";
       } else if (pasted_.insert(*included).second) {
         if (depth > 0)
@@ -101,28 +122,10 @@ class Paste {
 
  private:
   static constexpr const char* kPackage = "com.penumbra.shadows";
-  static constexpr const char* kRemoved = "#";  // a directive that does nothing
-
-  // The guard's condition and its end go, its #define stays. The result is its name, which is empty without
-  // one.
-  static std::string remove_guard(std::vector<std::string>& bare) {
-    std::string whole;
-    for (const std::string& line : bare) whole += line + "\n";
-    std::string guard = preparation::include_guard(whole);
-    if (guard.empty()) return guard;
-    const auto has_text = [](const std::string& line) { return !line.empty(); };
-    *std::find_if(bare.begin(), bare.end(), has_text) = kRemoved;
-    *std::find_if(bare.rbegin(), bare.rend(), has_text) = kRemoved;
-    return guard;
-  }
 
   // There is no file where the #include is of another package than this library: it stays.
-  std::optional<fs::path> included_file(std::string_view quoted, const fs::path& file,
+  std::optional<fs::path> included_file(const std::string& asked, const fs::path& file,
                                         const std::string& where) const {
-    const std::size_t end = quoted.find(quoted.starts_with('<') ? '>' : '"', 1);
-    if (end == std::string_view::npos)
-      throw InputError(where, "an #include of a macro cannot be pasted", "write the file's name");
-    const std::string asked(quoted.substr(1, end - 1));
     if (asked.starts_with("Packages/") && asked.find(kPackage) == std::string::npos) return std::nullopt;
     const project::IncludeSearch search = project::find_include(roots_, asked, file);
     if (!search.file) throw InputError(where, search.problem);
@@ -132,6 +135,7 @@ class Paste {
   fs::path package_;
   fs::path library_ = platform::data_directory();
   project::IncludeRoots roots_;
+  preprocessing::Preprocessor preprocessor_;
   std::set<fs::path> pasted_;
   std::string text_;
 };

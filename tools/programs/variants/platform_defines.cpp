@@ -45,6 +45,15 @@ constexpr const char* mobile_settings[] = {"UNITY_PBS_USE_BRDF2", "UNITY_NO_DXT5
 constexpr std::string_view light_modes[] = {"FORWARDBASE",  "FORWARDADD",   "DEFERRED", "PREPASSBASE",
                                             "PREPASSFINAL", "SHADOWCASTER", "META",     "MOTIONVECTORS"};
 
+constexpr std::pair<const char*, const char*> renamed[] = {{"_Object2World", "unity_ObjectToWorld"},
+                                                           {"_World2Object", "unity_WorldToObject"},
+                                                           {"unity_World2Shadow", "unity_WorldToShadow"},
+                                                           {"_LightMatrix0", "unity_WorldToLight"},
+                                                           {"_CameraToWorld", "unity_CameraToWorld"},
+                                                           {"_WorldToCamera", "unity_WorldToCamera"},
+                                                           {"_Projector", "unity_Projector"},
+                                                           {"_ProjectorClip", "unity_ProjectorClip"}};
+
 void add_settings(const Platform& platform, std::map<std::string, std::string>& defines) {
   defines["UNITY_ENABLE_REFLECTION_BUFFERS"] = "1";
   if (platform.mobile)
@@ -110,8 +119,7 @@ std::map<std::string, std::string> platform_defines(const Platform& platform, hl
   defines["SHADER_TARGET"] = std::to_string(shader_target);
   if (api == GraphicsApi::glcore || api == GraphicsApi::gles3) defines["SHADER_TARGET_GLSL"] = "1";
   if (platform.includes_hlsl_support) {
-    defines["_Object2World"] = "unity_ObjectToWorld";
-    defines["_World2Object"] = "unity_WorldToObject";
+    for (const auto& [old, name] : renamed) defines[old] = name;
     return defines;
   }
   defines["UNITY_COMPILER_HLSL"] = "1";

@@ -30,9 +30,10 @@
 //                                  mobile   UNITY_PBS_USE_BRDF2, UNITY_NO_DXT5nm, UNITY_NO_RGBM,
 //                                           UNITY_NO_SCREENSPACE_SHADOWS, UNITY_LIGHTMAP_DLDR_ENCODING
 //
-//   _Object2World,               unity_ObjectToWorld, unity_WorldToObject: the names before Unity 5.4, which
-//   _World2Object                the editor replaces in the file when it imports it ("Upgrade NOTE"). In
-//                                CGPROGRAM blocks alone
+//   _Object2World,               unity_ObjectToWorld and others: the names before Unity 5.4, which the editor
+//   _LightMatrix0, ...           replaces in the file when it imports it ("Upgrade NOTE"). In CGPROGRAM
+//   blocks
+//                                alone
 //
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:

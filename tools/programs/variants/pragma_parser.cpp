@@ -15,22 +15,22 @@ namespace {
 // mistakes as often.
 constexpr int kMostHints = 200;
 
-std::vector<std::string> texts_of(const std::vector<Word>& words) {
+std::vector<std::string> texts_of(const std::vector<preprocessing::Word>& words) {
   std::vector<std::string> texts;
   texts.reserve(words.size());
-  for (const Word& word : words) texts.push_back(word.text);
+  for (const preprocessing::Word& word : words) texts.push_back(word.text);
   return texts;
 }
 
 }  // namespace
 
-void PragmaParser::read(const DirectiveLine& directive, const std::string& file) {
+void PragmaParser::read(const preprocessing::DirectiveLine& directive, const std::string& file) {
   Line line{{}, directive.words, {file, directive.line, directive.column}};
   if (line.words.empty()) {
     warn(line.place, "'#pragma' without a name after it has no effect");
     return;
   }
-  Word& first = line.words.front();
+  preprocessing::Word& first = line.words.front();
   const std::size_t end = std::min(first.text.find('('), first.text.size());
   line.name = first.text.substr(0, end);
   if (end == first.text.size()) {
@@ -49,12 +49,12 @@ std::string PragmaParser::hint(const std::string& given, const std::vector<std::
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
-Place PragmaParser::place_of(const Line& line, const Word& word) const {
+Place PragmaParser::place_of(const Line& line, const preprocessing::Word& word) const {
   return {line.place.file, word.line, word.column};
 }
 
 // Many published shaders end a #pragma as a statement.
-void PragmaParser::drop_semicolon(const Line& line, Word& word, const std::string& message) {
+void PragmaParser::drop_semicolon(const Line& line, preprocessing::Word& word, const std::string& message) {
   if (word.text.back() != ';') return;
   word.text.pop_back();
   warn({line.place.file, word.line, word.column + static_cast<int>(word.text.size())}, message);
@@ -67,7 +67,7 @@ bool PragmaParser::read_entry_point(Line& line) {
     error(line.place, "'#pragma " + line.name + "' needs the name of a function");
     return true;
   }
-  Word& function = line.words.front();
+  preprocessing::Word& function = line.words.front();
   if (function.text.size() > 1) drop_semicolon(line, function, "';' after the function's name has no effect");
   if (!hlsl::is_identifier(function.text)) {
     error(place_of(line, function), "'" + function.text + "' cannot be the name of a function");
@@ -125,7 +125,7 @@ void PragmaParser::say(hlsl::Severity severity, const Place& place, const std::s
 // The limit is that of the Unity Manual, "Shader keyword limits".
 constexpr std::size_t kMostKeywords = 65534;
 
-bool PragmaParser::is_keyword(const Word& word, const Line& line) {
+bool PragmaParser::is_keyword(const preprocessing::Word& word, const Line& line) {
   if (is_empty_keyword(word.text)) return true;
   if (hlsl::is_identifier(word.text)) {
     if (keywords_.contains(word.text)) return true;
@@ -147,7 +147,7 @@ KeywordSet PragmaParser::set_of(const Line& line) {
   set.pragma = line.name;
   set.place = line.place;
   std::set<std::string> seen;
-  for (const Word& word : line.words) {
+  for (const preprocessing::Word& word : line.words) {
     if (!is_keyword(word, line)) continue;
     const bool empty = is_empty_keyword(word.text);
     if (!seen.insert(empty ? "_" : word.text).second) {
@@ -174,7 +174,7 @@ void PragmaParser::add_built_in(const Line& line) {
 }
 
 void PragmaParser::add_dynamic(const Line& line, bool local) {
-  for (const Word& word : line.words) {
+  for (const preprocessing::Word& word : line.words) {
     if (!is_keyword(word, line) || is_empty_keyword(word.text)) continue;
     pragmas_.dynamic_keywords.push_back({word.text, local, place_of(line, word)});
   }
@@ -188,7 +188,7 @@ bool PragmaParser::read_list(const Line& line) {
   } else if (line.name == "hardware_tier_variants") {
     read_renderers(line, pragmas_.tier_renderers);
   } else if (line.name == "skip_variants") {
-    for (const Word& word : line.words) {
+    for (const preprocessing::Word& word : line.words) {
       if (!is_keyword(word, line)) continue;
       pragmas_.clauses.push_back(never(word.text, "#pragma skip_variants at " + text_of(line.place)));
     }
@@ -221,7 +221,7 @@ void PragmaParser::read_kernel(const Line& line) {
     error(line.place, "'#pragma kernel' needs the name of a function");
     return;
   }
-  std::vector<Word> words = line.words;
+  std::vector<preprocessing::Word> words = line.words;
   if (words.size() > 1 || words.back().text.size() > 1)
     drop_semicolon(line, words.back(), "';' at the end of '#pragma kernel' has no effect");
   if (words.back().text.empty()) words.pop_back();
@@ -282,7 +282,7 @@ void PragmaParser::read_requirement(const Line& line) {
   Requirement requirement;
   requirement.place = line.place;
   bool after_colon = false;
-  const auto take = [&](const Word& word) {
+  const auto take = [&](const preprocessing::Word& word) {
     if (word.text.empty()) return;
     if (after_colon) {
       if (is_keyword(word, line)) requirement.keywords.push_back(word.text);
@@ -295,7 +295,7 @@ void PragmaParser::read_requirement(const Line& line) {
     if (nearest.empty()) return;
     warn(place_of(line, word), "unknown feature '" + word.text + "'; did you mean '" + nearest + "'?");
   };
-  for (const Word& word : line.words) {
+  for (const preprocessing::Word& word : line.words) {
     const std::size_t colon = word.text.find(':');
     if (colon == std::string::npos || after_colon) {
       take(word);
@@ -314,7 +314,7 @@ void PragmaParser::read_requirement(const Line& line) {
 
 void PragmaParser::read_renderers(const Line& line, std::vector<std::string>& renderers) {
   const std::vector<std::string>& known = renderer_names();
-  for (const Word& word : line.words) {
+  for (const preprocessing::Word& word : line.words) {
     renderers.push_back(word.text);
     if (std::find(known.begin(), known.end(), word.text) != known.end()) continue;
     warn(place_of(line, word), "unknown renderer '" + word.text + "'" + hint(word.text, known));
@@ -323,7 +323,7 @@ void PragmaParser::read_renderers(const Line& line, std::vector<std::string>& re
 
 void PragmaParser::read_instancing_options(const Line& line) {
   const std::vector<std::string>& known = instancing_option_names();
-  for (const Word& word : line.words) {
+  for (const preprocessing::Word& word : line.words) {
     const std::size_t colon = std::min(word.text.find(':'), word.text.size());
     const std::string option = word.text.substr(0, colon);
     if (std::find(known.begin(), known.end(), option) == known.end()) {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "hlsl/diagnostic.h"
-#include "variants/directive_lines.h"
+#include "preprocessing/directive_lines.h"
 #include "variants/pragmas.h"
 
 namespace penumbra::variants {
@@ -16,7 +16,7 @@ class PragmaParser {
  public:
   PragmaParser(Pragmas& pragmas, Say say) : pragmas_(pragmas), say_(std::move(say)) {}
 
-  void read(const DirectiveLine& directive, const std::string& file);
+  void read(const preprocessing::DirectiveLine& directive, const std::string& file);
 
   // Makes the checks that need all lines: procedural instancing, and keywords that are both dynamic and
   // static.
@@ -25,11 +25,11 @@ class PragmaParser {
  private:
   struct Line {
     std::string name;
-    std::vector<Word> words;  // words after the name
+    std::vector<preprocessing::Word> words;  // words after the name
     Place place;
   };
 
-  void drop_semicolon(const Line& line, Word& word, const std::string& message);
+  void drop_semicolon(const Line& line, preprocessing::Word& word, const std::string& message);
   bool read_entry_point(Line& line);
   bool read_keywords(const Line& line);
   bool read_list(const Line& line);
@@ -44,11 +44,11 @@ class PragmaParser {
   void add_built_in(const Line& line);
   void add_dynamic(const Line& line, bool local);
   KeywordSet set_of(const Line& line);
-  bool is_keyword(const Word& word, const Line& line);
+  bool is_keyword(const preprocessing::Word& word, const Line& line);
 
   // Returns "; did you mean 'NAME'?" for the first messages; empty for later ones and where no name is near.
   std::string hint(const std::string& given, const std::vector<std::string>& known);
-  Place place_of(const Line& line, const Word& word) const;
+  Place place_of(const Line& line, const preprocessing::Word& word) const;
   // Emits only a few messages of a severity for one line: each message holds the line, which may have a
   // million words.
   void say(hlsl::Severity severity, const Place& place, const std::string& message);

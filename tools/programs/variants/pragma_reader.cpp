@@ -1,8 +1,7 @@
 #include <cctype>
 
-#include "hlsl/identifier.h"
-#include "variants/condition.h"
-#include "variants/directive_lines.h"
+#include "preprocessing/directive_lines.h"
+#include "preprocessing/macro_table.h"
 #include "variants/pragma_parser.h"
 #include "variants/pragmas.h"
 
@@ -13,7 +12,6 @@ constexpr std::size_t most_messages = 200;
 constexpr std::size_t most_files = 4096;
 constexpr std::size_t most_bytes = std::size_t{64} << 20U;
 constexpr std::size_t deepest_include = 100;
-constexpr std::size_t most_condition_tokens = 4'000'000;
 
 // A text whose lines were found once, for the source line of every message.
 class NumberedText {
@@ -57,7 +55,7 @@ class PragmaReader {
         parser_(pragmas_, [this](hlsl::Severity severity, const Place& place, const std::string& message) {
           say(severity, place, message);
         }) {
-    for (const auto& [name, value] : program.defines) macros_[name] = {value, false};
+    for (const auto& [name, value] : program.defines) macros_.define(name + " " + value);
   }
 
   Pragmas read() {
@@ -92,13 +90,14 @@ class PragmaReader {
     if (is_new) pragmas_.files.push_back(name);
     open_.push_back(name);
     const std::size_t outer_branches = branches_.size();
-    for (const DirectiveLine& line : directive_lines(numbered->second.text()))
+    for (const preprocessing::DirectiveLine& line : preprocessing::directive_lines(numbered->second.text()))
       read_directive(line, name, outer_branches);
     while (branches_.size() > outer_branches) close_branch();
     open_.pop_back();
   }
 
-  void read_directive(const DirectiveLine& line, const std::string& file, std::size_t outer_branches) {
+  void read_directive(const preprocessing::DirectiveLine& line, const std::string& file,
+                      std::size_t outer_branches) {
     if (read_condition(line, file, outer_branches)) return;
     if (line.name == "pragma" && !branches_.empty() && !branches_.back().first_pragma)
       branches_.back().first_pragma = Place{file, line.line, line.column};
@@ -107,15 +106,16 @@ class PragmaReader {
       if (!line.words.empty() && line.words.front().text == "once") once_.insert(file);
       parser_.read(line, file);
     } else if (line.name == "define") {
-      define(line.rest);
+      macros_.define(line.rest);
     } else if (line.name == "undef") {
-      macros_.erase(leading_name(line.rest));
+      macros_.undefine(leading_name(line.rest));
     } else if (line.name == "include_with_pragmas") {
       include(line, file);
     }
   }
 
-  bool read_condition(const DirectiveLine& line, const std::string& file, std::size_t outer_branches) {
+  bool read_condition(const preprocessing::DirectiveLine& line, const std::string& file,
+                      std::size_t outer_branches) {
     const bool inside = branches_.size() > outer_branches;
     if (line.name == "if" || line.name == "ifdef" || line.name == "ifndef") {
       Branch branch;
@@ -143,15 +143,15 @@ class PragmaReader {
     branch.taken = branch.taken || condition;
   }
 
-  bool holds(const DirectiveLine& line, const std::string& file) {
+  bool holds(const preprocessing::DirectiveLine& line, const std::string& file) {
     Branch& branch = branches_.back();
     if (!branch.outer) return false;
     if (line.name == "ifdef" || line.name == "ifndef") {
       const std::string name = leading_name(line.rest);
       branch.consulted.insert(name);
-      return (macros_.find(name) != macros_.end()) == (line.name == "ifdef");
+      return macros_.is_defined(name) == (line.name == "ifdef");
     }
-    const Condition condition = evaluate(line.rest, macros_, condition_budget_);
+    const preprocessing::Condition condition = macros_.evaluate(line.rest);
     branch.consulted.insert(condition.consulted.begin(), condition.consulted.end());
     if (!condition.problem.empty())
       say(hlsl::Severity::warning, {file, line.line, line.column},
@@ -160,14 +160,7 @@ class PragmaReader {
     return condition.holds;
   }
 
-  void define(const std::string& rest) {
-    const std::string name = leading_name(rest);
-    if (!hlsl::is_identifier(name)) return;
-    const bool has_parameters = rest.size() > name.size() && rest[name.size()] == '(';
-    macros_[name] = {rest.substr(name.size()), has_parameters};
-  }
-
-  void include(const DirectiveLine& line, const std::string& file) {
+  void include(const preprocessing::DirectiveLine& line, const std::string& file) {
     const Place place{file, line.line, line.column};
     const std::string name = quoted_name(line.rest);
     if (name.empty()) {
@@ -223,13 +216,12 @@ class PragmaReader {
   const ProgramText& program_;
   Pragmas pragmas_;
   PragmaParser parser_;
-  Macros macros_;
+  preprocessing::MacroTable macros_;
   std::map<std::string, NumberedText> texts_;
   std::set<std::string> once_;
   std::vector<std::string> open_;
   std::vector<Branch> branches_;
   std::vector<Branch> conditional_;  // closed branches that have a pragma in them
-  std::size_t condition_budget_ = most_condition_tokens;
   std::size_t includes_ = 0;
   std::size_t bytes_ = 0;
   bool too_deep_ = false;

@@ -1,9 +1,9 @@
-#include "variants/directive_lines.h"
+#include "preprocessing/directive_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace penumbra::variants {
+namespace penumbra::preprocessing {
 namespace {
 
 using testing::IsEmpty;
@@ -15,7 +15,7 @@ TEST(DirectiveLines, KeepTheirPlaces) {
   EXPECT_EQ(lines[0].name, "pragma");
   EXPECT_EQ(lines[0].line, 3);
   EXPECT_EQ(lines[0].column, 3);
-  EXPECT_EQ(lines[0].rest, "vertex  Vert");
+  EXPECT_EQ(lines[0].rest, "vertex Vert");
   ASSERT_THAT(lines[0].words, SizeIs(2));
   EXPECT_EQ(lines[0].words[1].text, "Vert");
   EXPECT_EQ(lines[0].words[1].line, 3);
@@ -23,21 +23,17 @@ TEST(DirectiveLines, KeepTheirPlaces) {
 }
 
 TEST(DirectiveLines, AreJoinedAtBackslashes) {
-  const auto lines = directive_lines("#pragma multi_compile A \\\n    B\\\nC\n#if 1\n");
+  const auto lines = directive_lines("#pragma multi_compile A \\\n    B\\\n C\n#if 1\n");
   ASSERT_THAT(lines, SizeIs(2));
-  ASSERT_THAT(lines[0].words, SizeIs(3));
-  EXPECT_EQ(lines[0].words[2].text, "BC");
+  ASSERT_THAT(lines[0].words, SizeIs(4));
+  EXPECT_EQ(lines[0].words[2].text, "B");
   EXPECT_EQ(lines[0].words[2].line, 2);
   EXPECT_EQ(lines[0].words[2].column, 5);
+  EXPECT_EQ(lines[0].words[2].offset, 30U);
+  EXPECT_EQ(lines[0].end.line, 3);
+  EXPECT_EQ(lines[0].end.column, 3);
+  EXPECT_FALSE(lines[0].line_comment);
   EXPECT_EQ(lines[1].line, 4);
-}
-
-TEST(DirectiveLines, CarriageReturnsAreBlanks) {
-  const auto lines = directive_lines("#pragma a \\\r\n b\r\n#endif\r\n");
-  ASSERT_THAT(lines, SizeIs(2));
-  EXPECT_EQ(lines[0].rest, "a  b");
-  EXPECT_EQ(lines[1].name, "endif");
-  EXPECT_EQ(lines[1].rest, "");
 }
 
 TEST(DirectiveLines, CommentsAreBlanks) {
@@ -48,9 +44,10 @@ TEST(DirectiveLines, CommentsAreBlanks) {
       "#pragma i /* to\n the end */ j\n");
   ASSERT_THAT(lines, SizeIs(3));
   EXPECT_EQ(lines[0].rest, "b c");
+  EXPECT_TRUE(lines[0].line_comment);
   EXPECT_EQ(lines[1].rest, "h");
   EXPECT_EQ(lines[1].line, 6);
-  EXPECT_EQ(lines[2].rest, "i   j");
+  EXPECT_EQ(lines[2].rest, "i j");
   EXPECT_EQ(lines[2].words[1].line, 8);
 }
 
@@ -70,4 +67,4 @@ TEST(DirectiveLines, AHashWithinALineIsNone) {
 }
 
 }  // namespace
-}  // namespace penumbra::variants
+}  // namespace penumbra::preprocessing

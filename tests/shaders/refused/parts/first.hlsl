@@ -1,5 +1,0 @@
-float First(float x)
-{
-    x = uno;
-    return x;
-}
