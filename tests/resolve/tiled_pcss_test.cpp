@@ -142,6 +142,39 @@ TEST_P(TiledPcss, DecidesOverEveryMapWhatTheFilterGives) {
   }
 }
 
+// Four gathers of 4 texels for 4 x 4 texels of the map; two words for each block of 4, 16 and 64 texels.
+// Four tiles are a group of 64 threads in DecideTiles.
+TEST_P(TiledPcss, ReadsAndWritesInEachPassWhatItsPageSays) {
+  const scene::Frame& frame = drawn("trees", 4, GetParam());
+  const CameraImage camera = camera_image(frame, RowOrder::top_first);
+  const GraphResult result =
+      chain("tiled-pcss").run(FrameOnDevice(test_device(), frame), &camera, kCountedOnce);
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const auto across = [](int size, int part) { return static_cast<double>((size + part - 1) / part); };
+  const double tiles = across(camera.width, 8) * across(camera.height, 8);
+  const double texels = static_cast<double>(frame.atlas.width) * frame.atlas.height;
+  const auto named = [&](const std::string& name) {
+    return *std::find_if(result.passes.begin(), result.passes.end(),
+                         [&](const PassCounts& pass) { return pass.pass == name; });
+  };
+  const PassCounts bounds = named("Bounds");
+  EXPECT_DOUBLE_EQ(bounds.bytes_read * pixels, 4.0 * texels);
+  EXPECT_DOUBLE_EQ(bounds.bytes_written * pixels, texels * (8.0 / 16 + 8.0 / 256 + 8.0 / 4096));
+  EXPECT_EQ(bounds.groups, texels / 4096);
+  EXPECT_EQ(bounds.barriers_per_group, 6.0);
+  const PassCounts decide = named("DecideTiles");
+  EXPECT_DOUBLE_EQ(decide.bytes_written * pixels, 4.0 * tiles);
+  EXPECT_EQ(decide.groups, across(camera.width, 16) * across(camera.height, 16));
+  EXPECT_EQ(decide.barriers_per_group, 6.0);
+  for (const char* name : {"FilterTiles", "SmoothNear", "SmoothFar"}) {
+    EXPECT_DOUBLE_EQ(named(name).bytes_written, 4.0) << name;
+    EXPECT_EQ(named(name).groups, tiles) << name;
+    EXPECT_EQ(named(name).barriers_per_group, 0.0) << name;
+    EXPECT_GE(named(name).bytes_read, 4.0) << name;
+  }
+  for (const PassCounts& pass : result.passes) EXPECT_EQ(pass.steps, 1) << pass.pass;
+}
+
 // Pixels of a border between cascades may read the next one: their tiles are not decided, and all are
 // filtered.
 TEST_P(TiledPcss, FiltersTheBorderBetweenCascades) {
