@@ -1,6 +1,7 @@
 """Tables of measured figures: means, intervals, pairs and orders of rows, from records that are made up."""
 import math
 import re
+import runpy
 import sys
 import unittest
 from pathlib import Path
@@ -346,6 +347,20 @@ class TimeModel(unittest.TestCase):
         self.assertAlmostEqual(middle - rest, 2.0736)
         self.assertAlmostEqual(low - rest, 1.0368)
         self.assertAlmostEqual(high - rest, 4.1472)
+
+
+class MeasureGpu(unittest.TestCase):
+    def test_a_dry_run_draws_small_pictures_and_leaves_published_results_alone(self):
+        script = runpy.run_path(str(figures.ROOT / "scripts" / "measure-gpu"))
+        commands = script["small_commands"]("Some GPU")
+        self.assertEqual(len(commands), len(script["STUDIES"]))
+        for command, size in zip(commands, ("96x54", "192x108")):
+            self.assertIn(f" --size {size} ", command)
+            self.assertIn(" --timing-repeats 1 ", command)
+            self.assertTrue(command.endswith(f"--output build/measure-gpu/gpu-times/{size}"), command)
+            for name in ("preset-low", "preset-medium", "preset-high", "preset-ultra", "pcss-angular-24-16",
+                         "pcss-angular-64-64"):
+                self.assertIn(name, command)
 
 
 class ScreenFigures(unittest.TestCase):
