@@ -175,6 +175,31 @@ TEST_P(TiledPcss, ReadsAndWritesInEachPassWhatItsPageSays) {
   for (const PassCounts& pass : result.passes) EXPECT_EQ(pass.steps, 1) << pass.pass;
 }
 
+// Where the bounds say that no penumbra is wider than about a texel, nothing is searched: the picture does
+// not depend on the number of samples, and four gathers of the map are all that a pixel takes.
+TEST_P(TiledPcss, NarrowPenumbraeAreNotSearched) {
+  const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 0.005);
+  const CameraImage camera = camera_image(frame, RowOrder::top_first);
+  const FrameOnDevice on_device(test_device(), frame);
+  const GraphResult few = chain("tiled-pcss").run(on_device, &camera, kCountedOnce);
+  const GraphResult many = chain("preset-ultra").run(on_device, &camera, kCountedOnce);
+  EXPECT_EQ(few.visibility[0], many.visibility[0]);
+  EXPECT_THAT(few.visibility[0], testing::Contains(testing::AllOf(testing::Gt(0.1F), testing::Lt(0.9F))));
+  double filtered = 0.0;
+  for (const float of_tile : picture_of(chain("tiled-pcss", true), frame)) filtered += of_tile < 0.0F ? 1 : 0;
+  EXPECT_GT(filtered, 500.0);
+  const auto fetches = [](const GraphResult& result) {
+    return std::find_if(result.passes.begin(), result.passes.end(),
+                        [](const PassCounts& pass) { return pass.pass == "FilterTiles"; })
+        ->fetches;
+  };
+  EXPECT_EQ(fetches(few), fetches(many));
+  // Besides its tile, a filtered pixel reads the depth of the camera at most six times: two gathers, and two
+  // more pixels along each axis at edges.
+  const auto pixels = static_cast<double>(few.visibility[0].size());
+  EXPECT_LE(fetches(few) * pixels, pixels + (4.0 + 6.0) * filtered);
+}
+
 // Pixels of a border between cascades may read the next one: their tiles are not decided, and all are
 // filtered.
 TEST_P(TiledPcss, FiltersTheBorderBetweenCascades) {
