@@ -297,6 +297,30 @@ class TimesOfGpu(unittest.TestCase):
             tiled_pcss.times_of_gpu(results(record("tiled-pcss", time_ms_median=None, time_kind="GPU time")))
 
 
+class PassCounts(unittest.TestCase):
+    @staticmethod
+    def counted(scene, read, light=2.0):
+        def one(name, more):
+            return {"pass": name, "operations_per_pixel": 100.4, "fetches_per_pixel": 2.0, "bytes_read_per_pixel": more,
+                    "bytes_written_per_pixel": 4.0, "dispatches": 1.0, "groups": 32400.0, "barriers_per_group": 6.0}
+        return record("tiled", scene, light, passes=[one("Bounds", read), one("FilterTiles", 2.0 * read)])
+
+    def test_each_pass_has_a_row_of_means_under_one_light(self):
+        text = tiled_pcss.passes_of(results(self.counted("a", 8.0), self.counted("b", 9.0), self.counted("a", 99.0, 5.0)),
+                                    "tiled", 2.0)
+        self.assertIn("`tiled` under 2°, mean of 2 scenes", text)
+        self.assertIn("| pass | operations per pixel | fetches per pixel | bytes read per pixel |"
+                      " bytes written per pixel | dispatches | groups | barriers per group |", text)
+        self.assertIn("| `Bounds` | 100 | 2.00 | 8.5 | 4.00 | 1 | 32,400 | 6 |", text)
+        self.assertTrue(text.endswith("| `FilterTiles` | 100 | 2.00 | 17.0 | 4.00 | 1 | 32,400 | 6 |"), text)
+
+    def test_older_results_are_refused(self):
+        older = self.counted("a", 8.0)
+        del older["passes"][1]["bytes_read_per_pixel"]
+        with self.assertRaisesRegex(markdown.Problem, "lack the passes of tiled"):
+            tiled_pcss.passes_of(results(older), "tiled", 2.0)
+
+
 class TimeModel(unittest.TestCase):
     H200 = time_model.gpu_of("NVIDIA H200 NVL")
     # Operations and fetches per pixel, and the time over 0.8 of the operations' and 0.5 of the fetches'.
