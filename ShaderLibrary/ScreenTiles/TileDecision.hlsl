@@ -284,7 +284,6 @@ TileDecision DecideTile(Texture2D<uint> slopes4, Texture2D<uint> depths4, Textur
     TileDecision decision;
     decision.visibility = (box.flags & (kCascadeFlags | kUnknownFlag)) == 0 ? 1.0 : kUndecided;
     decision.radius = min(min((1.0 - box.farthestGap) * scales.texelsPerDepth, cap), scales.largestRadius);
-    decision.radius = max(decision.radius, kWidestBlockTexels);
     const bool unsettled = cascades != 0 && IsOneCascade(box);
     UNITY_LOOP
     for (uint turn = 0; turn < DECISION_TURNS; ++turn)
@@ -292,7 +291,7 @@ TileDecision DecideTile(Texture2D<uint> slopes4, Texture2D<uint> depths4, Textur
         const uint place = DECISION_TURNS * tile + turn;
         if (unsettled && decision.visibility < 0.0)
         {
-            const float reach = decision.radius + kSmallestSlackTexels;
+            const float reach = max(decision.radius, kWidestBlockTexels) + kSmallestSlackTexels;
             const float2 low = max(box.low - reach, map.minimum);
             const float2 high = max(min(box.high + reach, map.maximum - 1.0), low);
             const float blockTexels = BlocksFor(max(high.x - low.x, high.y - low.y));
@@ -324,7 +323,7 @@ TileDecision DecideTile(Texture2D<uint> slopes4, Texture2D<uint> depths4, Textur
             const bool dark = asfloat(tileSmallestGap[place]) > kRoundedShare * kConeHeightShare * gap;
             if (!(gap > 0.0)) decision.visibility = 1.0;
             else if (dark && (box.flags & kOutsideFlag) == 0) decision.visibility = 0.0;
-            decision.radius = max(min(gap * scales.texelsPerDepth, decision.radius), kWidestBlockTexels);
+            decision.radius = min(gap * scales.texelsPerDepth, decision.radius);
         }
     }
     return decision;

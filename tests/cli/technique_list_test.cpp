@@ -39,6 +39,10 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   EXPECT_EQ(rows.at("texels_written_per_pixel"), 128.0 * 128 / (32 * 16));
   EXPECT_EQ(rows.at("fetches_per_cascade"), 5.0 * 64 * 64);
   EXPECT_EQ(rows.at("invocations_per_pixel"), 128.0 * 128 / (32 * 16));
+  EXPECT_EQ(rows.at("bytes_read_per_pixel"), 4 * 5.0 * 128 * 128 / (32 * 16)) << "single texels of r32f";
+  EXPECT_EQ(rows.at("bytes_written_per_pixel"), 4 * 128.0 * 128 / (32 * 16));
+  EXPECT_EQ(rows.at("draws"), 4.0) << "a tile for each cascade";
+  EXPECT_FALSE(rows.contains("dispatches") || rows.contains("groups") || rows.contains("barriers_per_group"));
   double operations = 0.0;
   for (const nlohmann::json& pass : record.at("passes"))
     operations += pass.at("operations_per_pixel").get<double>();

@@ -1,6 +1,7 @@
 """Tables of measured figures: means, intervals, pairs and orders of rows, from records that are made up."""
 import math
 import re
+import runpy
 import sys
 import unittest
 from pathlib import Path
@@ -296,56 +297,122 @@ class TimesOfGpu(unittest.TestCase):
             tiled_pcss.times_of_gpu(results(record("tiled-pcss", time_ms_median=None, time_kind="GPU time")))
 
 
-class TimeModel(unittest.TestCase):
-    SHARES = {"a": 0.5, "b": 0.25, "c": 1.0}
-    H200 = time_model.gpu_of("NVIDIA H200 NVL")
+class PassCounts(unittest.TestCase):
+    @staticmethod
+    def counted(scene, read, light=2.0):
+        def one(name, more):
+            return {"pass": name, "operations_per_pixel": 100.4, "fetches_per_pixel": 2.0, "bytes_read_per_pixel": more,
+                    "bytes_written_per_pixel": 4.0, "dispatches": 1.0, "groups": 32400.0, "barriers_per_group": 6.0}
+        return record("tiled", scene, light, passes=[one("Bounds", read), one("FilterTiles", 2.0 * read)])
 
-    def runs(self, shares):
-        counts = [record(name, scene, operations_per_pixel=1000.0 * (1 + len(name + scene)))
-                  for name in shares for scene in "xy"]
-        times = [record(one["technique"], one["scene"], time_ms_median=time_model.DISPATCH_MS + time_model.peak_ms(
-            one["operations_per_pixel"], self.H200.teraflops) / shares[one["technique"]] + time_model.map_ms(
-                {"map_size": 2048}, self.H200), map_size=2048) for one in counts]
+    def test_each_pass_has_a_row_of_means_under_one_light(self):
+        text = tiled_pcss.passes_of(results(self.counted("a", 8.0), self.counted("b", 9.0), self.counted("a", 99.0, 5.0)),
+                                    "tiled", 2.0)
+        self.assertIn("`tiled` under 2°, mean of 2 scenes", text)
+        self.assertIn("| pass | operations per pixel | fetches per pixel | bytes read per pixel |"
+                      " bytes written per pixel | dispatches | groups | barriers per group |", text)
+        self.assertIn("| `Bounds` | 100 | 2.00 | 8.5 | 4.00 | 1 | 32,400 | 6 |", text)
+        self.assertTrue(text.endswith("| `FilterTiles` | 100 | 2.00 | 17.0 | 4.00 | 1 | 32,400 | 6 |"), text)
+
+    def test_older_results_are_refused(self):
+        older = self.counted("a", 8.0)
+        del older["passes"][1]["bytes_read_per_pixel"]
+        with self.assertRaisesRegex(markdown.Problem, "lack the passes of tiled"):
+            tiled_pcss.passes_of(results(older), "tiled", 2.0)
+
+
+class TimeModel(unittest.TestCase):
+    H200 = time_model.gpu_of("NVIDIA H200 NVL")
+    # Operations and fetches per pixel, and the time over 0.8 of the operations' and 0.5 of the fetches'.
+    TIMED = {"a": (1000.0, 10.0, 1.0), "b": (2000.0, 100.0, 1.0), "c": (500.0, 50.0, 1.0), "d": (4000.0, 20.0, 1.0)}
+
+    def runs(self, timed):
+        counts, times = [], []
+        for name, (operations, fetches, off) in timed.items():
+            for scene, more in (("x", 1.0), ("y", 1.25)):
+                one = record(name, scene, operations_per_pixel=operations * more, fetches_mean=fetches * more,
+                             preprocess_fetches_per_pixel=0.0, map_size=2048)
+                work = time_model.work_of(one, self.H200)
+                counts.append(one)
+                times.append({**one, "time_ms_median": off * (0.8 * work.operations + 0.5 * work.fetches) +
+                              time_model.DISPATCH_MS + time_model.map_ms(one, self.H200)})
         gone = record("gone", "x", time_ms_median=1.0, map_size=2048)  # whose operations nobody can count any more
         return {**results(*times, gone), "device": "NVIDIA H200"}, results(*counts)
 
     def test_a_gpu_whose_peak_rate_is_not_known_is_refused(self):
-        times, counts = self.runs(self.SHARES)
+        times, counts = self.runs(self.TIMED)
         with self.assertRaisesRegex(markdown.Problem, "peak rate of 'Other' is not known"):
             time_model.fit({**times, "device": "Other"}, counts)
 
-    def test_the_share_of_the_peak_rate_is_found(self):
-        fitted = time_model.fit(*self.runs(self.SHARES))
-        self.assertEqual(list(fitted.shares), list(self.SHARES))
-        for name, share in self.SHARES.items():
-            self.assertAlmostEqual(fitted.shares[name], share)
-        self.assertAlmostEqual(fitted.log_share, math.log(0.5))
-        # Two degrees of freedom, a deviation of log 2.
-        self.assertAlmostEqual(fitted.error, 4.303 * math.log(2.0) * math.sqrt(4.0 / 3.0))
+    def test_both_factors_are_found(self):
+        fitted = time_model.fit(*self.runs(self.TIMED))
+        self.assertAlmostEqual(fitted.factors.operations, 0.8, 4)
+        self.assertAlmostEqual(fitted.factors.fetches, 0.5, 4)
+        self.assertAlmostEqual(fitted.deviation, 0.0, 4)
+        self.assertEqual(fitted.freedom, 2)
+        for ratio in time_model.left_out(*self.runs(self.TIMED)).values():
+            self.assertAlmostEqual(ratio, 1.0, 3)
 
-    def test_a_technique_that_is_left_out_is_predicted_by_the_others(self):
-        ratios = time_model.left_out(*self.runs(self.SHARES))
-        self.assertAlmostEqual(ratios["c"], 1.0 / math.sqrt(0.5 * 0.25))
-        self.assertAlmostEqual(ratios["b"], 0.25 / math.sqrt(0.5))
+    # All have the same share, so that one factor is left: two take twice as long as the others.
+    def test_the_error_is_that_of_another_technique(self):
+        timed = {name: (1000.0, 10.0, 2.0 if name in "ab" else 1.0) for name in "abcd"}
+        fitted = time_model.fit(*self.runs(timed))
+        self.assertAlmostEqual(fitted.deviation, 0.5 * math.log(2.0) * math.sqrt(4.0 / 2.0))
+        alike = time_model.work_of(record("z", operations_per_pixel=500.0, fetches_mean=5.0,
+                                          preprocess_fetches_per_pixel=0.0), self.H200)
+        self.assertAlmostEqual(fitted.error(alike), 4.303 * fitted.deviation * math.sqrt(1.25))
+        ratios = time_model.left_out(*self.runs(timed))
+        self.assertAlmostEqual(ratios["a"], 2.0 ** (1.0 / 3.0) / 2.0)
+        self.assertAlmostEqual(ratios["c"], 2.0 ** (2.0 / 3.0))
+
+    def test_work_of_another_kind_is_less_certain(self):
+        fitted = time_model.fit(*self.runs({**self.TIMED, "d": (4000.0, 20.0, 1.5)}))
+        errors = [fitted.error(time_model.Work(1.0, fetches)) for fetches in (2.0, 8.0, 32.0)]
+        self.assertEqual(errors, sorted(errors))
+        self.assertLess(errors[0], errors[1])
 
     def test_two_techniques_say_nothing_of_a_third(self):
         with self.assertRaisesRegex(markdown.Problem, "fewer than three"):
-            time_model.fit(*self.runs({"a": 0.5, "b": 0.25}))
+            time_model.fit(*self.runs({"a": (1.0, 1.0, 1.0), "b": (1.0, 2.0, 1.0)}))
 
     def test_a_prediction_has_memory_and_dispatches(self):
-        gpu = time_model.Gpu("g", 2.0, 100.0)
-        one = record("preset-low", operations_per_pixel=0.0, map_size=2048, passes=[
-            {"pass": "A", "texels_written_per_pixel": 1.0}, {"pass": "B", "texels_written_per_pixel": 0.25}])
-        fitted = time_model.Fit(math.log(0.5), math.log(2.0), {})
+        gpu = time_model.Gpu("g", 2.0, 1000.0, 100.0)
+        one = record("preset-low", operations_per_pixel=500.0, fetches_mean=75.0, preprocess_fetches_per_pixel=25.0,
+                     map_size=2048, passes=[{"pass": "A", "texels_written_per_pixel": 1.0},
+                                            {"pass": "B", "texels_written_per_pixel": 0.25}])
+        fitted = time_model.Fit(time_model.Work(2.0, 0.5), math.log(2.0) / 4.303 / math.sqrt(1.25), 2, (0.5,) * 4)
         rest = 4.0 * (2.5 * 1920 * 1080 + 2048 ** 2) / 1e8 + 2 * time_model.DISPATCH_MS
-        for found in time_model.predicted_ms(one, gpu, fitted):
-            self.assertAlmostEqual(found, rest)
-        one["operations_per_pixel"] = 500.0
         low, middle, high = time_model.predicted_ms(one, gpu, fitted)
-        # 500 operations of 2073600 pixels at 10^12 a second take 1.0368 ms; at half the rate twice as long.
-        self.assertAlmostEqual(middle - rest, 2.0736)
-        self.assertAlmostEqual(low - rest, 1.0368)
-        self.assertAlmostEqual(high - rest, 4.1472)
+        # 500 operations of 2073600 pixels at 10^12 a second take 1.0368 ms, 100 fetches at 10^12 0.20736.
+        self.assertAlmostEqual(middle - rest, 2.0736 + 0.10368)
+        self.assertAlmostEqual(low - rest, 0.5 * (middle - rest))
+        self.assertAlmostEqual(high - rest, 2.0 * (middle - rest))
+
+    def test_a_time_takes_the_place_of_a_prediction(self):
+        times, counts = self.runs(self.TIMED)
+        presets = results(*(record("preset-low", scene, light_degrees=2.0, operations_per_pixel=500.0, fetches_mean=75.0,
+                                   preprocess_fetches_per_pixel=0.0, map_size=2048, passes=[]) for scene in "xy"))
+        self.assertNotIn("measured |", time_model.predictions(presets, times, counts, 2.0))
+        times["records"] += [record("preset-low", scene, light_degrees=2.0, time_ms_median=ms, map_size=2048)
+                             for scene, ms in (("x", 1.0), ("y", 3.0))]
+        text = time_model.predictions(presets, times, counts, 2.0)
+        self.assertIn("| `preset-low` | 2.00, measured | ", text)
+        self.assertEqual(text.count("2.00, measured"), 1)
+        self.assertIn("The NVIDIA H200 was timed, over 2 scenes; the other columns are predictions.", text)
+
+
+class MeasureGpu(unittest.TestCase):
+    def test_a_dry_run_draws_small_pictures_and_leaves_published_results_alone(self):
+        script = runpy.run_path(str(figures.ROOT / "scripts" / "measure-gpu"))
+        commands = script["small_commands"]("Some GPU")
+        self.assertEqual(len(commands), len(script["STUDIES"]))
+        for command, size in zip(commands, ("96x54", "192x108")):
+            self.assertIn(f" --size {size} ", command)
+            self.assertIn(" --timing-repeats 1 ", command)
+            self.assertTrue(command.endswith(f"--output build/measure-gpu/gpu-times/{size}"), command)
+            for name in ("preset-low", "preset-medium", "preset-high", "preset-ultra", "pcss-angular-24-16",
+                         "pcss-angular-64-64"):
+                self.assertIn(name, command)
 
 
 class ScreenFigures(unittest.TestCase):

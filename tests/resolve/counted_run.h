@@ -65,12 +65,30 @@ inline gpu::ImageShape shape_of(const shaders::Resource& resource) {
   return shape;
 }
 
+// The bytes of a texel of each texture, as shape_of() makes them, and of targets of 16 bytes.
+inline std::vector<std::uint32_t> texel_bytes(const std::vector<shaders::Resource>& resources,
+                                              const shaders::Resource& block) {
+  std::vector<std::uint32_t> bytes;
+  for (const shaders::UniformMember& member : block.members) {
+    bytes.push_back(16);
+    for (const shaders::Resource& resource : resources)
+      if (member.name == shaders::texel_bytes_uniform(resource.name))
+        bytes.back() = static_cast<std::uint32_t>(gpu::texel_bytes(shape_of(resource).format));
+  }
+  return bytes;
+}
+
 // All that a module binds, filled with 0, and a counter.
 class Resources {
  public:
   Resources(const std::vector<std::uint32_t>& module, gpu::Bindings& bindings, const TexelCounter& counter) {
-    for (const shaders::Resource& resource : shaders::reflect(module).resources) {
-      if (resource.name == shaders::texel_counts_name) {
+    const std::vector<shaders::Resource> resources = shaders::reflect(module).resources;
+    for (const shaders::Resource& resource : resources) {
+      if (resource.name == shaders::texel_bytes_name) {
+        std::vector<std::uint32_t> bytes = texel_bytes(resources, resource);
+        bytes.resize(resource.size / 4);  // padded
+        bindings.uniform_bytes(resource.name, std::as_bytes(std::span(bytes)));
+      } else if (resource.name == shaders::texel_counts_name) {
         bindings.buffer(resource.name, counter.buffer());
       } else if (resource.kind == shaders::ResourceKind::sampler) {
         bindings.sampler(resource.name, gpu::Sampler(test_device(), resource.name == "sampler_Compare"

@@ -93,6 +93,14 @@ TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   EXPECT_THAT(fetches, ElementsAre(map, 5.0 * map, 5.0 * map, map, 1.0));
   EXPECT_THAT(written, ElementsAre(map, map, map, 0.25 * map, 0.0));
   EXPECT_EQ(result.passes[0].frequency, techniques::Frequency::cascade);
+  // Every pass loads and writes texels of 4 bytes; the mip levels are one draw for each cascade and level.
+  for (std::size_t i = 0; i + 1 < result.passes.size(); ++i) {
+    const PassCounts& pass = result.passes[i];
+    EXPECT_EQ(pass.bytes_read, 4.0 * pass.fetches) << pass.pass;
+    EXPECT_EQ(pass.bytes_written, 4.0 * pass.texels_written) << pass.pass;
+    EXPECT_EQ(pass.steps, 4) << pass.pass;
+    EXPECT_FALSE(pass.groups) << pass.pass << " is drawn";
+  }
   EXPECT_EQ(result.fetches_of_others, 12.0 * map);
   EXPECT_THAT(result.fetches, testing::Each(1U));
 }
@@ -148,6 +156,16 @@ TEST(GraphRunner, KernelsFollowEachOther) {
   EXPECT_DOUBLE_EQ(result.passes[2].fetches, 20.0 / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].texels_written, 64.0 * blocks / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].fetches, 64.0 * (31.0 + 2.0 * blocks) / pixels);
+  // Single texels of 4 bytes. Groups of 4 x 4 threads cover 5 x 4 marks and 3 x 2 halves.
+  std::vector<double> groups;
+  for (const PassCounts& pass : result.passes) {
+    EXPECT_EQ(pass.bytes_read, 4.0 * pass.fetches) << pass.pass;
+    EXPECT_EQ(pass.bytes_written, 4.0 * pass.texels_written) << pass.pass;
+    EXPECT_EQ(pass.steps, 1) << pass.pass;
+    EXPECT_EQ(pass.barriers_per_group, 0.0) << pass.pass;
+    groups.push_back(pass.groups.value());
+  }
+  EXPECT_THAT(groups, ElementsAre(2.0, 1.0, 1.0, 31.0));
 }
 
 TEST(GraphRunner, AKernelThatUpdatesATextureKeepsWhatItDoesNotWrite) {

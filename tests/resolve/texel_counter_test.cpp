@@ -182,6 +182,61 @@ void Main(uint3 id : SV_DispatchThreadID)
   EXPECT_THAT(counts.fetches, ElementsAre(0U, 0U, 0U, 1U));
 }
 
+// _Plain has texels of 16 bytes, _Depth, _Image and _Numbers of 4. Functions get their textures from
+// arguments, local variables and structs, and two calls of one get different ones.
+TEST(TexelCounter, BytesAreThoseOfTheTexelsThatAreNamedByTheirFormats) {
+  const TexelCounts counts = dispatched(R"(
+struct Map { Texture2D<float4> colours; SamplerState filtering; };
+float4 Gather(Texture2D<float4> map, SamplerState s) { return map.Gather(s, 0.5); }
+float Twice(Map map) { return Gather(map.colours, map.filtering).x + map.colours.Load(int3(0, 0, 0)).x; }
+float Texel(Texture2D<float> map) { return map[uint2(1, 1)]; }
+[numthreads(4, 1, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    Map map;
+    map.colours = _Plain;
+    map.filtering = sampler_Linear;
+    float sum = 0.0;
+    if (id.x == 1) sum = Twice(map);
+    if (id.x == 2) sum = Texel(_Depth) + Read(_Plain, sampler_Linear, 0.5);
+    if (id.x == 3)
+    {
+        for (uint i = 0; i < 3; ++i) sum += _Depth.SampleCmpLevelZero(sampler_Compare, 0.5, 0.5);
+        InterlockedAdd(_Numbers[uint2(0, 0)], 1);
+        _Image[uint2(1, 1)] = sum;
+    }
+    _Out[id.x] = sum;
+}
+)",
+                                        {}, {4, 1, 1});
+  EXPECT_THAT(counts.bytes_read, ElementsAre(0U, 4U * 16U + 16U, 4U + 4U * 16U, 3U * 4U * 4U + 4U));
+  EXPECT_THAT(counts.bytes_written, ElementsAre(0U, 0U, 0U, 4U + 4U));
+  const TexelCounts drawing = drawn(returning("_Plain[uint2(1, 1)]"), {.size = 2});
+  EXPECT_THAT(drawing.bytes_read, Each(16U));
+  EXPECT_THAT(drawing.bytes_written, Each(16U));
+}
+
+TEST(TexelCounter, BarriersAreThoseThatEachThreadPasses) {
+  const TexelCounts counts = dispatched(R"(
+groupshared float passed[4];
+[numthreads(4, 1, 1)]
+void Main(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    passed[thread] = 0.0;
+    for (uint i = 0; i < group.x + 1; ++i)
+    {
+        GroupMemoryBarrierWithGroupSync();
+        passed[thread] += passed[3 - thread];
+    }
+    DeviceMemoryBarrier();
+    _Out[thread] = passed[thread];
+}
+)",
+                                        {3, 1, 1}, {});
+  EXPECT_EQ(counts.invocations, 12U);
+  EXPECT_EQ(counts.barriers, 4U * (1U + 2U + 3U));
+}
+
 std::uint64_t operations_of(const std::string& statements) {
   return dispatched(
              "groupshared float2 shared_value;\n[numthreads(1, 1, 1)]\nvoid Main()\n{\n"

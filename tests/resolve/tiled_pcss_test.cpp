@@ -142,6 +142,64 @@ TEST_P(TiledPcss, DecidesOverEveryMapWhatTheFilterGives) {
   }
 }
 
+// Four gathers of 4 texels for 4 x 4 texels of the map; two words for each block of 4, 16 and 64 texels.
+// Four tiles are a group of 64 threads in DecideTiles.
+TEST_P(TiledPcss, ReadsAndWritesInEachPassWhatItsPageSays) {
+  const scene::Frame& frame = drawn("trees", 4, GetParam());
+  const CameraImage camera = camera_image(frame, RowOrder::top_first);
+  const GraphResult result =
+      chain("tiled-pcss").run(FrameOnDevice(test_device(), frame), &camera, kCountedOnce);
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const auto across = [](int size, int part) { return static_cast<double>((size + part - 1) / part); };
+  const double tiles = across(camera.width, 8) * across(camera.height, 8);
+  const double texels = static_cast<double>(frame.atlas.width) * frame.atlas.height;
+  const auto named = [&](const std::string& name) {
+    return *std::find_if(result.passes.begin(), result.passes.end(),
+                         [&](const PassCounts& pass) { return pass.pass == name; });
+  };
+  const PassCounts bounds = named("Bounds");
+  EXPECT_DOUBLE_EQ(bounds.bytes_read * pixels, 4.0 * texels);
+  EXPECT_DOUBLE_EQ(bounds.bytes_written * pixels, texels * (8.0 / 16 + 8.0 / 256 + 8.0 / 4096));
+  EXPECT_EQ(bounds.groups, texels / 4096);
+  EXPECT_EQ(bounds.barriers_per_group, 6.0);
+  const PassCounts decide = named("DecideTiles");
+  EXPECT_DOUBLE_EQ(decide.bytes_written * pixels, 4.0 * tiles);
+  EXPECT_EQ(decide.groups, across(camera.width, 16) * across(camera.height, 16));
+  EXPECT_EQ(decide.barriers_per_group, 6.0);
+  for (const char* name : {"FilterTiles", "SmoothNear", "SmoothFar"}) {
+    EXPECT_DOUBLE_EQ(named(name).bytes_written, 4.0) << name;
+    EXPECT_EQ(named(name).groups, tiles) << name;
+    EXPECT_EQ(named(name).barriers_per_group, 0.0) << name;
+    EXPECT_GE(named(name).bytes_read, 4.0) << name;
+  }
+  for (const PassCounts& pass : result.passes) EXPECT_EQ(pass.steps, 1) << pass.pass;
+}
+
+// Where the bounds say that no penumbra is wider than about a texel, nothing is searched: the picture does
+// not depend on the number of samples, and four gathers of the map are all that a pixel takes.
+TEST_P(TiledPcss, NarrowPenumbraeAreNotSearched) {
+  const scene::Frame frame = under_disc(drawn("street", 4, GetParam()), 0.005);
+  const CameraImage camera = camera_image(frame, RowOrder::top_first);
+  const FrameOnDevice on_device(test_device(), frame);
+  const GraphResult few = chain("tiled-pcss").run(on_device, &camera, kCountedOnce);
+  const GraphResult many = chain("preset-ultra").run(on_device, &camera, kCountedOnce);
+  EXPECT_EQ(few.visibility[0], many.visibility[0]);
+  EXPECT_THAT(few.visibility[0], testing::Contains(testing::AllOf(testing::Gt(0.1F), testing::Lt(0.9F))));
+  double filtered = 0.0;
+  for (const float of_tile : picture_of(chain("tiled-pcss", true), frame)) filtered += of_tile < 0.0F ? 1 : 0;
+  EXPECT_GT(filtered, 500.0);
+  const auto fetches = [](const GraphResult& result) {
+    return std::find_if(result.passes.begin(), result.passes.end(),
+                        [](const PassCounts& pass) { return pass.pass == "FilterTiles"; })
+        ->fetches;
+  };
+  EXPECT_EQ(fetches(few), fetches(many));
+  // Besides its tile, a filtered pixel reads the depth of the camera at most six times: two gathers, and two
+  // more pixels along each axis at edges.
+  const auto pixels = static_cast<double>(few.visibility[0].size());
+  EXPECT_LE(fetches(few) * pixels, pixels + (4.0 + 6.0) * filtered);
+}
+
 // Pixels of a border between cascades may read the next one: their tiles are not decided, and all are
 // filtered.
 TEST_P(TiledPcss, FiltersTheBorderBetweenCascades) {

@@ -101,7 +101,31 @@ class RandomResults {
     if (coin()) record.shimmer = Shimmer{static_cast<int>(random_() % 9), figure(), figure()};
     if (coin())
       record.passes = {{"Rows", "cascade", share(), share(), 64.0 * share()},
-                       {"Resolve", "frame", share(), share(), {}, 100.0 * share(), share(), share()}};
+                       {"Resolve",
+                        "frame",
+                        share(),
+                        share(),
+                        {},
+                        100.0 * share(),
+                        share(),
+                        share(),
+                        share(),
+                        share(),
+                        3.0},
+                       {"Tiles",
+                        "frame",
+                        share(),
+                        share(),
+                        {},
+                        share(),
+                        share(),
+                        {},
+                        share(),
+                        share(),
+                        {},
+                        1.0,
+                        240.0 * share(),
+                        share()}};
     if (coin()) record.operations_per_pixel = 1000.0 * share();
     if (coin()) record.time = std::nullopt;
     if (coin()) record.parameters.clear();

@@ -47,6 +47,23 @@ def beside_pcss(results, error="rmse_penumbra", what="RMSE in penumbra"):
     return measured(results, head, rows, 1)
 
 
+PASS_COUNTS = {"operations": ("operations_per_pixel", 0), "fetches": ("fetches_per_pixel", 2),
+               "bytes read": ("bytes_read_per_pixel", 1), "bytes written": ("bytes_written_per_pixel", 2),
+               "dispatches": ("dispatches", 0), "groups": ("groups", 0), "barriers per group": ("barriers_per_group", 0)}
+
+
+def passes_of(results, technique, light):
+    """What each pass of a technique does under one light, per pixel of the picture: means over the scenes."""
+    records = [one for one in results["records"] if one["technique"] == technique and one["light_degrees"] == light]
+    if not records or any("bytes_read_per_pixel" not in one for record in records for one in record["passes"]):
+        raise Problem(f"the results lack the passes of {technique}: measure again")
+    rows = [[code(name)] + [f"{mean(one[key] for one in passes):,.{digits}f}" for key, digits in PASS_COUNTS.values()]
+            for (name,), passes in groups([one for record in records for one in record["passes"]], "pass")]
+    head = ["pass", *(f"{what} per pixel" if key.endswith("_per_pixel") else what
+                      for what, (key, _) in PASS_COUNTS.items())]
+    return measured(results, head, rows, 1, f"{code(technique)} under {light:g}°, mean of {len(records)} scenes")
+
+
 def times_of_gpu(results):
     """Milliseconds beside the errors and false shadow: one row per technique; means over the scenes."""
     records = results["records"]
@@ -126,6 +143,7 @@ def parts(_):
     texels = read_json(RESULTS / "texel-edges.json")
     return {DOCUMENTATION / "tiled-pcss.md": {
         "tiled-pcss-beside-pcss": beside_pcss(read("tiled-pcss-full-hd")),
+        "tiled-pcss-passes": passes_of(read("tiled-pcss-full-hd"), "preset-medium", 2.0),
         "tiled-pcss-samples": beside_pcss(read("tiled-pcss-samples")),
         "tiled-pcss-overlap-differences": beside_pcss(read("tiled-pcss-overlaps"), part_of("overlap", "rmse"),
                                                       "RMSE where shadows overlap"),

@@ -9,10 +9,11 @@
 //               its own penumbra. A texel of the high layer tells nothing of the low one, and leaves it out. The
 //               light that passes both is the product.
 //             - Up to 4.25 texels of radius the filter weighs every texel once, by how much of it the disc covers.
+//             - Where the radius is at most 1.25 texels, four gathers are the filter, whatever a search would find.
 // Inputs:     shadow map (raw reads), point sampler; TexelReceiver; ConeScales of its tile; the radius.
-// Cost:       searchSamples fetches where nothing blocks; 4, 9, 16 or 25 more up to 4.25 texels of radius, and
-//             filterSamples more beyond. Two layers: searchSamples more, and a filter for each, of which that of the
-//             low one runs up to three times.
+// Cost:       4 fetches where the radius is at most 1.25 texels. Else searchSamples fetches where nothing blocks; 4, 9,
+//             16 or 25 more up to 4.25 texels of the penumbra's radius, and filterSamples more beyond. Two layers:
+//             searchSamples more, and a filter for each, of which that of the low one runs up to three times.
 // Guarantees: [0, 1]; exactly 1 without blockers, exactly 0 where every texel read blocks; texels outside the tile are
 //             not read. NaN texels do not block.
 // Use it:     behind a classification that knows the radius, or alone. Not: on devices without gather.
@@ -220,6 +221,19 @@ BoundedSearch SearchBounded(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelRece
     return search;
 }
 
+// In place of a search where penumbrae are known to be so narrow that the filter is the same whatever blocks: one
+// layer, as wide as it may be.
+BoundedSearch AnyBlockers()
+{
+    BoundedSearch search;
+    search.blocked = true;
+    search.inside = false;
+    search.gap = kNoGap;
+    search.smallestGap = kNoGap;
+    search.largestGap = kNoGap;
+    return search;
+}
+
 // The mean gaps of two layers of blockers.
 struct LayerGaps
 {
@@ -384,17 +398,19 @@ float WidestRadius(float depth, PcssBoundedParameters parameters, ConeScales sca
 BoundedResult FilterBounded(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelReceiver receiver, ConeScales scales,
                             float largestRadius, PcssBoundedParameters parameters)
 {
-    const float outermost = max(largestRadius, kWidestBlockTexels);
     const int searchSamples = BoundedSampleCount(parameters.searchSamples);
     const int filterSamples = BoundedSampleCount(parameters.filterSamples);
-    const BoundedSearch search = SearchBounded(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver,
-                                               scales.depthPerTexel, outermost, searchSamples);
+    BoundedSearch search = AnyBlockers();
+    UNITY_BRANCH
+    if (largestRadius > kWidestBlockTexels)
+        search = SearchBounded(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, scales.depthPerTexel, largestRadius,
+                               searchSamples);
     BoundedResult result;
     result.visibility = 1.0;
     result.radius = 0.0;
     if (!search.blocked) return result;
     BlockerLayer high = AllBlockers();
-    high.radius = min(search.gap * scales.texelsPerDepth, outermost);
+    high.radius = min(search.gap * scales.texelsPerDepth, largestRadius);
     high.cap = search.inside ? kConeHeightShare * search.gap : kNoGap;
     BlockerLayer low = high;
     const bool two = search.largestGap > kLayersApart * search.smallestGap;
@@ -403,12 +419,12 @@ BoundedResult FilterBounded(TEXTURE2D_PARAM(shadowMap, sampler_point), TexelRece
     {
         const float split = sqrt(search.smallestGap * search.largestGap);
         const LayerGaps gaps = SearchLayers(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, scales.depthPerTexel,
-                                            outermost, searchSamples, split);
+                                            largestRadius, searchSamples, split);
         low.to = split;
-        low.radius = min(gaps.low * scales.texelsPerDepth, outermost);
+        low.radius = min(gaps.low * scales.texelsPerDepth, largestRadius);
         low.cap = min(high.cap, kConeHeightShare * gaps.low);
         high.from = split;
-        high.radius = min(gaps.high * scales.texelsPerDepth, outermost);
+        high.radius = min(gaps.high * scales.texelsPerDepth, largestRadius);
         high.cap = min(high.cap, kConeHeightShare * gaps.high);
     }
     result.radius = min(low.radius, high.radius);

@@ -13,6 +13,7 @@
 #include "resolve/texel_counter.h"
 #include "shaders/counted_module.h"
 #include "techniques/technique_call.h"
+#include "techniques/texel_formats.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -134,7 +135,7 @@ class GraphRunner::Run {
       for (const std::string& name :
            program(step.pass, step.part)
                .set_uniforms(step.bindings, all, is_filter ? numbers() : UniformNumbers{}))
-        unset_.insert(name);
+        if (!name.starts_with(shaders::texel_bytes_name)) unset_.insert(name);  // nothing accesses these
     }
     return times_of_passes(sequence_.run());
   }
@@ -170,14 +171,26 @@ class GraphRunner::Run {
       PassCounts counts;
       counts.pass = pass.name;
       counts.frequency = pass.frequency;
+      double threads = 0.0, barriers = 0.0;
       for (const Step& step : steps_) {
-        if (step.pass != i || !step.counter.buffer) continue;
-        const auto [fetches, written, operations, invocations] = step.counter.buffer->counts();
-        counts.fetches += sum(fetches) / pixels;
-        counts.texels_written += sum(written) / pixels;
-        counts.operations += sum(operations) / pixels;
-        counts.invocations += invocations / pixels;
-        add_per_pixel(step, fetches, pixels, result);
+        if (step.pass != i) continue;
+        ++counts.steps;
+        if (!step.counter.buffer) continue;
+        const TexelCounts found = step.counter.buffer->counts();
+        counts.fetches += sum(found.fetches) / pixels;
+        counts.texels_written += sum(found.written) / pixels;
+        counts.operations += sum(found.operations) / pixels;
+        counts.bytes_read += sum(found.bytes_read) / pixels;
+        counts.bytes_written += sum(found.bytes_written) / pixels;
+        threads += found.invocations;
+        barriers += static_cast<double>(found.barriers);
+        add_per_pixel(step, found.fetches, pixels, result);
+      }
+      counts.invocations = threads / pixels;
+      if (pass.kind == PassKind::compute) {
+        const auto [x, y, z] = runner_.counting_[i].usual.workgroup_size();
+        counts.groups = threads / (static_cast<double>(x) * y * z);
+        counts.barriers_per_group = barriers / threads;
       }
       if (pass.frequency == techniques::Frequency::cascade || writes_over_map(pass))
         counts.fetches_per_cascade =
@@ -250,6 +263,33 @@ class GraphRunner::Run {
       add(result.fetches_of_others_at,
           std::vector<float>(result.fetches.size(), static_cast<float>(sum(fetches) / pixels)));
     }
+  }
+
+  // Returns the bytes of a texel of everything that is bound, for a module that counts: as the manifest
+  // declares a texture of the graph, or as the image is.
+  UniformValues texel_bytes(const GraphPass& pass, const NamedResources& named) const {
+    UniformValues values;
+    if (!counting_) return values;
+    const auto set = [&values](const std::string& shader_name, std::size_t bytes) {
+      values.set(shaders::texel_bytes_uniform(shader_name), static_cast<int>(bytes));
+    };
+    const auto declared = [this](const std::string& name) {
+      return static_cast<std::size_t>(
+          techniques::find_texel_format(runner_.graph().texture(name)->format)->bytes);
+    };
+    for (const auto& [name, bound] : named.images) set(name, gpu::texel_bytes(bound.image->shape().format));
+    for (const auto* names : {&pass.reads, &pass.writes})
+      for (const auto& [shader_name, name] : *names) set(shader_name, declared(name));
+    if (pass.filter)
+      for (const std::string& argument : pass.filter->arguments)
+        if (resources_.is_texture(argument)) set(techniques::argument_name(argument), declared(argument));
+    if (!techniques::is_drawn(pass.kind)) return values;
+    for (std::size_t i = 0; i < pass.writes.size(); ++i) {
+      const std::string& name = pass.writes[i].second;
+      const int samples = runner_.graph().texture(name)->samples;
+      set("SV_Target" + std::to_string(i), declared(name) * static_cast<std::size_t>(samples));
+    }
+    return values;
   }
 
   // Returns the resources that every program may bind, and those of the graph that the pass names.
@@ -354,7 +394,9 @@ class GraphRunner::Run {
     add_own_samplers(used, named);
     Counter counter = counter_of(pass, mip);
     if (counter.buffer) named.buffers[shaders::texel_counts_name] = &counter.buffer->buffer();
-    steps_.push_back({index, used.bind(named), geometry_.uniforms(pass, cascade, mip), std::move(counter)});
+    UniformValues uniforms = geometry_.uniforms(pass, cascade, mip);
+    uniforms.merge(texel_bytes(pass, named));
+    steps_.push_back({index, used.bind(named), std::move(uniforms), std::move(counter)});
     gpu::Bindings& bindings = steps_.back().bindings;
     used.set_uniforms(bindings, {});  // a sequence wants everything bound; run() sets the values
     switch (pass.kind) {
@@ -414,6 +456,7 @@ class GraphRunner::Run {
     add_own_samplers(used, named);
     if (counts != nullptr) named.buffers[shaders::texel_counts_name] = counts;
     UniformValues uniforms = geometry_.uniforms(pass, cascade, 0);
+    uniforms.merge(texel_bytes(pass, named));
     if (pass.frequency == techniques::Frequency::cascade)
       uniforms.merge(frame_.caster_uniforms(cascade));
     else if (camera_ != nullptr)

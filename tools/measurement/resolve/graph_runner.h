@@ -35,7 +35,7 @@ struct RunOptions {
   const CameraImage* second_eye = nullptr;
 };
 
-// The texels that a pass reads and writes, and its operations, in a frame, in all its draws or dispatches.
+// What a pass does in a frame, in all its draws or dispatches (shaders/counted_module.h).
 struct PassCounts {
   std::string pass;
   techniques::Frequency frequency = techniques::Frequency::frame;
@@ -43,6 +43,12 @@ struct PassCounts {
   double texels_written = 0.0;  // the same
   double operations = 0.0;      // the same; scalar operations that are executed
   double invocations = 0.0;     // the same; threads or fragments
+  double bytes_read = 0.0;      // the same; texels in the formats that the manifest declares
+  double bytes_written = 0.0;   // the same
+  int steps = 0;                // draws, or dispatches of a kernel
+  // Of kernels: groups in all dispatches, and barriers that each passes, the mean over groups.
+  std::optional<double> groups;
+  std::optional<double> barriers_per_group;
   std::optional<double>
       fetches_per_cascade;  // fetches in one cascade, for a pass over the map or for each cascade
 };

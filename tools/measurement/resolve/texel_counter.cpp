@@ -20,6 +20,10 @@ std::vector<std::uint32_t> zeroed(int width, int height, int depth) {
   return words;
 }
 
+std::uint64_t long_at(const std::vector<std::uint32_t>& words, std::size_t low) {
+  return words[low] | static_cast<std::uint64_t>(words[low + 1]) << 32U;
+}
+
 }  // namespace
 
 TexelCounter::TexelCounter(const gpu::Device& device, int width, int height, int depth)
@@ -29,10 +33,13 @@ TexelCounts TexelCounter::counts() const {
   const std::vector<std::uint32_t> words = buffer_.download<std::uint32_t>();
   TexelCounts counts;
   counts.invocations = words[shaders::texel_counts_invocations];
+  counts.barriers = long_at(words, shaders::texel_counts_barriers);
   for (std::size_t i = shaders::texel_counts_header; i < words.size(); i += shaders::texel_counts_per_cell) {
     counts.fetches.push_back(words[i]);
     counts.written.push_back(words[i + 1]);
-    counts.operations.push_back(words[i + 2] | static_cast<std::uint64_t>(words[i + 3]) << 32U);
+    counts.operations.push_back(long_at(words, i + 2));
+    counts.bytes_read.push_back(long_at(words, i + 4));
+    counts.bytes_written.push_back(long_at(words, i + 6));
   }
   return counts;
 }

@@ -1,5 +1,5 @@
-// Counts of fetches, written texels and operations on a device: the buffer that a counted module adds to
-// (shaders/counted_module.h).
+// Counts of fetches, texels, bytes, operations and barriers on a device: the buffer that a counted module
+// adds to (shaders/counted_module.h).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,10 @@ struct TexelCounts {
   std::vector<std::uint32_t> fetches;
   std::vector<std::uint32_t> written;
   std::vector<std::uint64_t> operations;  // scalar operations, executed
-  std::uint32_t invocations = 0;          // total of the grid: threads, or fragments that are not helpers
+  std::vector<std::uint64_t> bytes_read;
+  std::vector<std::uint64_t> bytes_written;
+  std::uint32_t invocations = 0;  // total of the grid: threads, or fragments that are not helpers
+  std::uint64_t barriers = 0;     // total of these
 };
 
 class TexelCounter {

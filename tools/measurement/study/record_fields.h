@@ -123,6 +123,12 @@ void fields(Archive& archive, Field<Archive, PassRecord>& pass) {
   archive.number("texels_written_per_pixel", pass.texels_written_per_pixel, 0.0, kAnything);
   archive.optional("operations_per_pixel", pass.operations_per_pixel, 0.0, kAnything);
   archive.optional("invocations_per_pixel", pass.invocations_per_pixel, 0.0, kAnything);
+  archive.optional("bytes_read_per_pixel", pass.bytes_read_per_pixel, 0.0, kAnything);
+  archive.optional("bytes_written_per_pixel", pass.bytes_written_per_pixel, 0.0, kAnything);
+  archive.optional("draws", pass.draws, 0.0, kAnything);
+  archive.optional("dispatches", pass.dispatches, 0.0, kAnything);
+  archive.optional("groups", pass.groups, 0.0, kAnything);
+  archive.optional("barriers_per_group", pass.barriers_per_group, 0.0, kAnything);
   archive.optional("time_ms_median", pass.time_ms_median, 0.0, kAnything);
   archive.optional("fetches_per_cascade", pass.fetches_per_cascade, 0.0, kAnything);
 }

@@ -199,13 +199,20 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
 }
 
 PassRecord pass_record(const resolve::PassCounts& counts) {
-  return {counts.pass,
-          techniques::name_of(counts.frequency),
-          counts.fetches,
-          counts.texels_written,
-          counts.fetches_per_cascade,
-          counts.operations,
-          counts.invocations};
+  PassRecord record;
+  record.pass = counts.pass;
+  record.runs = techniques::name_of(counts.frequency);
+  record.fetches_per_pixel = counts.fetches;
+  record.texels_written_per_pixel = counts.texels_written;
+  record.fetches_per_cascade = counts.fetches_per_cascade;
+  record.operations_per_pixel = counts.operations;
+  record.invocations_per_pixel = counts.invocations;
+  record.bytes_read_per_pixel = counts.bytes_read;
+  record.bytes_written_per_pixel = counts.bytes_written;
+  (counts.groups ? record.dispatches : record.draws) = counts.steps;
+  record.groups = counts.groups;
+  record.barriers_per_group = counts.barriers_per_group;
+  return record;
 }
 
 std::optional<Timing> timing_of(std::vector<double> nanoseconds) {
@@ -277,8 +284,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
     record.operations_per_pixel =
         std::accumulate(answer.passes.begin(), answer.passes.end(), 0.0,
                         [](double sum, const resolve::PassCounts& pass) { return sum + pass.operations; });
-  if (answer.passes.size() > 1)
-    for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
+  for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   if (answer.pass_times_ns.size() == record.passes.size())
     for (std::size_t i = 0; i < record.passes.size(); ++i)
       if (const std::optional<Timing> time = timing_of(answer.pass_times_ns[i]))

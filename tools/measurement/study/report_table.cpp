@@ -139,6 +139,25 @@ void add_fetches(Json& groups, const Record& record) {
   group.add_to(groups);
 }
 
+void add_passes(Json& groups, const Record& record) {
+  Group group("Passes, per pixel of the picture");
+  for (const PassRecord& pass : record.passes) {
+    std::string text = fmt::format("{:.2f} fetches", pass.fetches_per_pixel);
+    const auto add = [&text](const char* format, const std::optional<double>& value) {
+      if (value) text += fmt::format(fmt::runtime(format), *value);
+    };
+    add(", {:.0f} operations", pass.operations_per_pixel);
+    add(", {:.1f} bytes read", pass.bytes_read_per_pixel);
+    add(", {:.1f} written", pass.bytes_written_per_pixel);
+    add("; draws: {:.0f}", pass.draws);
+    add("; dispatches: {:.0f}", pass.dispatches);
+    add(", groups: {:.0f}", pass.groups);
+    add(" with {:.3g} barriers each", pass.barriers_per_group);
+    group.add_text(pass.pass, text);
+  }
+  group.add_to(groups);
+}
+
 void add_cascades(Json& groups, const Record& record) {
   Group group("By the cascade that pixels read");
   for (std::size_t i = 0; i < record.per_cascade.size(); ++i) {
@@ -217,6 +236,7 @@ Json record_detail(const Results& results, const Record& record) {
   add_errors(groups, record.metrics);
   add_split(groups, record.metrics.split);
   add_fetches(groups, record);
+  add_passes(groups, record);
   add_cascades(groups, record);
   add_motion(groups, record);
   add_provenance(groups, results, record);

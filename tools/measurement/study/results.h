@@ -82,7 +82,7 @@ struct PackageNote {
   bool operator==(const PackageNote&) const = default;
 };
 
-// The texture reads and writes of one pass of a technique in a frame, and its operations.
+// What one pass of a technique does in a frame, as in resolve::PassCounts.
 struct PassRecord {
   std::string pass;
   std::string runs;                // frame, cascade or bake
@@ -92,6 +92,14 @@ struct PassRecord {
   std::optional<double> operations_per_pixel{};  // executed scalar operations; absent in older files
   std::optional<double> invocations_per_pixel{};  // threads or fragments; absent in older files
   std::optional<double> time_ms_median{};  // waits before it included; absent without a GPU's timestamps
+  // Absent in older files: bytes of the texels that are read and written, per pixel of the picture; draws; of
+  // kernels dispatches, their groups, and barriers for each of these.
+  std::optional<double> bytes_read_per_pixel{};
+  std::optional<double> bytes_written_per_pixel{};
+  std::optional<double> draws{};
+  std::optional<double> dispatches{};
+  std::optional<double> groups{};
+  std::optional<double> barriers_per_group{};
 
   bool operator==(const PassRecord&) const = default;
 };
@@ -162,7 +170,7 @@ struct Record {
   // Executed scalar operations of all passes (shaders/counted_module.h), per pixel of the picture; absent in
   // older files.
   std::optional<double> operations_per_pixel{};
-  // The passes in the order in which they run; empty for a technique that is a filter alone.
+  // The passes in the order in which they run; empty for a filter alone in older files.
   std::vector<PassRecord> passes;
   std::optional<Shimmer> shimmer;  // present when the study panned
   std::optional<Seam> seam;        // present with several cascades; absent in older files

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hlsl/name_set.h"
+#include "shaders/image_holders.h"
 #include "shaders/module_rewrite.h"
 #include "shaders/spirv_module.h"
 #include "spirv/code.h"
@@ -21,6 +22,13 @@ bool reads_a_texel(spv::Op op) {
   const bool samples = op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageRead;
   const bool sparse = op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather;
   return samples || sparse || op == spv::OpImageSparseRead || op == spv::OpImageTexelPointer;
+}
+
+// The texels that it names. Whether a sampler filters is not known here.
+std::uint32_t texels_read(spv::Op op) {
+  const bool one = hlsl::is_one_of(op, {spv::OpImageFetch, spv::OpImageRead, spv::OpImageSparseFetch,
+                                        spv::OpImageSparseRead, spv::OpImageTexelPointer});
+  return one ? 1 : 4;
 }
 
 // The operand of an atomic operation is the result of OpImageTexelPointer.
@@ -206,8 +214,8 @@ class OperationsOfBlocks {
 struct EntryFacts {
   Id function = 0;
   bool fragment = false;
-  Id position = 0;  // the variable with FragCoord or GlobalInvocationId; 0 for none
-  std::uint32_t colour_outputs = 0;
+  Id position = 0;                         // the variable with FragCoord or GlobalInvocationId; 0 for none
+  std::set<std::uint32_t> colour_outputs;  // locations
   bool tests_depth_first = false;
 };
 
@@ -228,7 +236,7 @@ class FactReader {
     facts.fragment = entry_->operands[0] == spv::ExecutionModelFragment;
     facts.position = built_in(facts.fragment ? spv::BuiltInFragCoord : spv::BuiltInGlobalInvocationId,
                               spv::StorageClassInput);
-    facts.colour_outputs = facts.fragment ? colour_outputs() : 0;
+    if (facts.fragment) facts.colour_outputs = colour_outputs();
     facts.tests_depth_first = facts.fragment && may_test_depth_first();
     return facts;
   }
@@ -253,11 +261,11 @@ class FactReader {
   }
 
   // The second colour for blending has the first one's location.
-  std::uint32_t colour_outputs() const {
+  std::set<std::uint32_t> colour_outputs() const {
     std::set<std::uint32_t> locations;
     for (const Id id : interface(spv::StorageClassOutput))
       if (const auto location = code_.decoration(id, spv::DecorationLocation)) locations.insert(*location);
-    return static_cast<std::uint32_t>(locations.size());
+    return locations;
   }
 
   bool may_test_depth_first() const {
@@ -297,10 +305,13 @@ class Counting {
         code_(code),
         facts_(facts),
         operations_of_blocks_(code, uncounted),
+        holders_(code),
         rewrite_(module) {}
 
   SpirvModule run() {
     add_counts_ = rewrite_.new_id();
+    for (const Id holder : holders_.all()) bytes_of_[holder] = rewrite_.new_id();
+    for (Id* counter : counters()) *counter = rewrite_.new_id();
     position_ = facts_.position != 0 ? facts_.position : rewrite_.new_id();
     spirv::for_each_instruction(module_, [this](spirv::Words one) { visit(one); });
     write_add_counts();
@@ -314,12 +325,26 @@ class Counting {
     if (op == spv::OpEntryPoint && one[2] == facts_.function) return keep_entry_point(one);
     if (op == spv::OpFunction) enter_function(one);
     if (op == spv::OpLabel) of_block_ = operations_of_blocks_.of(one[1]);
+    if (function_ == facts_.function && !bytes_loaded_ &&
+        !hlsl::is_one_of(op, {spv::OpFunction, spv::OpLabel, spv::OpVariable}))
+      load_bytes();
     if (ends_a_block(op) && of_block_ != 0) add(operations_, std::exchange(of_block_, 0));
-    if (reads_a_texel(op)) add(fetches_, 1);
-    if (writes_a_texel(op)) add(written_, 1);
+    if (reads_a_texel(op)) {
+      add(fetches_, 1);
+      add_bytes(bytes_read_, holders_.of(one[3]), texels_read(op));
+    }
+    if (writes_a_texel(op)) {
+      add(written_, 1);
+      add_bytes(bytes_written_, holders_.of(one[op == spv::OpImageWrite ? 1 : 3]), 1);
+    }
+    if (op == spv::OpControlBarrier) add(barriers_, 1);
+    follow_images(op, one);
     if (ends_the_invocation(op)) call_add_counts();
     if (op == spv::OpReturn && function_ == facts_.function) {
-      if (facts_.colour_outputs != 0) add(written_, facts_.colour_outputs);
+      if (!facts_.colour_outputs.empty()) {
+        add(written_, static_cast<std::uint32_t>(facts_.colour_outputs.size()));
+        add_loaded(bytes_written_, loaded(bytes_of_outputs_));
+      }
       call_add_counts();
     }
     rewrite_.keep(one);
@@ -342,12 +367,90 @@ class Counting {
     if (facts_.position == 0) operands.push_back(position_);
     if (module_[1] >= 0x00010400U) {
       counts_ = rewrite_.new_id();
-      fetches_ = rewrite_.new_id();
-      written_ = rewrite_.new_id();
-      operations_ = rewrite_.new_id();
-      operands.insert(operands.end(), {counts_, fetches_, written_, operations_});
+      sizes_ = rewrite_.new_id();
+      operands.push_back(counts_);
+      if (!sized().empty()) operands.push_back(sizes_);
+      for (const Id* counter : counters()) operands.push_back(*counter);
+      for (const auto& [holder, bytes] : bytes_of_) operands.push_back(bytes);
     }
     keep(spv::OpEntryPoint, operands);
+  }
+
+  std::vector<Id*> counters() {
+    return {&fetches_,       &written_,  &operations_,      &bytes_read_,
+            &bytes_written_, &barriers_, &bytes_of_outputs_};
+  }
+
+  // What the host tells the bytes of: the module's textures, and the colour outputs, by their names.
+  struct Sized {
+    std::string name;
+    Id kept_in = 0;  // a private variable, to which they are added
+  };
+  std::vector<Sized> sized() const {
+    std::vector<Sized> all;
+    for (const auto& [holder, bytes] : bytes_of_)
+      if (storage_class_of(holder) == spv::StorageClassUniformConstant)
+        all.push_back({code_.name(holder), bytes});
+    for (const std::uint32_t location : facts_.colour_outputs)
+      all.push_back({"SV_Target" + std::to_string(location), bytes_of_outputs_});
+    return all;
+  }
+
+  std::optional<spv::StorageClass> storage_class_of(Id variable) const {
+    const spirv::Instruction* definition = code_.definition(variable);
+    if (definition == nullptr || definition->op != spv::OpVariable) return std::nullopt;
+    return code_.storage_class(definition->type);
+  }
+
+  // The block has a member for each of sized().
+  void declare_sizes() {
+    const std::vector<Sized> all = sized();
+    if (all.empty()) return;
+    const Id block = rewrite_.new_type(spv::OpTypeStruct, Words(all.size(), uint_));
+    rewrite_.decoration(spv::OpDecorate, {block, spv::DecorationBlock});
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+      rewrite_.decoration(spv::OpMemberDecorate, {block, i, spv::DecorationOffset, 4 * i});
+      Words name{block};
+      const Words text = name_words(i, texel_bytes_uniform(all[i].name));
+      name.insert(name.end(), text.begin(), text.end());
+      rewrite_.name(spv::OpMemberName, name);
+    }
+    sizes_ = variable(block, spv::StorageClassUniform, sizes_);
+    rewrite_.decoration(spv::OpDecorate, {sizes_, spv::DecorationDescriptorSet, 0});
+    rewrite_.decoration(spv::OpDecorate, {sizes_, spv::DecorationBinding, 0});  // as declare_counts()
+    rewrite_.name(spv::OpName, name_words(block, texel_bytes_name));
+    rewrite_.name(spv::OpName, name_words(sizes_, texel_bytes_name));
+  }
+
+  // Follows the variables of the entry point's first block.
+  void load_bytes() {
+    bytes_loaded_ = true;
+    const Id pointer = rewrite_.type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
+    std::uint32_t member = 0;
+    for (const Sized& one : sized()) {
+      const Id at = rewrite_.result(spv::OpAccessChain, pointer, {sizes_, uint(member++)});
+      add_loaded(one.kept_in, rewrite_.result(spv::OpLoad, uint_, {at}));
+    }
+  }
+
+  void add_bytes(Id counter, Id holder, std::uint32_t texels) {
+    if (holder == 0) throw std::logic_error("a texture whose origin is not known is accessed");
+    add_loaded(counter, scaled(loaded(bytes_of_.at(holder)), uint(texels)));
+  }
+
+  void copy_bytes(Id to, Id from) {
+    if (to == 0 || from == 0 || to == from) return;
+    rewrite_.code(spv::OpStore, {bytes_of_.at(to), loaded(bytes_of_.at(from))});
+  }
+
+  // Where an image is stored, passed or returned, its bytes are, too.
+  void follow_images(spv::Op op, spirv::Words one) {
+    if (op == spv::OpStore) copy_bytes(holders_.of(one[1]), holders_.of(one[2]));
+    if (op == spv::OpReturnValue) copy_bytes(holders_.of(function_), holders_.of(one[1]));
+    if (op != spv::OpFunctionCall) return;
+    const std::vector<Id>& parameters = code_.function(one[3])->parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      copy_bytes(holders_.of(parameters[i]), holders_.of(one[4 + i]));
   }
 
   void enter_function(spirv::Words one) {
@@ -364,9 +467,9 @@ class Counting {
     uint_ = rewrite_.uint_type();
     bool_ = rewrite_.type(spv::OpTypeBool, {});
     declare_position();
-    fetches_ = private_counter(fetches_);
-    written_ = private_counter(written_);
-    operations_ = private_counter(operations_);
+    for (const Id* counter : counters()) declare_private(*counter);
+    for (const auto& [holder, bytes] : bytes_of_) declare_private(bytes);
+    declare_sizes();
     declare_counts();
     rewrite_.name(spv::OpName, name_words(add_counts_, "$AddTexelCounts"));
   }
@@ -394,7 +497,7 @@ class Counting {
     return id;
   }
 
-  Id private_counter(Id wanted) { return variable(uint_, spv::StorageClassPrivate, wanted, uint(0)); }
+  void declare_private(Id id) { variable(uint_, spv::StorageClassPrivate, id, uint(0)); }
 
   // SPIR-V 1.3 has a storage class for storage buffers; in earlier versions they are decorated blocks in the
   // Uniform class.
@@ -415,9 +518,10 @@ class Counting {
     rewrite_.name(spv::OpName, name_words(counts_, texel_counts_name));
   }
 
-  void add(Id counter, std::uint32_t amount) {
-    const Id before = rewrite_.result(spv::OpLoad, uint_, {counter});
-    const Id after = rewrite_.result(spv::OpIAdd, uint_, {before, uint(amount)});
+  void add(Id counter, std::uint32_t amount) { add_loaded(counter, uint(amount)); }
+
+  void add_loaded(Id counter, Id amount) {
+    const Id after = rewrite_.result(spv::OpIAdd, uint_, {loaded(counter), amount});
     rewrite_.code(spv::OpStore, {counter, after});
   }
 
@@ -465,8 +569,11 @@ class Counting {
     const Id first = rewrite_.result(spv::OpIAdd, uint_, {cells, uint(texel_counts_header)});
     add_atomically(first, loaded(fetches_));
     add_atomically(place_after(first, 1), loaded(written_));
-    add_operations(first);
+    add_long(place_after(first, 2), place_after(first, 3), operations_);
+    add_long(place_after(first, 4), place_after(first, 5), bytes_read_);
+    add_long(place_after(first, 6), place_after(first, 7), bytes_written_);
     add_atomically(uint(texel_counts_invocations), uint(1));
+    add_long(uint(texel_counts_barriers), uint(texel_counts_barriers + 1), barriers_);
     rewrite_.code(spv::OpReturn, {});
     rewrite_.code(spv::OpFunctionEnd, {});
   }
@@ -487,30 +594,39 @@ class Counting {
   }
 
   // The count has two words: 32 bits are too few for all operations of a picture.
-  void add_operations(Id first) {
-    const Id count = loaded(operations_);
-    const Id before = add_atomically(place_after(first, 2), count);
+  void add_long(Id low, Id high, Id counter) {
+    const Id count = loaded(counter);
+    const Id before = add_atomically(low, count);
     const Id after = rewrite_.result(spv::OpIAdd, uint_, {before, count});
     const Id wrapped = rewrite_.result(spv::OpULessThan, bool_, {after, before});
-    add_atomically(place_after(first, 3), rewrite_.result(spv::OpSelect, uint_, {wrapped, uint(1), uint(0)}));
+    add_atomically(high, rewrite_.result(spv::OpSelect, uint_, {wrapped, uint(1), uint(0)}));
   }
 
   const SpirvModule& module_;
   const spirv::Code& code_;
   const EntryFacts facts_;
   const OperationsOfBlocks operations_of_blocks_;
+  const ImageHolders holders_;
+  std::map<Id, Id> bytes_of_;  // private variables with the bytes of a texel, by holder
+  bool bytes_loaded_ = false;
   std::uint32_t of_block_ = 0;  // operations of the block that is visited, until they are added
   ModuleRewrite rewrite_;
   Id function_ = 0;  // the function that is visited
   bool depth_first_told_ = false;
   Id add_counts_ = 0;  // the function that adds the counts
-  Id position_ = 0, counts_ = 0, fetches_ = 0, written_ = 0, operations_ = 0;
+  Id position_ = 0, counts_ = 0, sizes_ = 0;
+  Id fetches_ = 0, written_ = 0, operations_ = 0, bytes_read_ = 0, bytes_written_ = 0, barriers_ = 0;
+  Id bytes_of_outputs_ = 0;
   Id position_type_ = 0, coordinate_type_ = 0;
   Id void_ = 0, function_type_ = 0, uint_ = 0, bool_ = 0;
   spv::StorageClass storage_ = spv::StorageClassStorageBuffer;
 };
 
 }  // namespace
+
+std::string texel_bytes_uniform(const std::string& texture) {
+  return std::string(texel_bytes_name) + "(" + texture + ")";
+}
 
 spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry, VulkanVersion vulkan,
                              const std::set<Id>& uncounted) {
