@@ -2,6 +2,8 @@
 // device, against answers worked out here. `p` is a pixel's centre: p.xy / 4 is the centre of the same texel.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "fxc/at_hand.h"
 #include "preparation/drawn.h"
 
@@ -228,6 +230,19 @@ float4 Main(float4 p : SV_Position) : SV_Target { return a + b; })",
                        [](int, int) {
                          return Pixel{11, 12, 13, 14};
                        });
+}
+
+// The texel of each offset is read, at the border the nearest one.
+TEST(ExecutedResources, GathersWithFourOffsetsReadOneTexelOfEach) {
+  const auto column = [](int x) { return static_cast<float>(std::clamp(x, 0, 3)); };
+  EXPECT_EQ(
+      draw_prepared({"Texture2D A; SamplerState Point;\nfloat4 Main(float4 p : SV_Position) : SV_Target {\n"
+                     "  return A.GatherGreen(Point, (p.xy + 0.25) / 4, int2(0, 0), int2(1, 0), int2(0, 1), "
+                     "int2(2, -1)); }",
+                     {{"A", 10}}}),
+      picture([&](int x, int) {
+        return Pixel{column(x), column(x + 1), column(x), column(x + 2)};
+      }));
 }
 
 // The four texels around the middle hold (4y + x) / 16; those of a gather are counted from the lower left,

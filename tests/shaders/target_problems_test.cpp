@@ -65,6 +65,40 @@ TEST(TargetProblems, OfArraysOfConstantBuffersAreThoseOfShaderModel5) {
               ElementsAre(StartsWith("hlsl50: 3: 'c' is an array of constant buffers")));
 }
 
+TEST(TargetProblems, OfImagesThatOpenGlEsDoesNotHaveAreAtTheirDeclaration) {
+  const std::string main =
+      "RWTexture2D<float2> _A;\nRWTexture2D<float4> _B;\nRWTexture2D<float4> _C; RWTexture2D<float> _D;\n"
+      "[numthreads(8, 8, 1)] void Main(uint3 id : SV_DispatchThreadID) { _A[id.xy] = id.xy;\n"
+      "_B[id.xy] = _B[id.xy] * 0.5; _C[id.xy] = _D[id.xy]; _D[id.xy] = 1; }";
+  EXPECT_THAT(of_targets(compiled_for_targets(main, hlsl::Stage::compute)),
+              ElementsAre(StartsWith("essl300: 1: '_A' has a format that OpenGL ES does not have"),
+                          StartsWith("essl300: 2: '_B' is read and written"), StartsWith("essl310: 1: '_A'"),
+                          StartsWith("essl310: 2: '_B'")));
+}
+
+TEST(TargetProblems, OfSizesOfBuffersAreThoseOfMetal) {
+  EXPECT_THAT(
+      of_targets(compiled_for_targets(
+          "StructuredBuffer<float4> b;\nRWStructuredBuffer<uint> o;\n[numthreads(1, 1, 1)] void Main() {\n"
+          "uint n, s; b.GetDimensions(n, s);\no[0] = n * s; }",
+          hlsl::Stage::compute)),
+      testing::Each(StartsWith("msl")));
+}
+
+TEST(TargetProblems, OfGathersAtVariableOffsetsAreThoseOfOpenGlEs) {
+  const std::string head = "Texture2D t; SamplerState s;\nfloat4 Main(float4 v : TEXCOORD0) : SV_Target {\n";
+  EXPECT_THAT(of_targets(compiled_for_targets(head + "return t.GatherRed(s, v.xy, int2(v.zw)); }")),
+              ElementsAre(StartsWith("essl300: 3: a gather with an offset that is not constant"),
+                          StartsWith("essl310: 3: ")));
+  const CompileResult constant = compiled_for_targets(
+      head + "return t.GatherRed(s, v.xy, int2(0, 1), int2(1, 0), int2(2, -1), int2(0, 0)); }");
+  EXPECT_THAT(of_targets(constant), IsEmpty());
+  const CrossCompileResult emitted = cross_compile(constant.spirv, Target::essl310);
+  EXPECT_THAT(gl_check({{hlsl::Stage::fragment, emitted.text}}, Target::essl310), IsEmpty()) << emitted.text;
+  for (const Target target : {Target::msl23, Target::hlsl50})
+    EXPECT_THAT(cross_compile(constant.spirv, target).text, testing::HasSubstr("int2(2, -1)"));
+}
+
 TEST(TargetProblems, AreThoseOfCodeThatRuns) {
   EXPECT_THAT(of_targets(compiled_for_targets(
                   "float4 F(float f) { return WaveActiveSum(f); }\nfloat4 Main(float2 uv : "

@@ -18,6 +18,7 @@ SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines
   zero_statics(module);
   flatten_integer_inputs(module);
   drop_gather_bias(module);
+  split_gathers(module);
   return module;
 }
 

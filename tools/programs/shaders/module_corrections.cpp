@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_set>
 
+#include "shaders/module_rewrite.h"
 #include "shaders/spirv_module.h"
 #include "spirv/words.h"
 
@@ -60,6 +61,14 @@ bool asks_for_gather_bias(spirv::Words one) {
     return one.size() > 1 && one[1] == spv::CapabilityImageGatherBiasLodAMD;
   return spirv::opcode(one) == spv::OpExtension &&
          spirv::literal_text(one.subspan(1)) == "SPV_AMD_texture_gather_bias_lod";
+}
+
+constexpr std::size_t gather_mask = 6;  // after result type, result, image, coordinate and component
+
+bool has_four_offsets(spirv::Words one) {
+  const spv::Op op = spirv::opcode(one);
+  return (op == spv::OpImageGather || op == spv::OpImageDrefGather) && one.size() == gather_mask + 2 &&
+         one[gather_mask] == spv::ImageOperandsConstOffsetsMask;
 }
 
 bool has_remainders(const SpirvModule& module) {
@@ -190,7 +199,7 @@ void flatten_integer_inputs(SpirvModule& module) {
 }
 
 void drop_gather_bias(SpirvModule& module) {
-  constexpr std::size_t mask = 6;  // its place: after result type, result, image, coordinate and reference
+  constexpr std::size_t mask = gather_mask;
   SpirvModule kept(module.begin(), module.begin() + spirv::header_words);
   kept.reserve(module.size());
   spirv::for_each_instruction(module, [&](spirv::Words one) {
@@ -206,6 +215,33 @@ void drop_gather_bias(SpirvModule& module) {
     kept[begin] = static_cast<std::uint32_t>((kept.size() - begin) << 16U) | spv::OpImageDrefGather;
   });
   module = std::move(kept);
+}
+
+void split_gathers(SpirvModule& module) {
+  std::map<std::uint32_t, spirv::Words> composites;             // constants, by id
+  std::map<std::uint32_t, std::uint32_t> component_of_vectors;  // types
+  bool any = false;
+  const SpirvModule& read_only = module;
+  spirv::for_each_instruction(read_only, [&](spirv::Words one) {
+    if (spirv::opcode(one) == spv::OpTypeVector) component_of_vectors[one[1]] = one[2];
+    if (spirv::opcode(one) == spv::OpConstantComposite && one.size() == 7)
+      composites[one[2]] = one.subspan(3);
+    any = any || has_four_offsets(one);
+  });
+  if (!any) return;
+  ModuleRewrite rewrite(read_only);
+  spirv::for_each_instruction(read_only, [&](spirv::Words one) {
+    const auto offsets = has_four_offsets(one) ? composites.find(one[gather_mask + 1]) : composites.end();
+    if (offsets == composites.end()) return rewrite.keep(one);
+    ModuleRewrite::Words texels;
+    for (const std::uint32_t offset : offsets->second) {
+      const std::uint32_t four = rewrite.result(
+          spirv::opcode(one), one[1], {one[3], one[4], one[5], spv::ImageOperandsConstOffsetMask, offset});
+      texels.push_back(rewrite.result(spv::OpCompositeExtract, component_of_vectors.at(one[1]), {four, 3}));
+    }
+    rewrite.result(spv::OpCompositeConstruct, one[1], texels, one[2]);
+  });
+  module = rewrite.finished();
 }
 
 void truncate_remainders(SpirvModule& module) {

@@ -17,6 +17,14 @@ void flatten_integer_inputs(SpirvModule& module);
 // Removes the operand from OpImageDrefGather, and the capability that it requires from the module.
 void drop_gather_bias(SpirvModule& module);
 
+// A gather with four constant offsets, which Direct3D, Vulkan and desktop OpenGL have: SPIRV-Cross emits one
+// of the offsets for Metal and none for HLSL, and OpenGL ES has no such function. Each offset's texel is the
+// last of a gather with that offset alone
+// (learn.microsoft.com/windows/win32/direct3dhlsl/texture2d-gatherred).
+//
+// Replaces OpImageGather and OpImageDrefGather with ConstOffsets by four of ConstOffset.
+void split_gathers(SpirvModule& module);
+
 // The result of % and fmod has the sign of the dividend in HLSL: (-7) % 2 is -1. glslang emits the
 // instructions of GLSL's mod(), whose result has the sign of the divisor.
 //

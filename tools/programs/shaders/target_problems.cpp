@@ -1,5 +1,6 @@
 #include "shaders/target_problems.h"
 
+#include <map>
 #include <set>
 
 #include <glslang/SPIRV/GLSL.std.450.h>
@@ -57,6 +58,16 @@ bool is_fine_or_coarse(spirv::Words instruction) {
   return op >= spv::OpDPdxFine && op <= spv::OpFwidthCoarse;
 }
 
+bool asks_for_length(spirv::Words instruction) {
+  return spirv::opcode(instruction) == spv::OpArrayLength;
+}
+
+bool gathers_at_a_variable_offset(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
+  return (op == spv::OpImageGather || op == spv::OpImageDrefGather) &&
+         (spirv::operand(instruction, 6) & spv::ImageOperandsOffsetMask) != 0;
+}
+
 // Collects the names of the uniform buffers that are arrays.
 class BufferArrays {
  public:
@@ -97,11 +108,75 @@ class BufferArrays {
   std::set<std::string> found_;
 };
 
-// Finds the first `> name[`.
-SourcePlace array_declaration(const std::string& name, const std::string& text, const std::string& file) {
+// The images that a shader writes and OpenGL ES 3.1 does not have (OpenGL ES Shading Language 3.10, 4.4.7).
+class WrittenImages {
+ public:
+  struct Found {
+    std::string name;
+    bool has_format = false;  // ES has its format, but not for images that are read as well
+  };
+
+  std::vector<Found> run(const SpirvModule& module) {
+    spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
+    std::vector<Found> found;
+    for (const auto& [variable, format] : formats_) {
+      const bool has_format = in_es_.contains(format);
+      const bool both = read_.contains(variable) && written_.contains(variable);
+      if (!has_format || (both && !whole_.contains(format))) found.push_back({names_[variable], has_format});
+    }
+    return found;
+  }
+
+ private:
+  void visit(spirv::Words words) {
+    switch (spirv::opcode(words)) {
+      case spv::OpName:
+        names_[words[1]] = spirv::literal_text(words.subspan(2));
+        break;
+      case spv::OpTypeImage:
+        if (words[7] == 2 && words[3] != spv::DimBuffer) types_[words[1]] = words[8];
+        break;
+      case spv::OpTypePointer:
+        if (const auto type = types_.find(words[3]); type != types_.end()) types_[words[1]] = type->second;
+        break;
+      case spv::OpVariable:
+        if (const auto type = types_.find(words[1]); type != types_.end()) formats_[words[2]] = type->second;
+        break;
+      case spv::OpLoad:
+        if (formats_.contains(words[3])) variables_[words[2]] = words[3];
+        break;
+      case spv::OpImageRead:
+        read_.insert(variables_[words[3]]);
+        break;
+      case spv::OpImageWrite:
+        written_.insert(variables_[words[1]]);
+        break;
+      default:
+        break;
+    }
+  }
+
+  const std::set<std::uint32_t> whole_{spv::ImageFormatR32f, spv::ImageFormatR32i, spv::ImageFormatR32ui};
+  const std::set<std::uint32_t> in_es_{
+      spv::ImageFormatR32f,    spv::ImageFormatR32i,   spv::ImageFormatR32ui,      spv::ImageFormatRgba32f,
+      spv::ImageFormatRgba16f, spv::ImageFormatRgba8,  spv::ImageFormatRgba8Snorm, spv::ImageFormatRgba32i,
+      spv::ImageFormatRgba16i, spv::ImageFormatRgba8i, spv::ImageFormatRgba32ui,   spv::ImageFormatRgba16ui,
+      spv::ImageFormatRgba8ui, spv::ImageFormatUnknown};
+  std::map<std::uint32_t, std::string> names_;
+  std::map<std::uint32_t, std::uint32_t> types_;      // formats of images and of pointers to them
+  std::map<std::uint32_t, std::uint32_t> formats_;    // by variable
+  std::map<std::uint32_t, std::uint32_t> variables_;  // of the images that were loaded
+  std::set<std::uint32_t> read_;
+  std::set<std::uint32_t> written_;
+};
+
+// Finds the first `> name`, before `after` if it is not empty.
+SourcePlace declaration(const std::string& name, const std::string& after, const std::string& text,
+                        const std::string& file) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
   for (std::size_t at = 1; at + 1 < tokens.size(); ++at)
-    if (tokens[at].spelling == name && tokens[at - 1].spelling == ">" && tokens[at + 1].spelling == "[")
+    if (tokens[at].spelling == name && tokens[at - 1].spelling == ">" &&
+        (after.empty() || tokens[at + 1].spelling == after))
       return place_of(tokens[at], file);
   return {};
 }
@@ -127,11 +202,27 @@ std::vector<TargetProblem> target_problems(const SpirvModule& module, const std:
   find(is_fine_or_coarse, essl,
        "OpenGL ES has no fine and coarse derivatives: write ddx and ddy, or leave gles3 out with "
        "#pragma exclude_renderers");
+  find(gathers_at_a_variable_offset, essl,
+       "a gather with an offset that is not constant needs OpenGL ES 3.2: write a constant offset, or leave "
+       "gles3 "
+       "out with #pragma exclude_renderers");
+  find(asks_for_length,
+       targets_of([](Target target) { return target_language(target) == TargetLanguage::msl; }),
+       "Metal has no GetDimensions of a buffer: pass its size in a constant, or leave metal out with "
+       "#pragma exclude_renderers");
+  for (const WrittenImages::Found& image : WrittenImages().run(module)) {
+    const std::string why = image.has_format ? "' is read and written: in OpenGL ES only images of one "
+                                               "float, int or uint may be; declare two, or leave "
+                                             : "' has a format that OpenGL ES does not have for images: "
+                                               "declare one or four components, or leave ";
+    problems.push_back({essl, error_at(declaration(image.name, {}, text, file),
+                                       "'" + image.name + why + "gles3 out with #pragma exclude_renderers")});
+  }
   for (const std::string& name : BufferArrays().run(module))
     problems.push_back(
         {{Target::hlsl50},
          error_at(
-             array_declaration(name, text, file),
+             declaration(name, "[", text, file),
              "'" + name +
                  "' is an array of constant buffers, which needs shader model 5.1, and Direct3D 11 has 5.0: "
                  "declare one cbuffer with an array in it")});

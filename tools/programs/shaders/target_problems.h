@@ -12,9 +12,10 @@ struct TargetProblem {
   hlsl::Diagnostic problem;
 };
 
-// Finds wave functions, evaluation of an attribute elsewhere in its pixel, fine and coarse derivatives, and
-// arrays of constant buffers. It is for optimised modules; lines are known only in those with debug lines.
-// `text` is the source, in which the declarations of buffers are found; `file` is its name.
+// Finds wave functions, evaluation of an attribute elsewhere in its pixel, fine and coarse derivatives,
+// gathers at variable offsets, sizes of buffers, and arrays of constant buffers. It is for optimised modules;
+// lines are known only in those with debug lines. `text` is the source, in which the declarations of buffers
+// are found; `file` is its name.
 std::vector<TargetProblem> target_problems(const SpirvModule& module, const std::string& text,
                                            const std::string& file);
 
