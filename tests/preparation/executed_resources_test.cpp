@@ -232,6 +232,30 @@ float4 Main(float4 p : SV_Position) : SV_Target { return a + b; })",
                        });
 }
 
+// Elements are packed, 25 words each, in every module: FXC's bytecode reads the same words.
+TEST(ExecutedResources, StructuredBuffersHaveDirect3DsOffsets) {
+  Drawing drawing{
+      "struct S { float a; float3 b; float2 c; float3 d[2]; uint e; float3x4 m; };\n"
+      "StructuredBuffer<S> Data;\n"
+      "float4 Main(float4 p : SV_Position) : SV_Target {\n"
+      "  S s = Data[1]; int i = (int)p.x % 2;\n"
+      "  return p.y < 2 ? float4(s.a, s.b.z, s.c.y, s.d[i].y) : float4(asfloat(s.e), s.m[i][3], "
+      "Data[2].b[i], "
+      "Data[0].m[2][1]); }",
+      {},
+      {},
+      {{"Data", {}}}};
+  for (int i = 0; i < 75; ++i) drawing.buffers["Data"].push_back(static_cast<float>(i));
+  const auto expected = picture([](int x, int y) {
+    const float i = static_cast<float>(x % 2);
+    if (y < 2) return Pixel{25, 28, 30, 32 + 3 * i};
+    return Pixel{37, 47 + i, 51 + i, 18};
+  });
+  EXPECT_EQ(draw_prepared(drawing), expected);
+  PENUMBRA_NEEDS_FXC();
+  EXPECT_EQ(draw_by_fxc(drawing), expected);
+}
+
 // The texel of each offset is read, at the border the nearest one.
 TEST(ExecutedResources, GathersWithFourOffsetsReadOneTexelOfEach) {
   const auto column = [](int x) { return static_cast<float>(std::clamp(x, 0, 3)); };

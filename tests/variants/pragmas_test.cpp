@@ -124,6 +124,8 @@ TEST(Pragmas, TargetsAndRequirementsMayDependOnKeywords) {
 
 TEST(Pragmas, StagesRaiseTheTarget) {
   EXPECT_EQ(shader_target(pragmas_of("#pragma vertex V\n"), {}), 25);
+  EXPECT_EQ(shader_target(pragmas_of("#pragma vertex V\n#pragma target 2.0\n"), {"INSTANCING_ON"}), 35);
+  EXPECT_EQ(shader_target(pragmas_of("#pragma vertex V\n"), {"PROCEDURAL_INSTANCING_ON"}), 35);
   EXPECT_EQ(shader_target(pragmas_of("#pragma geometry G\n"), {}), 40);
   EXPECT_EQ(shader_target(pragmas_of("#pragma kernel K\n"), {}), 50);
   EXPECT_EQ(shader_target(pragmas_of("#pragma hull H\n#pragma target 5.0\n"), {}), 50);

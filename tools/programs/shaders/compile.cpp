@@ -115,6 +115,7 @@ bool report(const Source& source, const hlsl::SourceFiles& sources,
 bool correct_tree(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                   CompileResult& result) {
   correct_operations(tree);
+  lay_out_buffers(tree);
   return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 

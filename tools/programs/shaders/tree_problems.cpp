@@ -161,7 +161,21 @@ class OperationMeanings final : public TreeRewrite {
   }
 };
 
+class BufferLayouts final : public glslang::TIntermTraverser {
+ public:
+  void visitSymbol(glslang::TIntermSymbol* node) override {
+    glslang::TQualifier& qualifier = node->getWritableType().getQualifier();
+    if (node->getBasicType() == glslang::EbtBlock && qualifier.storage == glslang::EvqBuffer)
+      qualifier.layoutPacking = glslang::ElpScalar;
+  }
+};
+
 }  // namespace
+
+void lay_out_buffers(glslang::TIntermediate& tree) {
+  BufferLayouts layouts;
+  if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&layouts);
+}
 
 std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermediate& tree) {
   return found_by<ComparisonSearch>(tree);

@@ -27,4 +27,9 @@ std::vector<hlsl::Diagnostic> converted_arguments(const glslang::TIntermediate& 
 // - ldexp(x, e) with a float e is x * exp2(e); Ldexp takes integer exponents.
 void correct_operations(glslang::TIntermediate& tree);
 
+// Structured buffers, whose elements Direct3D packs like C's structs of 32-bit words
+// (learn.microsoft.com/windows/win32/direct3dhlsl/sm5-object-structuredbuffer); glslang gives them the
+// offsets of GL's std430, in which `float a; float3 b;` leaves 12 bytes between the two.
+void lay_out_buffers(glslang::TIntermediate& tree);
+
 }  // namespace penumbra::shaders

@@ -148,9 +148,10 @@ class WordBlocks {
     const BlockType* type = types_.find(structure);
     if (type == nullptr || type->op != spv::OpTypeStruct) return;
     if (!buffer && block_types_.count(structure) == 0) return;
-    const bool fits = which_ == BlocksAsWords::not_for_vulkan
-                          ? buffer || !types_.fills_tails(structure)
-                          : types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
+    const bool fits =
+        which_ == BlocksAsWords::not_for_vulkan
+            ? (buffer ? types_.fits(structure, BlockRule::std430) : !types_.fills_tails(structure))
+            : types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
     if (fits) return;
     const std::uint32_t id = spirv::operand(variable, 2);
     blocks_[id] = {structure, storage, !buffer};

@@ -15,7 +15,8 @@
 namespace penumbra::shaders {
 
 // not_for_gl means blocks that are neither std140 nor, for storage buffers, std430. not_for_vulkan means
-// uniform blocks with a member in the padding of an array or struct before it, which is never valid SPIR-V.
+// storage buffers that are not std430, which need VK_EXT_scalar_block_layout, and uniform blocks with a
+// member in the padding of an array or struct before it, which is never valid SPIR-V.
 enum class BlocksAsWords { not_for_gl, not_for_vulkan };
 
 // Returns the module with those blocks as words, or nothing if there are none, or if one is used in a way

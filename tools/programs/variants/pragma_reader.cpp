@@ -255,6 +255,10 @@ int shader_target(const Pragmas& pragmas, const Keywords& variant) {
   if (has_stage(pragmas, hlsl::Stage::geometry)) model = 40;
   if (has_stage(pragmas, hlsl::Stage::hull) || has_stage(pragmas, hlsl::Stage::domain)) model = 46;
   if (!pragmas.kernels.empty()) model = 50;
+  // multi_compile_instancing requires `instancing` of the variants with its keywords, which is target 3.5
+  // (docs.unity3d.com/Manual/SL-ShaderCompileTargets.html).
+  if (contains(variant, "INSTANCING_ON") || contains(variant, "PROCEDURAL_INSTANCING_ON"))
+    model = std::max(model, 35);
   for (const ShaderTarget& target : pragmas.targets) {
     const bool applies = target.keywords.empty() ||
                          std::any_of(target.keywords.begin(), target.keywords.end(),
