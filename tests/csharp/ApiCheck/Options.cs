@@ -17,7 +17,7 @@ public sealed class Options
           --engine-version V, --core-version V, --universal-version V
                                     for a source that does not say its version
           --output FILE             the answer as JSON
-          --version V               the version of Unity, where the assemblies' folder does not tell it
+          --version V               the version of Unity, where no folder is that of a project
           --package DIR             the package (default: this repository)
           --declarations DIR        the declarations (default: tests/csharp/UnityApi of the package)
           --help
