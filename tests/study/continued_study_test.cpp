@@ -52,19 +52,27 @@ StudyProgress until(const std::string& technique) {
   };
 }
 
+StudyOutcome run(const std::vector<Subject>& chosen, const StudySettings& settings) {
+  return run_study(test_device(), chosen, settings, [](auto&&...) {});
+}
+
+void interrupt(const std::vector<Subject>& chosen, const StudySettings& settings,
+               const std::string& technique) {
+  EXPECT_THROW(run_study(test_device(), chosen, settings, until(technique)), platform::Interrupted);
+}
+
 TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   const reference::ScratchFolder whole_cache, cache;
   const std::vector<Subject> chosen =
       subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
-  const StudyOutcome whole = run_study(test_device(), chosen, settings(whole_cache.path()), [](auto&&...) {});
+  const StudyOutcome whole = run(chosen, settings(whole_cache.path()));
   EXPECT_EQ(kept_in(whole_cache.path()), 3U) << "until the results are written";
   whole.kept->drop();
   EXPECT_EQ(kept_in(whole_cache.path()), 0U) << "nothing is kept of a study that is finished";
 
-  EXPECT_THROW(run_study(test_device(), chosen, settings(cache.path()), until(chosen[2].name)),
-               platform::Interrupted);
+  interrupt(chosen, settings(cache.path()), chosen[2].name);
   EXPECT_EQ(kept_in(cache.path()), 2U);
-  const StudyOutcome continued = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
+  const StudyOutcome continued = run(chosen, settings(cache.path()));
   continued.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 0U);
   EXPECT_EQ(continued.records, whole.records);
@@ -80,20 +88,18 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
 TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
   const reference::ScratchFolder cache;
   std::vector<Subject> chosen = subjects({"pcss-angular-24-16", "hard"});
-  EXPECT_THROW(run_study(test_device(), chosen, settings(cache.path()), until("hard")),
-               platform::Interrupted);
+  interrupt(chosen, settings(cache.path()), "hard");
   ASSERT_EQ(kept_in(cache.path()), 1U);
 
   StudySettings other = settings(cache.path());
   other.noise_seeds = 3;
-  const StudyOutcome of_three = run_study(test_device(), chosen, other, [](auto&&...) {});
+  const StudyOutcome of_three = run(chosen, other);
   EXPECT_EQ(of_three.records.at(0).metrics.seeds, 3);
   of_three.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 1U) << "of the first study";
 
   chosen[0].title = "another title";
-  EXPECT_EQ(run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {}).records.at(0).title,
-            "another title");
+  EXPECT_EQ(run(chosen, settings(cache.path())).records.at(0).title, "another title");
 }
 
 // A graph of the test whose pass reads one of two textures.
@@ -138,13 +144,9 @@ RWTexture2D<float> _Visibility;
 TEST(ContinuedStudy, TakesNothingOfAnotherGraph) {
   const reference::ScratchFolder cache, files;
   const auto rmse = [&](const std::string& read, int divisor, const fs::path& kept_in) {
-    return run_study(test_device(), mixed(files.path(), read, divisor), settings(kept_in), [](auto&&...) {})
-        .records.at(0)
-        .metrics.rmse_all;
+    return run(mixed(files.path(), read, divisor), settings(kept_in)).records.at(0).metrics.rmse_all;
   };
-  EXPECT_THROW(
-      run_study(test_device(), mixed(files.path(), "whole", 2), settings(cache.path()), until("hard")),
-      platform::Interrupted);
+  interrupt(mixed(files.path(), "whole", 2), settings(cache.path()), "hard");
   for (const auto& [read, divisor] : {std::pair("small", 2), std::pair("small", 4), std::pair("whole", 2)}) {
     const reference::ScratchFolder empty;
     EXPECT_EQ(rmse(read, divisor, cache.path()), rmse(read, divisor, empty.path())) << read << divisor;
@@ -164,11 +166,10 @@ TEST(ContinuedStudy, TakesNothingOfAnotherPicture) {
     adapter.textures = {{"_Tex", {1, 1, {value, value, value, 255}}}};
     return std::vector<Subject>{adapter_subject(adapter, true), subjects({"hard"}).front()};
   };
-  EXPECT_THROW(run_study(test_device(), of(255), settings(cache.path()), until("hard")),
-               platform::Interrupted);
+  interrupt(of(255), settings(cache.path()), "hard");
   const reference::ScratchFolder empty;
   const auto rmse = [&](const fs::path& folder) {
-    return run_study(test_device(), of(0), settings(folder), [](auto&&...) {}).records.at(0).metrics.rmse_all;
+    return run(of(0), settings(folder)).records.at(0).metrics.rmse_all;
   };
   EXPECT_EQ(rmse(cache.path()), rmse(empty.path()));
 }
@@ -188,7 +189,7 @@ TEST(ContinuedStudy, SplitsTheErrorByItsOwnUnlimitedPicture) {
     StudySettings splitting = settings(folder);
     splitting.split_error = true;
     const std::vector<Subject> subjects{technique_subject(list, list.find("means"), true)};
-    return run_study(test_device(), subjects, splitting, [](auto&&...) {}).records.at(0).metrics.split;
+    return run(subjects, splitting).records.at(0).metrics.split;
   };
   const ErrorSplit first = split(1, cache.path());
   const reference::ScratchFolder empty;
@@ -202,10 +203,10 @@ TEST(ContinuedStudy, HasPicturesOnlyWhereTheyAreWanted) {
   const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
   StudySettings figures = settings(cache.path());
   figures.pictures = false;
-  const StudyOutcome without = run_study(test_device(), chosen, figures, [](auto&&...) {});
+  const StudyOutcome without = run(chosen, figures);
   for (const PictureRow& row : without.pictures) EXPECT_TRUE(row.result.empty() && row.technique.empty());
-  EXPECT_THROW(run_study(test_device(), chosen, figures, until("hard")), platform::Interrupted);
-  const StudyOutcome with = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
+  interrupt(chosen, figures, "hard");
+  const StudyOutcome with = run(chosen, settings(cache.path()));
   EXPECT_EQ(with.records, without.records);
   for (const PictureRow& row : with.pictures) EXPECT_FALSE(row.result.empty()) << row.technique;
 }
@@ -217,9 +218,9 @@ TEST(ContinuedStudy, KeepsNothingWhereAnswersArePassedOn) {
   int answers = 0;
   passing.answered = [&](const SubjectAnswer&) { ++answers; };
   const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
-  EXPECT_THROW(run_study(test_device(), chosen, passing, until("hard")), platform::Interrupted);
+  interrupt(chosen, passing, "hard");
   EXPECT_EQ(kept_in(cache.path()), 0U);
-  run_study(test_device(), chosen, passing, [](auto&&...) {});
+  run(chosen, passing);
   EXPECT_EQ(answers, 3);
 }
 

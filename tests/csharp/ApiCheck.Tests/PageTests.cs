@@ -6,7 +6,7 @@ public sealed class PageTests
     private static readonly SourceReport Report = new()
     {
         Generation = "2022.3",
-        Sources = [new("engine", "2022.3.17f1", "README.md", 3, ["2022.3.17f1"]), new("core", null, "unknown", 2, [])],
+        Sources = [new("engine", "2022.3.17f1", "README.md", 3, ["2022.3.17f1"]), new("core", "14.0.9", "package.json", 2, [])],
         SymbolSets = ["editor"],
         Counts = new(2, 7, 1, 1, 1, 1),
         Types =
@@ -23,7 +23,7 @@ public sealed class PageTests
         <!-- api-check -->
         | Unity | compared with | types | declarations | of which inherited | compared by name only | obsolete | differences |
         |:--|:--|--:|--:|--:|--:|--:|--:|
-        | 2022.3 | engine 2022.3.17f1 (3 files), core of unknown version (2 files) | 2 | 7 | 1 | 1 | 1 | 1 |
+        | 2022.3 | engine 2022.3.17f1 (3 files), core 14.0.9 (2 files) | 2 | 7 | 1 | 1 | 1 | 1 |
 
         Differences in 2022.3:
 

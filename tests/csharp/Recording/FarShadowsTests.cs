@@ -15,7 +15,7 @@ public sealed class FarShadowsTests : FeatureTests
         made.Clear();
     }
 
-    private readonly List<FarShadowGround> made = new List<FarShadowGround>();
+    private readonly List<FarShadowGround> made = new();
 
     // The engine enables components in this way.
     private static void Enable(FarShadowGround ground, bool on) =>

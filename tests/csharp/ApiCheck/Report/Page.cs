@@ -24,8 +24,7 @@ public static class Page
         text.Append("|:--|:--|--:|--:|--:|--:|--:|--:|\n");
         foreach (var report in reports)
         {
-            var sources = report.Sources.Select(source =>
-                $"{source.Source} {source.Version ?? "of unknown version"} ({source.Files} files)");
+            var sources = report.Sources.Select(source => $"{source.Source} {source.Version} ({source.Files} files)");
             var counts = report.Counts;
             text.Append($"| {report.Generation} | {string.Join(", ", sources)} | {counts.Types} | {counts.Declarations} | ");
             text.Append($"{counts.Inherited} | {counts.ByName} | {counts.Obsolete} | {counts.Differences} |\n");

@@ -18,7 +18,7 @@ public sealed record SourceReport
     public required IReadOnlyList<CheckedType> Types { get; init; }
     public required IReadOnlyList<string> Problems { get; init; }
 
-    public sealed record ReadSource(string Source, string? Version, string VersionFrom, int Files,
+    public sealed record ReadSource(string Source, string Version, string VersionFrom, int Files,
                                     IReadOnlyList<string> DeclaredFrom);
 
     public sealed record Totals(int Types, int Declarations, int Inherited, int ByName, int Obsolete, int Differences);
