@@ -127,7 +127,7 @@ public sealed class CommandTests
     [TestCase("x: there is no such folder", "--engine", "x", "--generation", "2022.3")]
     [TestCase("--version does not go with --engine (--help says more)", "--engine", ".", "--generation", "2022.3", "--version", "6000.0")]
     [TestCase("--generation does not go with a folder of assemblies (--help says more)", ".", "--generation", "2022.3")]
-    [TestCase("--output does not go with --page (--help says more)", "--page", "a.md", "--output", "b.json")]
+    [TestCase("--declarations does not go with a folder of assemblies (--help says more)", ".", "--declarations", "a")]
     [TestCase("nowhere: there is no such folder", "nowhere")]
     [TestCase("'new' is not a version of Unity such as 2022.3.17f1 or 6000.0", ".", "--version", "new")]
     public void WrongUsageIsTold(string message, params string[] arguments)
@@ -143,7 +143,7 @@ public sealed class CommandTests
         var run = Commands.Run("--help");
         Assert.That((run.Code, run.Notes), Is.EqualTo((0, "")));
         foreach (var option in new[] { "--generation", "--engine", "--core", "--universal", "--output",
-                                       "--version", "--package", "--declarations", "--page", "--help" })
+                                       "--version", "--package", "--declarations", "--help" })
             Assert.That(run.Answers, Does.Contain(option));
     }
 }

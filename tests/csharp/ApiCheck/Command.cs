@@ -18,7 +18,6 @@ public static class Command
                 return Exit.Same;
             }
             options.RefuseStrangers();
-            if (options.Page is not null) return WritePage(options);
             if (options.IsSourceCheck) return CheckSources(options, answers);
             if (options.Operands.Count == 0)
                 throw CheckException.Usage("neither sources (--engine DIR) nor a folder of assemblies is given (--help says more)");
@@ -71,12 +70,5 @@ public static class Command
         foreach (var line in check.Problems) answers.WriteLine(line);
         foreach (var line in check.Notes) answers.WriteLine(line);
         return check.Problems.Count == 0 ? Exit.Same : Exit.Differences;
-    }
-
-    private static int WritePage(Options options)
-    {
-        var reports = options.Operands.Select(SourceReport.Read).ToArray();
-        WholeFile.Write(options.Page!, Page.Written(File.ReadAllText(options.Page!), reports));
-        return Exit.Same;
     }
 }
