@@ -6,34 +6,17 @@
 #include <set>
 
 #include "platform/interrupt.h"
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
 #include "study/kept_records.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Subject> subjects(const std::vector<std::string>& names) {
-  const techniques::TechniqueList& list = library_techniques();
-  std::vector<Subject> all;
-  for (const std::string& name : names) all.push_back(technique_subject(list, list.find(name), true));
-  return all;
-}
-
 StudySettings settings(const fs::path& cache) {
-  StudySettings settings;
-  settings.scenes = {scene::built_in("trees")};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 64;
-  settings.frame.height = 36;
-  settings.frame.shadows.cascades = 4;
-  settings.reference_samples = 32;
+  StudySettings settings = SmallStudy(scene::built_in("trees"), 2.0, 64, 36).settings;
   settings.noise_seeds = 2;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
   settings.cache = cache;
   return settings;
 }
@@ -64,7 +47,7 @@ void interrupt(const std::vector<Subject>& chosen, const StudySettings& settings
 TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   const reference::ScratchFolder whole_cache, cache;
   const std::vector<Subject> chosen =
-      subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
+      library_subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
   const StudyOutcome whole = run(chosen, settings(whole_cache.path()));
   EXPECT_EQ(kept_in(whole_cache.path()), 3U) << "until the results are written";
   whole.kept->drop();
@@ -87,7 +70,7 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
 // Settings and a technique's values that differ are measured again.
 TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
   const reference::ScratchFolder cache;
-  std::vector<Subject> chosen = subjects({"pcss-angular-24-16", "hard"});
+  std::vector<Subject> chosen = library_subjects({"pcss-angular-24-16", "hard"});
   interrupt(chosen, settings(cache.path()), "hard");
   ASSERT_EQ(kept_in(cache.path()), 1U);
 
@@ -137,7 +120,7 @@ RWTexture2D<float> _Visibility;
   set("OTHER", read == "whole" ? "small" : "whole");
   std::ofstream(folder / "Mix.technique.json") << text;
   const techniques::TechniqueList list = techniques::read_technique_list(folder / "Mix.technique.json");
-  return {technique_subject(list, list.find("mix"), true), subjects({"hard"}).front()};
+  return {technique_subject(list, list.find("mix"), true), library_subjects({"hard"}).front()};
 }
 
 // The programs of both graphs are the same.
@@ -164,7 +147,7 @@ TEST(ContinuedStudy, TakesNothingOfAnotherPicture) {
     adapter.name = "a";
     adapter.file = files.path() / "a.hlsl";
     adapter.textures = {{"_Tex", {1, 1, {value, value, value, 255}}}};
-    return std::vector<Subject>{adapter_subject(adapter, true), subjects({"hard"}).front()};
+    return std::vector<Subject>{adapter_subject(adapter, true), library_subjects({"hard"}).front()};
   };
   interrupt(of(255), settings(cache.path()), "hard");
   const reference::ScratchFolder empty;
@@ -200,7 +183,7 @@ TEST(ContinuedStudy, SplitsTheErrorByItsOwnUnlimitedPicture) {
 
 TEST(ContinuedStudy, HasPicturesOnlyWhereTheyAreWanted) {
   const reference::ScratchFolder cache;
-  const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
+  const std::vector<Subject> chosen = library_subjects({"tent-5", "hard"});
   StudySettings figures = settings(cache.path());
   figures.pictures = false;
   const StudyOutcome without = run(chosen, figures);
@@ -217,7 +200,7 @@ TEST(ContinuedStudy, KeepsNothingWhereAnswersArePassedOn) {
   StudySettings passing = settings(cache.path());
   int answers = 0;
   passing.answered = [&](const SubjectAnswer&) { ++answers; };
-  const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
+  const std::vector<Subject> chosen = library_subjects({"tent-5", "hard"});
   interrupt(chosen, passing, "hard");
   EXPECT_EQ(kept_in(cache.path()), 0U);
   run(chosen, passing);
