@@ -67,6 +67,15 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   }
 }
 
+// No two measurements take the same time.
+TEST(ContinuedStudy, TakesWhatWasMeasuredBefore) {
+  SmallStudy study(scene::built_in("trees"), 2.0, 64, 36);
+  study.settings.timing_repeats = 1;
+  const std::vector<Subject> chosen = library_subjects({"hard"});
+  const Record first = study.run(chosen).records.at(0);
+  EXPECT_EQ(study.run(chosen).records.at(0).time, first.time);
+}
+
 // Settings and a technique's values that differ are measured again.
 TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
   const reference::ScratchFolder cache;
