@@ -19,7 +19,8 @@ public sealed class CommandTests
     private Commands Run(params string[] more) => RunOf("2022.3", more);
 
     private Commands RunOf(string generation, params string[] more) => Commands.Run(
-        ["--package", world.Folder.At("package"), "--generation", generation, .. world.Sources().SelectMany(one => new[] { "--" + one.Key, one.Value }), .. more]);
+        ["--package", world.Folder.At("package"), "--generation", generation,
+         .. world.Sources().SelectMany(one => new[] { "--" + one.Key, one.Value }), .. more]);
 
     [Test]
     public void NothingDiffers()
@@ -105,7 +106,8 @@ public sealed class CommandTests
         world.Real("urp/package.json", "{}");
         Assert.That(Run().Notes, Does.StartWith($"check-unity-api: {world.Folder.At("sources/urp/package.json")}:1:1: a field is missing"));
         File.Delete(world.Folder.At("sources/urp/package.json"));
-        Assert.That(Run().Notes, Is.EqualTo($"check-unity-api: {world.Folder.At("sources/urp")}: there is no package.json, which says the version of universal\n"));
+        Assert.That(Run().Notes, Is.EqualTo(
+            $"check-unity-api: {world.Folder.At("sources/urp")}: there is no package.json, which says the version of universal\n"));
         world.Real("engine/README.md", "Unity");
         Assert.That(Run().Notes, Is.EqualTo($"check-unity-api: {world.Folder.At("sources/engine/README.md")}:1:1: it says no version\n"));
     }

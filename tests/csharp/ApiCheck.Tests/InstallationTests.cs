@@ -57,13 +57,16 @@ public sealed partial class InstallationTests
     public void WhatOnlyPlayersLackIsFound()
     {
         world.WithPackage().WithInstallation().WithProject();
-        world.Folder.Write("package/Runtime/Probe.cs", "public class Probe : UnityEditor.OnlyHere { public static int Size(int a) => UnityEngine.Mathf.Clamp(a, 1, 64); }\n");
-        Assert.That(world.Check(world.Installation, world.Project).Lines.First(), Does.StartWith("Runtime/Probe.cs:1:34: error CS0234: ").And.EndWith(" [player only]"));
+        world.Folder.Write("package/Runtime/Probe.cs",
+                           "public class Probe : UnityEditor.OnlyHere { public static int Size(int a) => UnityEngine.Mathf.Clamp(a, 1, 64); }\n");
+        Assert.That(world.Check(world.Installation, world.Project).Lines.First(),
+                    Does.StartWith("Runtime/Probe.cs:1:34: error CS0234: ").And.EndWith(" [player only]"));
 
         var player = $"{InstallationWorld.Data}/PlaybackEngines/LinuxStandaloneSupport/Variations/mono/Managed";
         world.WithPackage().Emit($"{player}/UnityEngine.CoreModule.dll", "namespace UnityEngine { public static class Mathf { } }");
         var run = world.Check(world.Installation, world.Project);
-        Assert.That(run.Lines.First(), Is.EqualTo("Runtime/Probe.cs:1:80: error CS0117: 'Mathf' does not contain a definition for 'Clamp' [player only]"));
+        Assert.That(run.Lines.First(), Is.EqualTo(
+            "Runtime/Probe.cs:1:80: error CS0117: 'Mathf' does not contain a definition for 'Clamp' [player only]"));
         Assert.That(run.Lines, Has.Some.EqualTo($"players: {world.Folder.At(player)}"));
     }
 
@@ -71,7 +74,8 @@ public sealed partial class InstallationTests
     public void WhatUnityCallsObsoleteIsNoted()
     {
         world.WithPackage().WithInstallation().WithProject();
-        world.Folder.Write("package/Runtime/Old.cs", "static class New { static int B => OldOne.C; }\n[System.Obsolete(\"Gone\")] static class OldOne { public static int C = 1; }\n");
+        world.Folder.Write("package/Runtime/Old.cs", "static class New { static int B => OldOne.C; }\n" +
+                           "[System.Obsolete(\"Gone\")] static class OldOne { public static int C = 1; }\n");
         var run = world.Check(world.Installation, world.Project, "--output", world.Folder.At("answer.json"));
         Assert.That(run.Lines, Has.Some.EqualTo("Runtime/Old.cs:1:36: warning CS0618: 'OldOne' is obsolete: 'Gone'"));
         Assert.That(run.Code, Is.Zero);
@@ -113,7 +117,8 @@ public sealed partial class InstallationTests
     {
         Directory.CreateDirectory(world.WithPackage().Project);
         var run = world.Check(world.Project, "--version", "2022.3.17f1");
-        const string Of = ".dll, to which Probe.Runtime refers: Unity compiles it into Library/ScriptAssemblies of a project that has the package: open one and name its folder too\n";
+        const string Of = ".dll, to which Probe.Runtime refers: Unity compiles it into " +
+                          "Library/ScriptAssemblies of a project that has the package: open one and name its folder too\n";
         Assert.That(run.Notes, Is.EqualTo("check-unity-api: assemblies are missing:\n" +
             "  UnityEngine.CoreModule.dll: it lies in Managed/UnityEngine of a Unity installation: name the installation's folder too\n" +
             $"  Unity.RenderPipelines.Core.Runtime{Of}  Unity.RenderPipelines.Universal.Runtime{Of}"));
@@ -123,7 +128,8 @@ public sealed partial class InstallationTests
     [Test]
     public void AFileThatIsNoAssemblyIsTold()
     {
-        world.WithPackage().WithInstallation().WithProject().Folder.Write("Project/Library/ScriptAssemblies/Unity.RenderPipelines.Core.Runtime.dll", "broken");
+        world.WithPackage().WithInstallation().WithProject().Folder.Write(
+            "Project/Library/ScriptAssemblies/Unity.RenderPipelines.Core.Runtime.dll", "broken");
         Assert.That(world.Check(world.Installation, world.Project).Lines.First(), Does.StartWith("error CS0009: ").And.Contain("Core.Runtime.dll"));
     }
 

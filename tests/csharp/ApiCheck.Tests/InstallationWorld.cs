@@ -24,7 +24,8 @@ public sealed class InstallationWorld : IDisposable
         Folder.Write("package/Runtime/Probe.Runtime.asmdef", """
             { "name": "Probe.Runtime", "references": [ "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.Universal.Runtime" ] }
             """);
-        Folder.Write("package/Runtime/Probe.cs", "public static class Probe { public static int Size(int a) => UnityEngine.Mathf.Clamp(a, 1, 64); }\n");
+        Folder.Write("package/Runtime/Probe.cs",
+                     "public static class Probe { public static int Size(int a) => UnityEngine.Mathf.Clamp(a, 1, 64); }\n");
         Folder.Write("package/Editor/Probe.Editor.asmdef",
             """{ "name": "Probe.Editor", "references": [ "Probe.Runtime" ], "includePlatforms": [ "Editor" ] }""");
         Folder.Write("package/Editor/ProbeWindow.cs", "class ProbeWindow : UnityEditor.OnlyHere { static int Size => Probe.Size(2); }\n");
@@ -52,7 +53,8 @@ public sealed class InstallationWorld : IDisposable
     {
         foreach (var name in new[] { "Core.Runtime", "Core.Editor", "Universal.Runtime", "Universal.Editor" })
             Emit($"Project/Library/ScriptAssemblies/Unity.RenderPipelines.{name}.dll", $"public class Of{name.Replace(".", "")} {{ }}");
-        Folder.Write("Project/ProjectSettings/ProjectVersion.txt", $"m_EditorVersion: {version}\nm_EditorVersionWithRevision: {version} (4fc78088f837)\n");
+        Folder.Write("Project/ProjectSettings/ProjectVersion.txt",
+                     $"m_EditorVersion: {version}\nm_EditorVersionWithRevision: {version} (4fc78088f837)\n");
         return this;
     }
 

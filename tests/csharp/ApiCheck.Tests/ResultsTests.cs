@@ -19,7 +19,8 @@ public sealed class ResultsTests
         var changed = committed.Keys.Union(present.Keys)
             .Where(name => committed.GetValueOrDefault(name) != present.GetValueOrDefault(name)).Order(StringComparer.Ordinal);
         Assert.That(changed, Is.Empty, "declarations changed since they were compared with Unity's sources: run scripts/check-unity-api " +
-            $"--engine DIR --core DIR --universal DIR --generation {generation} --output Documentation~/results/api-check-{generation}.json, then scripts/pages");
+            $"--engine DIR --core DIR --universal DIR --generation {generation} " +
+            $"--output Documentation~/results/api-check-{generation}.json, then scripts/pages");
     }
 
     [TestCase("2022.3")]

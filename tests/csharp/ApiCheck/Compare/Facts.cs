@@ -94,7 +94,8 @@ public static class Facts
         foreach (var parameter in parameters)
         {
             var which = $"type parameter {parameter.Name} is ";
-            yield return new(which, parameter.Variance, parameter.Variance == VarianceKind.None ? "invariant" : $"{parameter.Variance}".ToLowerInvariant());
+            yield return new(which, parameter.Variance,
+                             parameter.Variance == VarianceKind.None ? "invariant" : $"{parameter.Variance}".ToLowerInvariant());
             var constraints = string.Join(", ", Constraints(parameter).DefaultIfEmpty("nothing"));
             yield return new(which + "constrained ", constraints, "to " + constraints);
         }
@@ -111,7 +112,8 @@ public static class Facts
     }
 
     private static IEnumerable<Fact> Returned(ITypeSymbol type, RefKind by) =>
-        [new("returns ", by, by switch { RefKind.None => "a value", RefKind.Ref => "a reference", _ => "a readonly reference" }), Typed("is of type ", type)];
+        [new("returns ", by, by switch { RefKind.None => "a value", RefKind.Ref => "a reference", _ => "a readonly reference" }),
+         Typed("is of type ", type)];
 
     private static Fact Accessor(string word, IMethodSymbol? accessor)
     {

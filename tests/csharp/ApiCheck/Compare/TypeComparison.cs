@@ -7,7 +7,8 @@ public sealed class TypeComparison(TypeMatch match)
     {
         // Access and kind come first; more cannot be compared of two kinds.
         if (declared.TypeKind != real.TypeKind) return Facts.Differences(Facts.OfType(declared).Take(2), Facts.OfType(real).Take(2), match);
-        return Facts.Differences(Facts.OfType(declared), Facts.OfType(real), match).Concat(Inheritance(declared, real)).Concat(Attribute(declared, real));
+        return Facts.Differences(Facts.OfType(declared), Facts.OfType(real), match)
+            .Concat(Inheritance(declared, real)).Concat(Attribute(declared, real));
     }
 
     /// <summary>

@@ -90,7 +90,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
 
     private void Note(ISymbol declared, ISymbol real)
     {
-        if (Facts.Obsolete(real) is { } mark && !mark.ConstructorArguments.Any(argument => argument.Value is true)) result.Obsolete.Add(Names.Of(declared));
+        if (Facts.Obsolete(real) is { } mark && !mark.ConstructorArguments.Any(argument => argument.Value is true))
+            result.Obsolete.Add(Names.Of(declared));
     }
 
     private static string[] Files(IEnumerable<ReadFrom> origins) =>
