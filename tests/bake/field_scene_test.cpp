@@ -45,6 +45,34 @@ class FieldScene : public testing::Test {
     return half * (2.0 * glm::dvec3(x, y, z) - 1.0);
   }
 
+  // 256 places across the light, `away` metres behind the middle and up to `reach` beside it, and the share
+  // of the light that rays from each reach; those that are wanted.
+  struct Penumbra {
+    std::vector<glm::vec4> places;
+    std::vector<double> exact;
+    double rmse(const std::vector<float>& seen) const {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < seen.size(); ++i)
+        sum += std::pow(static_cast<double>(seen[i]) - exact[i], 2.0);
+      return std::sqrt(sum / 256.0);
+    }
+  };
+  template <typename Wanted>
+  Penumbra penumbra(const reference::EmbreeScene& rays, const SeenDisc& light, const glm::dvec3& middle,
+                    double away, double reach, int rays_each, const Wanted& wanted) {
+    Penumbra found;
+    while (found.places.size() < 256) {
+      const glm::dvec3 at = middle - away * light.towards + reach * (2.0 * chance() - 1.0) * light.right() +
+                            reach * (2.0 * chance() - 1.0) * light.up();
+      const double share = lit_share(rays, at, light, rays_each);
+      if (!wanted(at, share)) continue;
+      found.places.emplace_back(glm::vec3(at), 1.0F);
+      found.exact.push_back(share);
+    }
+    return found;
+  }
+  static bool is_partly_lit(const glm::dvec3&, double share) { return share > 0.0 && share < 1.0; }
+
   gpu::Device device_;
   std::shared_ptr<const gpu::ValidationLog> log_;
   std::mt19937 bits_{7};
@@ -178,20 +206,8 @@ TEST_F(FieldScene, AnObjectMayBeTurnedMovedAndScaled) {
     uniforms[static_cast<std::size_t>(row++)] =
         glm::vec4(glm::vec3(axis / scale), static_cast<float>(-glm::dot(axis, offset) / scale));
   const reference::EmbreeScene rays(world);
-  std::vector<glm::vec4> places;
-  std::vector<double> exact;
-  while (places.size() < 256) {
-    const glm::dvec3 at = offset - 4.0 * kOblique.towards + 1.5 * (2.0 * chance() - 1.0) * kOblique.right() +
-                          1.5 * (2.0 * chance() - 1.0) * kOblique.up();
-    const double share = lit_share(rays, at, kOblique, 512);
-    if (share == 0.0 || share == 1.0) continue;
-    places.emplace_back(glm::vec3(at), 1.0F);
-    exact.push_back(share);
-  }
-  const std::vector<float> seen = run("Soft", image, uniforms, scene_parameters(kOblique), places);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < seen.size(); ++i) sum += std::pow(static_cast<double>(seen[i]) - exact[i], 2.0);
-  EXPECT_LT(std::sqrt(sum / 256.0), 0.03);
+  const Penumbra in = penumbra(rays, kOblique, offset, 4.0, 1.5, 512, is_partly_lit);
+  EXPECT_LT(in.rmse(run("Soft", image, uniforms, scene_parameters(kOblique), in.places)), 0.03);
 }
 
 // The bounds are by light and shape, over places in the penumbra; Documentation~/other-shadows.md has more
@@ -209,24 +225,10 @@ TEST_F(FieldScene, ASoftShadowIsNearThatOfRays) {
     const gpu::Image image = texture_of(device_, fields.voxels, fields.texels());
     const reference::EmbreeScene rays(one.shape);
     const SeenDisc light{kOblique.towards, one.tan_half};
-    std::vector<glm::vec4> places;
-    std::vector<double> exact;
-    const double reach = 0.7 + 2.0 * one.tan_half;
-    while (places.size() < 256) {
-      const glm::dvec3 at = -2.0 * light.towards + reach * (2.0 * chance() - 1.0) * light.right() +
-                            reach * (2.0 * chance() - 1.0) * light.up();
-      const double share = lit_share(rays, at, light, 256);
-      if (share == 0.0 || share == 1.0) continue;
-      places.emplace_back(glm::vec3(at), 1.0F);
-      exact.push_back(share);
-    }
+    const Penumbra in =
+        penumbra(rays, light, glm::dvec3(0.0), 2.0, 0.7 + 2.0 * one.tan_half, 256, is_partly_lit);
     const auto rmse = [&](const char* entry) {
-      const std::vector<float> seen =
-          run(entry, image, field_uniforms(fields), scene_parameters(light), places);
-      double sum = 0.0;
-      for (std::size_t i = 0; i < seen.size(); ++i)
-        sum += std::pow(static_cast<double>(seen[i]) - exact[i], 2.0);
-      return std::sqrt(sum / 256.0);
+      return in.rmse(run(entry, image, field_uniforms(fields), scene_parameters(light), in.places));
     };
     EXPECT_LT(rmse("Cone"), one.cone) << one.tan_half;
     EXPECT_LT(rmse("Soft"), one.soft) << one.tan_half;
@@ -243,22 +245,11 @@ TEST_F(FieldScene, APenumbraReachesBeyondTheBox) {
     const scene::Scene around = box(glm::vec3(half));
     const reference::EmbreeScene box_rays(around);
     const SeenDisc light{kOblique.towards, 0.2};
-    std::vector<glm::vec4> places;
-    std::vector<double> exact;
-    while (places.size() < 256) {
-      const glm::dvec3 at = -2.0 * light.towards + 1.2 * (2.0 * chance() - 1.0) * light.right() +
-                            1.2 * (2.0 * chance() - 1.0) * light.up();
-      const double share = lit_share(rays, at, light, 256);
-      if (share > 0.98 || !is_lit(box_rays, at, light.towards)) continue;
-      places.emplace_back(glm::vec3(at), 1.0F);
-      exact.push_back(share);
-    }
-    const std::vector<float> seen =
-        run("Soft", image, field_uniforms(fields), scene_parameters(light), places);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      sum += std::pow(static_cast<double>(seen[i]) - exact[i], 2.0);
-    EXPECT_LT(std::sqrt(sum / 256.0), 0.06);
+    const Penumbra in =
+        penumbra(rays, light, glm::dvec3(0.0), 2.0, 1.2, 256, [&](const glm::dvec3& at, double share) {
+          return share <= 0.98 && is_lit(box_rays, at, light.towards);
+        });
+    EXPECT_LT(in.rmse(run("Soft", image, field_uniforms(fields), scene_parameters(light), in.places)), 0.06);
   }
 }
 

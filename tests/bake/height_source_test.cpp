@@ -73,40 +73,19 @@ TEST(HeightSource, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(HeightSource, RefusesAnAreaWithoutGround) {
   const scene::Scene scene = slope_and_roof();
-  expect_input_error(
-      [&] {
-        heights_of_scene(scene, {{50.0, 50.0}, {1.0, 1.0}}, {4, 4});
-      },
-      HasSubstr("no surface"));
-  expect_input_error(
-      [&] {
-        heights_of_scene(scene, {{0.0, 0.0}, {1.0, 0.0}}, {4, 4});
-      },
-      HasSubstr("cannot cover"));
-  expect_input_error(
-      [&] {
-        heights_of_scene(scene, {{0.0, 0.0}, {NAN, 1.0}}, {4, 4});
-      },
-      HasSubstr("cannot cover"));
-  expect_input_error(
-      [&] {
-        heights_of_scene(scene, {{HUGE_VAL, 0.0}, {1.0, 1.0}}, {4, 4});
-      },
-      HasSubstr("cannot cover"));
+  const auto refuse = [&](const Area& area, const SampleCounts& counts, const char* words) {
+    expect_input_error([&] { heights_of_scene(scene, area, counts); }, HasSubstr(words));
+  };
+  refuse({{50.0, 50.0}, {1.0, 1.0}}, {4, 4}, "no surface");
+  refuse({{0.0, 0.0}, {1.0, 0.0}}, {4, 4}, "cannot cover");
+  refuse({{0.0, 0.0}, {NAN, 1.0}}, {4, 4}, "cannot cover");
+  refuse({{HUGE_VAL, 0.0}, {1.0, 1.0}}, {4, 4}, "cannot cover");
   for (const double huge : {1e19, 1e300, -1e19}) {
-    expect_input_error(
-        [&] {
-          heights_of_scene(scene, {{huge, 0.0}, {1.0, 1.0}}, {4, 4});
-        },
-        HasSubstr("--area"));
-    expect_input_error(
-        [&] {
-          heights_of_scene(scene, {{0.0, 0.0}, {1.0, huge}}, {4, 4});
-        },
-        HasSubstr("--area"));
+    refuse({{huge, 0.0}, {1.0, 1.0}}, {4, 4}, "--area");
+    refuse({{0.0, 0.0}, {1.0, huge}}, {4, 4}, "--area");
   }
-  expect_input_error([&] { heights_of_scene(scene, area_of(scene), {0, 4}); }, HasSubstr("not 0"));
-  expect_input_error([&] { heights_of_scene(scene, area_of(scene), {4, 8194}); }, HasSubstr("not 8194"));
+  refuse(area_of(scene), {0, 4}, "not 0");
+  refuse(area_of(scene), {4, 8194}, "not 8194");
 }
 
 TEST(HeightSource, OfAnImageIsItsRangeInSteps) {
@@ -116,19 +95,14 @@ TEST(HeightSource, OfAnImageIsItsRangeInSteps) {
               ElementsAre(-10.0F, 40.0F, 0.0F, 30.0F, 10.0F, -10.0F));
   EXPECT_THAT(heights_of_image(image, area, {-10.0, 40.0}, true).metres,
               ElementsAre(30.0F, 10.0F, -10.0F, -10.0F, 40.0F, 0.0F));
-  expect_input_error([&] { heights_of_image(image, area, {40.0, 40.0}); }, HasSubstr("from 40 to 40"));
+  const auto refuse = [&](const Area& covered, const HeightRange& heights, const char* words) {
+    expect_input_error([&] { heights_of_image(image, covered, heights); }, HasSubstr(words));
+  };
+  refuse(area, {40.0, 40.0}, "from 40 to 40");
   for (const double huge : {1e308, 1e7, -1e308})
-    expect_input_error(
-        [&] {
-          heights_of_image(image, area, {std::min(huge, 0.0), std::abs(huge)});
-        },
-        HasSubstr("--heights"));
-  expect_input_error([&] { heights_of_image(image, area, {0.0, HUGE_VAL}); }, HasSubstr("cannot go"));
-  expect_input_error(
-      [&] {
-        heights_of_image(image, {{0.0, 0.0}, {-2.0, 1.0}}, {0.0, 1.0});
-      },
-      HasSubstr("cannot cover"));
+    refuse(area, {std::min(huge, 0.0), std::abs(huge)}, "--heights");
+  refuse(area, {0.0, HUGE_VAL}, "cannot go");
+  refuse({{0.0, 0.0}, {-2.0, 1.0}}, {0.0, 1.0}, "cannot cover");
 }
 
 }  // namespace

@@ -72,8 +72,15 @@ class AdapterTest : public testing::Test {
     return GraphRunner(test_device(), compile(shader)).run(on_device, kCountedOnce);
   }
 
+  static GraphResult run(const Adapter& adapter, const std::vector<int>& texels) {
+    return run(adapter_shader(adapter), half_plane(texels, true));
+  }
+
+  static void expect_refused(const Adapter& adapter, const testing::Matcher<std::string>& message) {
+    expect_input_error([&] { run(adapter, {0}); }, message);
+  }
   void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) const {
-    expect_input_error([&] { run(adapter_shader(adapter(text)), half_plane({0}, true)); }, message);
+    expect_refused(adapter(text), message);
   }
 
  private:
@@ -100,27 +107,26 @@ TEST_F(AdapterTest, TwinsAreNotedWithTheBodyThatIsKept) {
 }
 
 TEST_F(AdapterTest, OnlyUniformsThatAreReadAndNotProvidedAreNamed) {
-  const GraphResult result = run(adapter_shader(from_folder("MeanOfNine.hlsl")), half_plane({0}, true));
+  const GraphResult result = run(from_folder("MeanOfNine.hlsl"), {0});
   EXPECT_THAT(result.unset_uniforms, ElementsAre("_NobodyProvidesThis"));
 }
 
 TEST_F(AdapterTest, AUniformOfTheAdapterIsRead) {
   Adapter nine = from_folder("MeanOfNine.hlsl");
   nine.uniforms["_NobodyProvidesThis"] = {0.25, 0.0, 0.0, 0.0};
-  const GraphResult result = run(adapter_shader(nine), half_plane({30}, true));
+  const GraphResult result = run(nine, {30});
   EXPECT_NEAR(result.visibility.at(0).at(0), 0.25f, 1e-3);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 }
 
 TEST_F(AdapterTest, ThePlatformMacrosOfTheLibraryServeToo) {
-  const GraphResult result =
-      run(adapter_shader(from_folder("PlatformMacros.hlsl")), half_plane({10, 50}, true));
+  const GraphResult result = run(from_folder("PlatformMacros.hlsl"), {10, 50});
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 1u));
 }
 
 TEST_F(AdapterTest, ReadsWithoutTheMacrosAreCountedToo) {
-  const GraphResult result = run(adapter_shader(from_folder("PlainReads.hlsl")), half_plane({10, 50}, true));
+  const GraphResult result = run(from_folder("PlainReads.hlsl"), {10, 50});
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 2u));
 }
@@ -170,11 +176,11 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 
 TEST_F(AdapterTest, ADiscardThatIsNotReachedIsAllowed) {
-  const GraphResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter(R"(
 void Unused(float x) { clip(x); }
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 0.5; }
-)")),
-                                 half_plane({0}, true));
+)"),
+                                 {0});
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.5F));
 }
 
@@ -212,9 +218,8 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 )");
   mine.textures = {adapter_texture("_Clouds", "white")};
-  expect_input_error(
-      [&] { run(adapter_shader(mine), half_plane({0}, true)); },
-      HasSubstrs("Mine.hlsl:4: ", "'sampler_of_clouds'", "'point' or 'linear'", "'clamp' or 'repeat'"));
+  expect_refused(
+      mine, HasSubstrs("Mine.hlsl:4: ", "'sampler_of_clouds'", "'point' or 'linear'", "'clamp' or 'repeat'"));
 }
 
 TEST_F(AdapterTest, OnlyTexturesOfTwoDimensionsAreProvided) {
@@ -237,8 +242,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 )");
   sky.textures = {adapter_texture("_Sky", "white")};
-  expect_input_error([&] { run(adapter_shader(sky), half_plane({0}, true)); },
-                     HasSubstrs("Mine.hlsl:4: ", "'_Sky' is not a plain 2D texture"));
+  expect_refused(sky, HasSubstrs("Mine.hlsl:4: ", "'_Sky' is not a plain 2D texture"));
 }
 
 TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {
@@ -249,14 +253,14 @@ TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {
 
 // Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.
 TEST_F(AdapterTest, DerivativesAreThoseBetweenPixels) {
-  const GraphResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter(R"(
 float4x4 _PenumbraWorldToShadow[5];
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
     return ddx(mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).x) * 64.0;
 }
-)")),
-                                 half_plane({10, 11, 12, 13}, true));
+)"),
+                                 {10, 11, 12, 13});
   for (const float steps : result.visibility.at(0)) EXPECT_NEAR(steps, 1.0F, 1e-3F);
   EXPECT_THAT(result.fetches, Each(0U));
 }
@@ -305,7 +309,7 @@ TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclarat
   reads.uniforms["_Lights[1].turn"] = {0, 0, 0, 5, 0, 4};  // the words of the matrix, row by row
   reads.uniforms["_Taps"] = {0, 0, 6};
   reads.uniforms["_Count"] = {7};
-  const GraphResult result = run(adapter_shader(reads), half_plane({0}, true));
+  const GraphResult result = run(reads, {0});
   EXPECT_EQ(result.visibility.at(0).at(0), 7654321.0F);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 }
@@ -315,7 +319,7 @@ TEST_F(AdapterTest, NumbersThatDoNotFitTheirUniformAreRefused) {
                          const testing::Matcher<std::string>& message) {
     Adapter reads = from_folder("Numbers.hlsl");
     reads.uniforms[name] = numbers;
-    expect_input_error([&] { run(adapter_shader(reads), half_plane({0}, true)); }, message);
+    expect_refused(reads, message);
   };
   expect("_Taps", {1, 2}, HasSubstrs("'_Taps'", "3 numbers", "given 2"));
   expect("_Count", {1.5}, HasSubstrs("'_Count'", "integer"));
@@ -337,7 +341,7 @@ TEST_F(AdapterTest, AssetsOfAProjectAreIncluded) {
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return Lit(); }
 )");
   mine.project = write("game/Assets/Shaders/Other.hlsl", "").parent_path().parent_path().parent_path();
-  EXPECT_THAT(run(adapter_shader(mine), half_plane({0}, true)).visibility.at(0), ElementsAre(0.75F));
+  EXPECT_THAT(run(mine, {0}).visibility.at(0), ElementsAre(0.75F));
 }
 
 TEST_F(AdapterTest, TheLibraryIsIncludedByTheNameOfItsPackageUnlessOneIsGiven) {
@@ -349,13 +353,12 @@ TEXTURE2D(_ShadowMap);
 #endif
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return MINE; }
 )";
-  const scene::Frame frame = half_plane({0}, true);
-  EXPECT_THAT(run(adapter_shader(adapter(includes)), frame).visibility.at(0), ElementsAre(0.5F));
+  EXPECT_THAT(run(adapter(includes), {0}).visibility.at(0), ElementsAre(0.5F));
   write("own/ShaderLibrary/Platform/Platform.hlsl",
         "#define TEXTURE2D(name) Texture2D name\n#define MINE 0.25\n");
   Adapter brings = adapter(includes);
   brings.package_roots = {{"com.penumbra.shadows", brings.file.parent_path() / "own"}};
-  EXPECT_THAT(run(adapter_shader(brings), frame).visibility.at(0), ElementsAre(0.25F));
+  EXPECT_THAT(run(brings, {0}).visibility.at(0), ElementsAre(0.25F));
 }
 
 TEST_F(AdapterTest, AFileThatIncludesItselfIsNamedAtThatLine) {

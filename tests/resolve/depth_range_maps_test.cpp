@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -26,12 +27,17 @@ techniques::TechniqueList test_graphs() {
                                          "ranges" / "ReadRange.technique.json");
 }
 
-// The depths are multiples of 1/256, whose products with 65535, differences and squares are floats without
-// rounding; each cascade has others. Of every 32 texels one is NaN, one lies beyond the range.
-float coarse_depth(double u, double v, int tile) {
+std::minstd_rand engine_of(double u, double v, int tile) {
   std::minstd_rand engine(static_cast<unsigned>(u * 7919.0 * 8.0) * 31u +
                           static_cast<unsigned>(v * 7919.0) * 17u + static_cast<unsigned>(tile) * 7u + 1u);
   engine.discard(3);
+  return engine;
+}
+
+// The depths are multiples of 1/256, whose products with 65535, differences and squares are floats without
+// rounding; each cascade has others. Of every 32 texels one is NaN, one lies beyond the range.
+float coarse_depth(double u, double v, int tile) {
+  std::minstd_rand engine = engine_of(u, v, tile);
   const unsigned kind = engine() % 32u;
   if (kind == 0) return std::numeric_limits<float>::quiet_NaN();
   if (kind == 1) return engine() % 2u == 0 ? std::numeric_limits<float>::infinity() : -2.0f;
@@ -43,9 +49,7 @@ float coarse_depth(double u, double v, int tile) {
 
 // Depths that no step of the format meets.
 float fine_depth(double u, double v, int tile) {
-  std::minstd_rand engine(static_cast<unsigned>(u * 7919.0 * 8.0) * 31u +
-                          static_cast<unsigned>(v * 7919.0) * 17u + static_cast<unsigned>(tile) * 7u + 1u);
-  engine.discard(3);
+  std::minstd_rand engine = engine_of(u, v, tile);
   return 0.4f + 0.2f * std::generate_canonical<float, 24>(engine);
 }
 
@@ -150,10 +154,23 @@ class DepthRangeMaps : public testing::TestWithParam<bool> {
             static_cast<int>(std::lround(tile.y * frame.atlas.height)) / texels_per_texel};
   }
 
-  // A device makes of an integer its quotient, within a rounding.
-  static void expect_steps(float got, double steps, const std::string& where) {
-    ASSERT_EQ(std::lround(65535.0 * static_cast<double>(got)), std::lround(steps)) << where;
-    ASSERT_NEAR(got, steps / 65535.0, 1.2e-7) << where;
+  // Expects the graph's two channels over a tile to be the ranges in steps; returns the passes that made
+  // them. A device makes of an integer its quotient, within a rounding.
+  std::vector<PassCounts> expect_ranges(const std::string& graph, const scene::Frame& made, int side,
+                                        int level, const std::function<Range(int x, int y)>& expected) const {
+    const Read nearest = read(graph, made, 0, level), farthest = read(graph, made, 1, level);
+    for (int i = 0; i < side * side; ++i) {
+      const Range range = expected(i % side, i / side);
+      for (const auto& [got, steps] :
+           {std::pair(&nearest, range.nearest), std::pair(&farthest, range.farthest)}) {
+        const float texel = got->texels[static_cast<std::size_t>(i)];
+        const char* end = got == &nearest ? "nearest" : "farthest";
+        EXPECT_EQ(std::lround(65535.0 * static_cast<double>(texel)), std::lround(steps))
+            << end << " of level " << level << ", " << i;
+        EXPECT_NEAR(texel, steps / 65535.0, 1.2e-7) << end << " of level " << level << ", " << i;
+      }
+    }
+    return farthest.passes;
   }
 };
 
@@ -161,42 +178,29 @@ TEST_P(DepthRangeMaps, AQuarterTexelHasTheRangeOfItsSixteen) {
   for (int cascade = 0; cascade < 4; ++cascade) {
     const scene::Frame made = frame(coarse_depth, cascade, 16);
     const Expected expected{made, GetParam()};
-    const Read nearest = read("quarter", made, 0), farthest = read("quarter", made, 1);
     const glm::ivec2 first = origin(made, cascade, 4);
-    for (int i = 0; i < 256; ++i) {
-      const Range range = expected.rounded(expected.of_square(first.x + i % 16, first.y + i / 16, 4));
-      expect_steps(nearest.texels[static_cast<std::size_t>(i)], range.nearest,
-                   "nearest " + std::to_string(i));
-      expect_steps(farthest.texels[static_cast<std::size_t>(i)], range.farthest,
-                   "farthest " + std::to_string(i));
-    }
+    const std::vector<PassCounts> passes = expect_ranges("quarter", made, 16, 0, [&](int x, int y) {
+      return expected.rounded(expected.of_square(first.x + x, first.y + y, 4));
+    });
     // There are four gathers for each of the map's quarter texels, in all cascades.
-    EXPECT_DOUBLE_EQ(nearest.passes[0].fetches,
-                     4.0 * (made.atlas.width / 4.0) * (made.atlas.height / 4.0) / 256.0);
+    EXPECT_DOUBLE_EQ(passes[0].fetches, 4.0 * (made.atlas.width / 4.0) * (made.atlas.height / 4.0) / 256.0);
   }
 }
 
 TEST_P(DepthRangeMaps, ADilationHasTheRangeOfItsDiscInsideOfTheTile) {
   constexpr std::array<int, 4> kRadii{8, 4, 3, 0};
   double cells_of_all = 0.0;
-  Read last;
+  std::vector<PassCounts> last;
   for (int cascade = 0; cascade < 4; ++cascade) {
     const scene::Frame made = frame(coarse_depth, cascade, 16);
     const Expected expected{made, GetParam()};
-    const Read nearest = read("dilated", made, 0), farthest = read("dilated", made, 1);
     const glm::ivec2 first = origin(made, cascade, 4);
-    for (int i = 0; i < 256; ++i) {
-      const Range range = expected.dilated(first.x + i % 16, first.y + i / 16,
-                                           kRadii[static_cast<std::size_t>(cascade)], cells_of_all);
-      expect_steps(nearest.texels[static_cast<std::size_t>(i)], range.nearest,
-                   "nearest " + std::to_string(i));
-      expect_steps(farthest.texels[static_cast<std::size_t>(i)], range.farthest,
-                   "farthest " + std::to_string(i));
-    }
-    last = farthest;
+    last = expect_ranges("dilated", made, 16, 0, [&](int x, int y) {
+      return expected.dilated(first.x + x, first.y + y, kRadii[static_cast<std::size_t>(cascade)],
+                              cells_of_all);
+    });
   }
-  EXPECT_DOUBLE_EQ(last.passes[1].fetches, cells_of_all / 256.0)
-      << "one load for each cell inside of the tile";
+  EXPECT_DOUBLE_EQ(last[1].fetches, cells_of_all / 256.0) << "one load for each cell inside of the tile";
 }
 
 TEST_P(DepthRangeMaps, EachLevelHasTheRangeOfItsTexels) {
@@ -205,15 +209,10 @@ TEST_P(DepthRangeMaps, EachLevelHasTheRangeOfItsTexels) {
       const int side = 16 >> level;
       const scene::Frame made = frame(coarse_depth, cascade, side);
       const Expected expected{made, GetParam()};
-      const Read nearest = read("levels", made, 0, level), farthest = read("levels", made, 1, level);
       const glm::ivec2 first = origin(made, cascade, 4 << level);
-      for (int i = 0; i < side * side; ++i) {
-        const Range range =
-            expected.rounded(expected.of_square(first.x + i % side, first.y + i / side, 4 << level));
-        const std::string where = "level " + std::to_string(level) + ", texel " + std::to_string(i);
-        expect_steps(nearest.texels[static_cast<std::size_t>(i)], range.nearest, where);
-        expect_steps(farthest.texels[static_cast<std::size_t>(i)], range.farthest, where);
-      }
+      expect_ranges("levels", made, side, level, [&](int x, int y) {
+        return expected.rounded(expected.of_square(first.x + x, first.y + y, 4 << level));
+      });
     }
   }
 }

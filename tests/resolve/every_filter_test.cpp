@@ -2,13 +2,13 @@
 // NaN, nothing outside [0, 1], nothing learnt from outside the tile.
 #include <gmock/gmock.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 
+#include "resolve/filter_cases.h"
 #include "resolve/kept_runners.h"
 #include "resolve/reference_bounds.h"
 #include "resolve/run_once.h"
@@ -22,15 +22,6 @@ using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
 constexpr int kColumns = 24;
-
-struct Case {
-  std::string technique;
-  bool reversed_z;
-};
-
-void PrintTo(const Case& value, std::ostream* stream) {
-  *stream << value.technique << (value.reversed_z ? ", reversed Z" : ", conventional Z");
-}
 
 // A case runs a filter with its parameters, and the maps that it reads. It does not run passes over the
 // screen (filter_over_map).
@@ -57,8 +48,8 @@ struct FilterAndMaps {
 
 // Every filter with every set of values, once, however many techniques have it. The first set of a filter is
 // a case in both directions of depth, the others by turns in one.
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<FilterCase> all_cases() {
+  std::vector<FilterCase> cases;
   std::map<std::string, std::vector<std::map<std::string, std::vector<double>>>> seen;
   for (const techniques::Technique& technique : library_techniques().techniques) {
     if (technique.graph.draws(techniques::DrawnCasters::opaque)) continue;  // the frames here have no scene
@@ -139,7 +130,7 @@ const CastersOnDevice& opaque_casters() {
   return **casters;
 }
 
-class EveryFilter : public testing::TestWithParam<Case> {
+class EveryFilter : public testing::TestWithParam<FilterCase> {
  protected:
   FrameSetup setup(int cascades = 4, int cascade = 1) const {
     FrameSetup setup;
@@ -225,25 +216,25 @@ class EveryFilter : public testing::TestWithParam<Case> {
     return visibility(testing_frames::make_frame(setup, map, receivers, kColumns), parameters);
   }
 
-  void expect_all(const std::vector<float>& seen, float wanted, const std::string& what) const {
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      ASSERT_NEAR(seen[i], wanted, lit_error())
-          << what << ": receiver " << i % kColumns << ", " << i / kColumns;
-    }
+  // The grid of receivers at a distance from the light's end of the tile, below a map of one depth.
+  std::vector<float> below(float map, const FrameSetup& setup, double receiver,
+                           const UniformValues& parameters = {}) const {
+    return visibility(
+        setup, [map](double, double, int) { return map; }, grid(depth(receiver)), parameters);
   }
 
-  void expect_in_range(const std::vector<float>& seen, const std::string& what) const {
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      ASSERT_TRUE(seen[i] >= 0.0f && seen[i] <= 1.0f)
-          << what << ": " << seen[i] << " at receiver " << i % kColumns << ", " << i / kColumns;
-    }
+  void expect(const std::vector<float>& seen, float wanted, const std::string& what) const {
+    expect_all(seen, wanted, what, lit_error());
   }
 
-  // The map has structure at every scale: it is a hash of the texel, some near, some far.
-  static float rough_depth(double u, double v, int tile) {
-    const auto bits = static_cast<std::uint32_t>(u * 9973.0) * 2654435761u +
-                      static_cast<std::uint32_t>(v * 7919.0) * 2246822519u + static_cast<std::uint32_t>(tile);
-    return static_cast<float>((bits ^ (bits >> 15)) % 1000) / 999.0f;
+  // In range over a rough map, lit over an empty one and dark behind a wall that stands before the receivers
+  // by the gap at least.
+  void expect_right(const FrameSetup& setup, double gap, const std::string& what,
+                    const UniformValues& parameters = {}) const {
+    expect_in_range(visibility(setup, rough_depth, grid(depth(0.6)), parameters), what);
+    expect(below(farthest(), setup, 0.6, parameters), 1.0f, what + ", empty map");
+    const auto wall = static_cast<float>(depth(0.6 - std::max(gap, smallest_gap(0.6))));
+    expect(below(wall, setup, 0.6, parameters), 0.0f, what + ", wall");
   }
 
   // Sets the field of whatever parameter struct the technique has, if it has it.
@@ -258,67 +249,46 @@ class EveryFilter : public testing::TestWithParam<Case> {
 };
 
 TEST_P(EveryFilter, IsExactlyLitWithoutBlockers) {
-  for (int cascades = 1; cascades <= 4; ++cascades) {
-    for (int cascade = 0; cascade < cascades; ++cascade) {
-      const auto map = [this](double, double, int) { return farthest(); };
-      expect_all(visibility(setup(cascades, cascade), map, grid(depth(0.5))), 1.0f,
-                 "cascade " + std::to_string(cascade) + " of " + std::to_string(cascades));
-    }
-  }
+  for (int cascades = 1; cascades <= 4; ++cascades)
+    for (int cascade = 0; cascade < cascades; ++cascade)
+      expect(below(farthest(), setup(cascades, cascade), 0.5), 1.0f,
+             "cascade " + std::to_string(cascade) + " of " + std::to_string(cascades));
 }
 
 TEST_P(EveryFilter, IsExactlyDarkBehindAWall) {
   // The wall stands just in front, so that its penumbra is narrow and the tile's edge is far away in it.
   const double gap = std::max(0.01, smallest_gap(0.5));
-  const auto map = [=, this](double, double, int) { return static_cast<float>(depth(0.5 - gap)); };
-  expect_all(visibility(setup(), map, grid(depth(0.5))), 0.0f, "near wall");
-  const auto nearest_map = [this](double, double, int) { return nearest(); };
-  expect_all(visibility(setup(), nearest_map, grid(depth(0.5))), 0.0f, "wall at the near plane");
+  expect(below(static_cast<float>(depth(0.5 - gap)), setup(), 0.5), 0.0f, "near wall");
+  expect(below(nearest(), setup(), 0.5), 0.0f, "wall at the near plane");
 }
 
 TEST_P(EveryFilter, LightsASurfaceThatIsItsOwnCaster) {
   // A plane facing the light casts its own depth; a hair of bias, as the caster pass gives, lights it.
-  const auto map = [this](double, double, int) { return static_cast<float>(depth(0.5001)); };
-  expect_all(visibility(setup(), map, grid(depth(0.5))), 1.0f, "own surface");
+  expect(below(static_cast<float>(depth(0.5001)), setup(), 0.5), 1.0f, "own surface");
 }
 
 TEST_P(EveryFilter, StaysInRangeAtDepthZeroAndOne) {
-  for (const double receiver : {0.0, 1.0}) {
+  for (const double receiver : {0.0, 1.0})
     expect_in_range(visibility(setup(), rough_depth, grid(receiver)), "depth " + std::to_string(receiver));
-  }
-  const auto empty = [this](double, double, int) { return farthest(); };
-  expect_all(visibility(setup(), empty, grid(depth(0.0))), 1.0f, "receiver at the near plane");
+  expect(below(farthest(), setup(), 0.0), 1.0f, "receiver at the near plane");
 }
 
-TEST_P(EveryFilter, StaysInRangeWithOneSampleAndWithSixtyFour) {
-  for (const int count : {1, 64}) {
-    expect_in_range(visibility(setup(), rough_depth, grid(depth(0.6)), with_counts(count)),
-                    std::to_string(count) + " samples");
-    const auto empty = [this](double, double, int) { return farthest(); };
-    expect_all(visibility(setup(), empty, grid(depth(0.6)), with_counts(count)), 1.0f, "empty map");
-    const double gap = std::max(0.01, smallest_gap(0.6));
-    const auto wall = [=, this](double, double, int) { return static_cast<float>(depth(0.6 - gap)); };
-    expect_all(visibility(setup(), wall, grid(depth(0.6)), with_counts(count)), 0.0f, "wall");
-  }
+TEST_P(EveryFilter, StaysRightWithOneSampleAndWithSixtyFour) {
+  for (const int count : {1, 64})
+    expect_right(setup(), 0.01, std::to_string(count) + " samples", with_counts(count));
 }
 
 TEST_P(EveryFilter, StaysInRangeWithCountsThatMakeNoSense) {
-  for (const int count : {0, -5, 1000000}) {
+  for (const int count : {0, -5, 1000000})
     expect_in_range(visibility(setup(), rough_depth, grid(depth(0.6)), with_counts(count)),
                     std::to_string(count) + " samples");
-  }
 }
 
 TEST_P(EveryFilter, StaysRightAtAngularDiameterZeroAndThirty) {
   for (const double degrees : {0.0, 30.0}) {
     FrameSetup wide = setup();
     wide.light.angular_diameter_degrees = degrees;
-    expect_in_range(visibility(wide, rough_depth, grid(depth(0.6))), std::to_string(degrees));
-    const auto empty = [this](double, double, int) { return farthest(); };
-    expect_all(visibility(wide, empty, grid(depth(0.6))), 1.0f, "empty map");
-    const double gap = std::max(0.001, smallest_gap(0.6));
-    const auto wall = [=, this](double, double, int) { return static_cast<float>(depth(0.6 - gap)); };
-    expect_all(visibility(wide, wall, grid(depth(0.6))), 0.0f, "wall");
+    expect_right(wide, 0.001, std::to_string(degrees));
   }
 }
 
@@ -328,26 +298,21 @@ TEST_P(EveryFilter, StaysRightWithTheSunTwoDegreesUp) {
   scene::Frame frame = testing_frames::make_frame(low, rough_depth, grid(depth(0.6)), kColumns);
   for (glm::vec4& normal : frame.receivers.normal_ws) normal = {0.0f, 1.0f, 0.0f, 0.0f};
   expect_in_range(visibility(frame), "rough map");
-  const auto empty = [this](double, double, int) { return farthest(); };
-  frame.atlas = testing_frames::make_atlas(frame.cascades, empty);
-  expect_all(visibility(frame), 1.0f, "empty map");
-  const auto wall = [this](double, double, int) { return nearest(); };
-  frame.atlas = testing_frames::make_atlas(frame.cascades, wall);
+  frame.atlas =
+      testing_frames::make_atlas(frame.cascades, [this](double, double, int) { return farthest(); });
+  expect(visibility(frame), 1.0f, "empty map");
+  frame.atlas = testing_frames::make_atlas(frame.cascades, [this](double, double, int) { return nearest(); });
   if (passes_the_near_plane())
     expect_in_range(visibility(frame), "wall at the near plane");
   else
-    expect_all(visibility(frame), 0.0f, "wall at the near plane");
+    expect(visibility(frame), 0.0f, "wall at the near plane");
 }
 
 TEST_P(EveryFilter, StaysRightAHundredKilometresFromTheOrigin) {
   FrameSetup far = setup();
   far.camera.position = {1e5, 1.7, -1e5};
-  expect_in_range(visibility(far, rough_depth, grid(depth(0.6))), "rough map");
-  const auto empty = [this](double, double, int) { return farthest(); };
-  expect_all(visibility(far, empty, grid(depth(0.6))), 1.0f, "empty map");
   // A quarter of the depth range is metres: far more than the centimetre that positions are rounded by here.
-  const auto wall = [this](double, double, int) { return static_cast<float>(depth(0.35)); };
-  expect_all(visibility(far, wall, grid(depth(0.6))), 0.0f, "wall");
+  expect_right(far, 0.25, "far away");
 }
 
 TEST_P(EveryFilter, StaysInRangeWithNormalsThatMakeNoSense) {
@@ -378,8 +343,7 @@ TEST_P(EveryFilter, StaysInRangeWithNaNAndInfiniteTexels) {
       return rough_depth(u, v, tile) < 0.3f ? bad : rough_depth(v, u, tile);
     };
     expect_in_range(visibility(setup(), map, grid(depth(0.6))), "texels of " + std::to_string(bad));
-    const auto all = [bad](double, double, int) { return bad; };
-    expect_in_range(visibility(setup(), all, grid(depth(0.6))), "a map of " + std::to_string(bad));
+    expect_in_range(below(bad, setup(), 0.6), "a map of " + std::to_string(bad));
   }
 }
 
@@ -392,23 +356,13 @@ TEST_P(EveryFilter, LearnsNothingFromOutsideItsTile) {
         return tile == cascade ? rough_depth(u, v, tile) : poison;
       };
       std::vector<float> seen = visibility(setup(4, cascade), map, grid(depth(0.6)));
-      for (std::size_t i = 0; i < before.size(); ++i) {
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(seen[i]), std::bit_cast<std::uint32_t>(before[i]))
-            << "cascade " << cascade << ", texels outside " << poison << ", receiver " << i % kColumns << ", "
-            << i / kColumns << ": " << seen[i] << " instead of " << before[i];
-      }
+      expect_same(seen, before, "cascade " + std::to_string(cascade));
       before = std::move(seen);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, EveryFilter, testing::ValuesIn(all_cases()), [](const auto& instance) {
-  std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
-  for (char& c : name) {
-    if (c == '-') c = '_';
-  }
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Library, EveryFilter, testing::ValuesIn(all_cases()), case_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

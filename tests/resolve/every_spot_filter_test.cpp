@@ -2,12 +2,11 @@
 // there is one, no NaN, nothing outside [0, 1], nothing learnt from outside the slice.
 #include <gmock/gmock.h>
 
-#include <bit>
 #include <limits>
 #include <map>
 #include <memory>
 
-#include "as_identifier.h"
+#include "resolve/filter_cases.h"
 #include "resolve/kept_runners.h"
 #include "resolve/run_once.h"
 #include "resolve/spot_frame.h"
@@ -25,17 +24,8 @@ using testing_frames::SpotSetup;
 using testing_frames::TexelDepth;
 using testing_frames::world_position;
 
-struct Case {
-  std::string technique;
-  bool reversed_z;
-};
-
-void PrintTo(const Case& value, std::ostream* stream) {
-  *stream << value.technique << (value.reversed_z ? ", reversed Z" : ", conventional Z");
-}
-
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<FilterCase> all_cases() {
+  std::vector<FilterCase> cases;
   for (const techniques::Technique& technique : library_techniques().techniques) {
     if (!technique.is_for(techniques::LightKind::spot)) continue;
     cases.push_back({technique.name, true});
@@ -44,7 +34,7 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-class EverySpotFilter : public testing::TestWithParam<Case> {
+class EverySpotFilter : public testing::TestWithParam<FilterCase> {
  protected:
   SpotSetup setup() const { return lamp(GetParam().reversed_z); }
   float nearest() const { return testing_frames::nearest_depth(GetParam().reversed_z); }
@@ -74,22 +64,10 @@ class EverySpotFilter : public testing::TestWithParam<Case> {
                       more);
   }
 
-  static void expect_all(const std::vector<float>& seen, float wanted, const std::string& what) {
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      ASSERT_EQ(seen[i], wanted) << what << ": receiver " << i % kColumns << ", " << i / kColumns;
-  }
-
-  static void expect_in_range(const std::vector<float>& seen, const std::string& what) {
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      ASSERT_TRUE(seen[i] >= 0.0F && seen[i] <= 1.0F)
-          << what << ": " << seen[i] << " at receiver " << i % kColumns << ", " << i / kColumns;
-  }
-
-  // The map has structure at every scale.
-  static float rough_depth(double u, double v, int tile) {
-    const auto bits = static_cast<std::uint32_t>(u * 9973.0) * 2654435761U +
-                      static_cast<std::uint32_t>(v * 7919.0) * 2246822519U + static_cast<std::uint32_t>(tile);
-    return static_cast<float>((bits ^ (bits >> 15)) % 1000) / 999.0F;
+  // The grid of receivers below a map of one depth.
+  std::vector<float> below(const SpotSetup& setup, float depth, const UniformValues& more = {}) const {
+    return visibility(
+        setup, [depth](double, double, int) { return depth; }, grid(kReceiver), more);
   }
 };
 
@@ -98,25 +76,15 @@ TEST_P(EverySpotFilter, IsExactlyLitWithoutBlockersAndDarkBehindAWall) {
     SpotSetup at = setup();
     at.slice = slice;
     const std::string where = "slice " + std::to_string(slice);
-    expect_all(visibility(
-                   at, [this](double, double, int) { return farthest(); }, grid(kReceiver)),
-               1.0F, where + ", empty");
-    const float wall = stored(at, kReceiver - 0.05);
-    expect_all(visibility(
-                   at, [wall](double, double, int) { return wall; }, grid(kReceiver)),
-               0.0F, where + ", wall");
-    expect_all(visibility(
-                   at, [this](double, double, int) { return nearest(); }, grid(kReceiver)),
-               0.0F, where + ", wall on the near plane");
+    expect_all(below(at, farthest()), 1.0F, where + ", empty");
+    expect_all(below(at, stored(at, kReceiver - 0.05)), 0.0F, where + ", wall");
+    expect_all(below(at, nearest()), 0.0F, where + ", wall on the near plane");
   }
 }
 
 TEST_P(EverySpotFilter, LightsASurfaceThatIsItsOwnCaster) {
   const SpotSetup at = setup();
-  const float own = stored(at, kReceiver + 0.001);
-  expect_all(visibility(
-                 at, [own](double, double, int) { return own; }, grid(kReceiver)),
-             1.0F, "own surface");
+  expect_all(below(at, stored(at, kReceiver + 0.001)), 1.0F, "own surface");
 }
 
 TEST_P(EverySpotFilter, LightsWhatItsMapDoesNotCover) {
@@ -146,8 +114,7 @@ TEST_P(EverySpotFilter, StaysInRangeWhateverIsInTheMap) {
       return rough_depth(u, v, tile) < 0.3F ? bad : rough_depth(v, u, tile);
     };
     expect_in_range(visibility(at, some, grid(kReceiver)), "texels of " + std::to_string(bad));
-    const auto all = [bad](double, double, int) { return bad; };
-    expect_in_range(visibility(at, all, grid(kReceiver)), "a map of " + std::to_string(bad));
+    expect_in_range(below(at, bad), "a map of " + std::to_string(bad));
   }
 }
 
@@ -167,7 +134,6 @@ TEST_P(EverySpotFilter, StaysInRangeAtBothPlanesAndWithNormalsThatMakeNoSense) {
 TEST_P(EverySpotFilter, StaysRightWithSourcesAndPlanesOfAnySize) {
   const SpotSetup at = setup();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float wall = stored(at, kReceiver - 0.05);
   const glm::vec4 usual(0.3F, 9.0F, 1.0F, 0.1F);
   for (int field = 0; field < 4; ++field) {
     for (const float odd : {0.0F, -1.0F, 1e-20F, 1e30F, nan, std::numeric_limits<float>::infinity()}) {
@@ -177,17 +143,14 @@ TEST_P(EverySpotFilter, StaysRightWithSourcesAndPlanesOfAnySize) {
       told.set("_PenumbraSpotLight", light);
       const std::string what = "field " + std::to_string(field) + " is " + std::to_string(odd);
       expect_in_range(visibility(at, rough_depth, grid(kReceiver), told), what);
-      expect_all(visibility(
-                     at, [this](double, double, int) { return farthest(); }, grid(kReceiver), told),
-                 1.0F, what + ", empty");
+      expect_all(below(at, farthest(), told), 1.0F, what + ", empty");
     }
   }
   for (const float radius : {0.0F, 0.001F, 1.0F}) {
     UniformValues told;
     told.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, radius));
-    expect_all(visibility(
-                   at, [wall](double, double, int) { return wall; }, grid(kReceiver), told),
-               0.0F, "wall, source of " + std::to_string(radius));
+    expect_all(below(at, stored(at, kReceiver - 0.05), told), 0.0F,
+               "wall, source of " + std::to_string(radius));
   }
 }
 
@@ -201,18 +164,13 @@ TEST_P(EverySpotFilter, LearnsNothingFromOutsideItsSlice) {
         return tile == slice ? rough_depth(u, v, tile) : poison;
       };
       std::vector<float> seen = visibility(at, map, grid(kReceiver));
-      for (std::size_t i = 0; i < before.size(); ++i)
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(seen[i]), std::bit_cast<std::uint32_t>(before[i]))
-            << "slice " << slice << ", texels outside " << poison << ", receiver " << i;
+      expect_same(seen, before, "slice " + std::to_string(slice));
       before = std::move(seen);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, EverySpotFilter, testing::ValuesIn(all_cases()), [](const auto& instance) {
-  return as_identifier(instance.param.technique +
-                       (instance.param.reversed_z ? "_reversed" : "_conventional"));
-});
+INSTANTIATE_TEST_SUITE_P(Library, EverySpotFilter, testing::ValuesIn(all_cases()), case_name);
 
 }  // namespace
 }  // namespace penumbra::resolve

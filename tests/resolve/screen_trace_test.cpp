@@ -370,20 +370,6 @@ TEST(ScreenTrace, APlaneDoesNotShadowItself) {
   EXPECT_GT(seen, 40000);
 }
 
-TEST(ScreenTrace, DirectionsOfDepthGiveOnePicture) {
-  for (std::uint32_t seed = 20; seed < 24; ++seed) {
-    const HandImage distances = random_distances(64, 40, seed);
-    for (const glm::vec3& sun : suns()) {
-      const HandImage one = traced(image_of_distances(distances, true), true, {}, sun);
-      const HandImage other = traced(image_of_distances(distances, false), false, {}, sun);
-      int differ = 0;
-      for (std::size_t i = 0; i < one.texels.size(); ++i)
-        differ += std::abs(one.texels[i] - other.texels[i]) > 2e-3f ? 1 : 0;
-      EXPECT_LE(differ, 20) << "of 2560, where rounding decides; seed " << seed;
-    }
-  }
-}
-
 TEST(ScreenTrace, StaysInRangeWhateverItReads) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();

@@ -22,11 +22,6 @@ double stored_depth(const parameters::Cascade& cascade, const glm::dvec2& uv, co
   return (plane.offset - glm::dot(plane.normal, start)) / glm::dot(plane.normal, end - start);
 }
 
-double format_step(DepthFormat format) {
-  if (format == DepthFormat::d16) return 1.0 / 65535.0;
-  return format == DepthFormat::d24 ? 1.0 / 16777215.0 : std::ldexp(1.0, -24);
-}
-
 struct MapError {
   std::size_t texels = 0;      // compared
   std::size_t missing = 0;     // the plane is in the tile's depth range and the map is clear

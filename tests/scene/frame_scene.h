@@ -30,6 +30,11 @@ class RasterisedFrame : public testing::Test {
   std::shared_ptr<const gpu::ValidationLog> log;
 };
 
+inline double format_step(DepthFormat format) {
+  if (format == DepthFormat::d16) return 1.0 / 65535.0;
+  return format == DepthFormat::d24 ? 1.0 / 16777215.0 : 0x1p-24;
+}
+
 // Adds a parallelogram around centre with edges 2 u and 2 v; its vertex normals are normal.
 inline void add_sheet(Mesh& mesh, const glm::dvec3& centre, const glm::dvec3& u, const glm::dvec3& v,
                       const glm::dvec3& normal) {

@@ -69,8 +69,7 @@ struct MapError {
 
 // The allowed error is half a step of the format, vertices snapped to 1/256 texel, and float rounding as in
 // the sun's maps.
-MapError compare(const Frame& frame, const MapRays& rays, const glm::dvec3& normal, double offset,
-                 double step) {
+MapError compare(const Frame& frame, const MapRays& rays, const glm::dvec3& normal, double offset) {
   const bool reversed_z = frame.cascades.reversed_z;
   const auto stored = [&](double column, double row) {
     return rays.stored(rays.to_plane(column, row, normal, offset), reversed_z);
@@ -89,17 +88,13 @@ MapError compare(const Frame& frame, const MapRays& rays, const glm::dvec3& norm
       const double expected = stored(column, row);
       const double gradient =
           std::abs(stored(column + 1, row) - expected) + std::abs(stored(column, row + 1) - expected);
-      const double allowed = 0.5 * step + gradient / 256.0 + 16.0 * std::ldexp(1.0, -24);
+      const double allowed =
+          0.5 * format_step(frame.settings.format) + gradient / 256.0 + 16.0 * std::ldexp(1.0, -24);
       ++error.texels;
       error.worst_allowed = std::max(error.worst_allowed, std::abs(texel - expected) / allowed);
     }
   }
   return error;
-}
-
-double format_step_of(DepthFormat format) {
-  if (format == DepthFormat::d16) return 1.0 / 65535.0;
-  return format == DepthFormat::d24 ? 1.0 / 16777215.0 : std::ldexp(1.0, -24);
 }
 
 TEST_F(RasterisedFrame, OfASpotLightHoldsTheGroundsDepth) {
@@ -114,7 +109,7 @@ TEST_F(RasterisedFrame, OfASpotLightHoldsTheGroundsDepth) {
         EXPECT_EQ(frame.spot_shadow->light.position, scene.spot_light->position + origin);
         ASSERT_EQ(frame.atlas.width, 512);
         ASSERT_EQ(frame.atlas.height, 512);
-        const MapError error = compare(frame, {lamp(), 512}, {0, 1, 0}, 0.0, format_step_of(format));
+        const MapError error = compare(frame, {lamp(), 512}, {0, 1, 0}, 0.0);
         EXPECT_GT(error.texels, 512 * 512 * 3 / 4);
         EXPECT_LE(error.worst_allowed, 1.0) << reversed_z << " format " << static_cast<int>(format);
       }
@@ -128,7 +123,7 @@ TEST_F(RasterisedFrame, OfASpotLightIsClearBeyondItsRange) {
   scene.spot_light->direction = {0.0, -0.1, 1.0};  // towards the horizon
   const MapRays rays(*scene.spot_light, 512);
   const Frame frame = rasterise(*device, scene, unbiased_settings(true, DepthFormat::d32, 1));
-  const MapError error = compare(frame, rays, {0, 1, 0}, 0.0, format_step_of(DepthFormat::d32));
+  const MapError error = compare(frame, rays, {0, 1, 0}, 0.0);
   EXPECT_GT(error.texels, 10000);
   EXPECT_GT(error.beyond, 10000);
   EXPECT_EQ(error.clear, error.beyond);
@@ -170,12 +165,11 @@ TEST_F(RasterisedFrame, OfASpotLightSinksATriangleByUrpsBias) {
   }
   const glm::dvec3 plane = glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
   const Frame frame = rasterise(*device, scene, biased);
-  const MapError error =
-      compare(frame, {lamp(), 512}, plane, glm::dot(plane, corner[0]), format_step_of(DepthFormat::d32));
+  const MapError error = compare(frame, {lamp(), 512}, plane, glm::dot(plane, corner[0]));
   EXPECT_GT(error.texels, 512 * 512 / 2);
   EXPECT_LE(error.worst_allowed, 1.0);
   EXPECT_GT(compare(rasterise(*device, scene, unbiased_settings(true, DepthFormat::d32, 1)), {lamp(), 512},
-                    plane, glm::dot(plane, corner[0]), format_step_of(DepthFormat::d32))
+                    plane, glm::dot(plane, corner[0]))
                 .worst_allowed,
             2.0)
       << "too little to test";

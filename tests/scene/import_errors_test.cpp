@@ -30,23 +30,23 @@ TEST_F(ImportTest, RefusesGarbageOfEveryFormatNamingTheFile) {
   }
 }
 
+std::string little_endian(const std::vector<std::size_t>& values) {
+  std::string bytes;
+  for (const std::size_t value : values)
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 255);
+  return bytes;
+}
+
 TEST_F(ImportTest, RefusesATruncatedGlbAtEveryLength) {
   std::string json = gltf(kTriangle);
   const std::size_t uri = json.find(",\"uri\"");
   json.erase(uri, json.rfind("}]}") - uri);  // the buffer is the binary chunk
-  std::string glb = "glTF";
   const std::string positions(reinterpret_cast<const char*>(kTriangle.data()),
                               kTriangle.size() * sizeof(float));
-  const auto word = [&](std::size_t value) {
-    for (int shift = 0; shift < 32; shift += 8) glb += static_cast<char>(value >> shift & 255);
-  };
   const std::string padded = json + std::string((4 - json.size() % 4) % 4, ' ');
-  word(2);
-  word(12 + 8 + padded.size() + 8 + positions.size());
-  word(padded.size());
-  glb += "JSON" + padded;
-  word(positions.size());
-  glb += std::string("BIN\0", 4) + positions;
+  const std::string glb =
+      "glTF" + little_endian({2, 12 + 8 + padded.size() + 8 + positions.size(), padded.size()}) + "JSON" +
+      padded + little_endian({positions.size()}) + std::string("BIN\0", 4) + positions;
   EXPECT_EQ(import(write("whole.glb", glb), {.ground = false}).mesh.triangle_count(), 1U);
   for (std::size_t length = 1; length < glb.size(); length += 17) {
     EXPECT_THAT(refusal(write("cut.glb", glb.substr(0, length))), HasSubstr("cannot be read")) << length;
@@ -101,10 +101,7 @@ TEST_F(ImportTest, RefusesAModelOfGltf1ThatReadsOutsideOfItsBuffers) {
 // A container has a head before its JSON. In glTF 1 the reserved buffer "binary_glTF" is its body.
 TEST_F(ImportTest, RefusesAContainerThatReadsOutsideOfItsBuffers) {
   const auto container = [](const std::string& json) {
-    std::string glb = "glTF";
-    for (const std::size_t word : {std::size_t{1}, json.size() + 20, json.size(), std::size_t{0}})
-      for (int shift = 0; shift < 32; shift += 8) glb += static_cast<char>(word >> shift & 255);
-    return glb + json;
+    return "glTF" + little_endian({1, json.size() + 20, json.size(), 0}) + json;
   };
   const std::string begin = R"({"asset":{"version":"1.0"},"buffers":{")";
   const std::string end =
@@ -136,11 +133,11 @@ TEST_F(ImportTest, RefusesIndicesOutOfRange) {
   EXPECT_THAT(refusal(file), StartsWith(file.string() + ": "));
 }
 
-TEST_F(ImportTest, RefusesAGltfWhoseBufferIsMissing) {
+// The triangle, whose bytes are in a file.
+std::string with_buffer(const std::string& uri) {
   std::string text = gltf(kTriangle);
   const std::size_t begin = text.find("data:"), end = text.find('"', begin);
-  text.replace(begin, end - begin, "elsewhere.bin");
-  EXPECT_THAT(refusal(write("missing_buffer.gltf", text)), HasSubstr("elsewhere.bin"));
+  return text.replace(begin, end - begin, uri);
 }
 
 // The import does so neither by "..", nor by an absolute path, nor through a link.
@@ -150,36 +147,26 @@ TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
   const fs::path bytes = write("secret.bin", std::string(36, '\0'));
   write("model/inside.bin", std::string(36, '\1'));
   fs::create_symlink(bytes, folder_ / "model" / "link.bin");
-  const auto with_buffer = [&](const std::string& uri) {
-    std::string text = gltf(kTriangle);
-    const std::size_t begin = text.find("data:"), end = text.find('"', begin);
-    text.replace(begin, end - begin, uri);
-    return write("model/model.gltf", text);
-  };
+  const auto model = [&](const std::string& uri) { return write("model/model.gltf", with_buffer(uri)); };
   for (const char* uri : {"../secret.bin", "link.bin"})
-    EXPECT_THAT(refusal(with_buffer(uri)),
-                HasSubstrs("model.gltf: names the file '", "outside the model's folder"))
+    EXPECT_THAT(refusal(model(uri)), HasSubstrs("model.gltf: names the file '", "outside the model's folder"))
         << uri;
   // The importer library looks beneath the model's folder, unless that is the working directory.
-  EXPECT_THAT(refusal(with_buffer(bytes.string())), HasSubstr("secret.bin"));
+  EXPECT_THAT(refusal(model(bytes.string())), HasSubstr("secret.bin"));
   const fs::path before = fs::current_path();
   fs::current_path(folder_ / "model");
   EXPECT_THAT(refusal("model.gltf"), HasSubstr("outside the model's folder"));
   fs::current_path(before);
-  EXPECT_THAT(refusal(with_buffer("inside.bin")), testing::Not(HasSubstr("outside the model's folder")));
+  EXPECT_THAT(refusal(model("inside.bin")), testing::Not(HasSubstr("outside the model's folder")));
   write("colours.mtl", "newmtl red\nKd 1 0 0\n");
   EXPECT_THAT(refusal(write("model/model.obj", "mtllib ../colours.mtl\nusemtl red\n" + kTetrahedron)),
               HasSubstr("names the file '"));
 }
 
 TEST_F(ImportTest, NamesFilesThatAreMissing) {
-  const std::string triangles = kTetrahedron;
-  const Scene scene = import(write("model.obj", "mtllib paint.mtl\nusemtl red\n" + triangles), {});
+  const Scene scene = import(write("model.obj", "mtllib paint.mtl\nusemtl red\n" + kTetrahedron), {});
   EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("names the file 'paint.mtl', which is not there")));
-  std::string text = gltf(kTriangle);
-  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
-  text.replace(begin, end - begin, "absent.bin");
-  EXPECT_THAT(refusal(write("model.gltf", text)),
+  EXPECT_THAT(refusal(write("model.gltf", with_buffer("absent.bin"))),
               HasSubstrs("names the file 'absent.bin', which is not there", "beside the model"));
 }
 
@@ -192,10 +179,7 @@ TEST_F(ImportTest, RefusesAModelThatIsAPipe) {
 // The buffer would be read until somebody writes into it.
 TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
-  std::string text = gltf(kTriangle);
-  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
-  text.replace(begin, end - begin, "pipe.bin");
-  EXPECT_THAT(refusal(write("pipe.gltf", text)), HasSubstr("pipe.bin"));
+  EXPECT_THAT(refusal(write("pipe.gltf", with_buffer("pipe.bin"))), HasSubstr("pipe.bin"));
 }
 
 TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {

@@ -6,34 +6,17 @@
 #include <set>
 
 #include "platform/interrupt.h"
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
 #include "study/kept_records.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Subject> subjects(const std::vector<std::string>& names) {
-  const techniques::TechniqueList& list = library_techniques();
-  std::vector<Subject> all;
-  for (const std::string& name : names) all.push_back(technique_subject(list, list.find(name), true));
-  return all;
-}
-
 StudySettings settings(const fs::path& cache) {
-  StudySettings settings;
-  settings.scenes = {scene::built_in("trees")};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 64;
-  settings.frame.height = 36;
-  settings.frame.shadows.cascades = 4;
-  settings.reference_samples = 32;
+  StudySettings settings = SmallStudy(scene::built_in("trees"), 2.0, 64, 36).settings;
   settings.noise_seeds = 2;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
   settings.cache = cache;
   return settings;
 }
@@ -52,19 +35,27 @@ StudyProgress until(const std::string& technique) {
   };
 }
 
+StudyOutcome run(const std::vector<Subject>& chosen, const StudySettings& settings) {
+  return run_study(test_device(), chosen, settings, [](auto&&...) {});
+}
+
+void interrupt(const std::vector<Subject>& chosen, const StudySettings& settings,
+               const std::string& technique) {
+  EXPECT_THROW(run_study(test_device(), chosen, settings, until(technique)), platform::Interrupted);
+}
+
 TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   const reference::ScratchFolder whole_cache, cache;
   const std::vector<Subject> chosen =
-      subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
-  const StudyOutcome whole = run_study(test_device(), chosen, settings(whole_cache.path()), [](auto&&...) {});
+      library_subjects({"tent-5-plane", "pcss-angular-24-16", "screen-pcss-angular-24-16-masked"});
+  const StudyOutcome whole = run(chosen, settings(whole_cache.path()));
   EXPECT_EQ(kept_in(whole_cache.path()), 3U) << "until the results are written";
   whole.kept->drop();
   EXPECT_EQ(kept_in(whole_cache.path()), 0U) << "nothing is kept of a study that is finished";
 
-  EXPECT_THROW(run_study(test_device(), chosen, settings(cache.path()), until(chosen[2].name)),
-               platform::Interrupted);
+  interrupt(chosen, settings(cache.path()), chosen[2].name);
   EXPECT_EQ(kept_in(cache.path()), 2U);
-  const StudyOutcome continued = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
+  const StudyOutcome continued = run(chosen, settings(cache.path()));
   continued.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 0U);
   EXPECT_EQ(continued.records, whole.records);
@@ -76,24 +67,31 @@ TEST(ContinuedStudy, HasTheResultsOfOneThatWasNotInterrupted) {
   }
 }
 
+// No two measurements take the same time.
+TEST(ContinuedStudy, TakesWhatWasMeasuredBefore) {
+  SmallStudy study(scene::built_in("trees"), 2.0, 64, 36);
+  study.settings.timing_repeats = 1;
+  const std::vector<Subject> chosen = library_subjects({"hard"});
+  const Record first = study.run(chosen).records.at(0);
+  EXPECT_EQ(study.run(chosen).records.at(0).time, first.time);
+}
+
 // Settings and a technique's values that differ are measured again.
 TEST(ContinuedStudy, TakesNothingFromAnotherStudy) {
   const reference::ScratchFolder cache;
-  std::vector<Subject> chosen = subjects({"pcss-angular-24-16", "hard"});
-  EXPECT_THROW(run_study(test_device(), chosen, settings(cache.path()), until("hard")),
-               platform::Interrupted);
+  std::vector<Subject> chosen = library_subjects({"pcss-angular-24-16", "hard"});
+  interrupt(chosen, settings(cache.path()), "hard");
   ASSERT_EQ(kept_in(cache.path()), 1U);
 
   StudySettings other = settings(cache.path());
   other.noise_seeds = 3;
-  const StudyOutcome of_three = run_study(test_device(), chosen, other, [](auto&&...) {});
+  const StudyOutcome of_three = run(chosen, other);
   EXPECT_EQ(of_three.records.at(0).metrics.seeds, 3);
   of_three.kept->drop();
   EXPECT_EQ(kept_in(cache.path()), 1U) << "of the first study";
 
   chosen[0].title = "another title";
-  EXPECT_EQ(run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {}).records.at(0).title,
-            "another title");
+  EXPECT_EQ(run(chosen, settings(cache.path())).records.at(0).title, "another title");
 }
 
 // A graph of the test whose pass reads one of two textures.
@@ -131,20 +129,16 @@ RWTexture2D<float> _Visibility;
   set("OTHER", read == "whole" ? "small" : "whole");
   std::ofstream(folder / "Mix.technique.json") << text;
   const techniques::TechniqueList list = techniques::read_technique_list(folder / "Mix.technique.json");
-  return {technique_subject(list, list.find("mix"), true), subjects({"hard"}).front()};
+  return {technique_subject(list, list.find("mix"), true), library_subjects({"hard"}).front()};
 }
 
 // The programs of both graphs are the same.
 TEST(ContinuedStudy, TakesNothingOfAnotherGraph) {
   const reference::ScratchFolder cache, files;
   const auto rmse = [&](const std::string& read, int divisor, const fs::path& kept_in) {
-    return run_study(test_device(), mixed(files.path(), read, divisor), settings(kept_in), [](auto&&...) {})
-        .records.at(0)
-        .metrics.rmse_all;
+    return run(mixed(files.path(), read, divisor), settings(kept_in)).records.at(0).metrics.rmse_all;
   };
-  EXPECT_THROW(
-      run_study(test_device(), mixed(files.path(), "whole", 2), settings(cache.path()), until("hard")),
-      platform::Interrupted);
+  interrupt(mixed(files.path(), "whole", 2), settings(cache.path()), "hard");
   for (const auto& [read, divisor] : {std::pair("small", 2), std::pair("small", 4), std::pair("whole", 2)}) {
     const reference::ScratchFolder empty;
     EXPECT_EQ(rmse(read, divisor, cache.path()), rmse(read, divisor, empty.path())) << read << divisor;
@@ -162,13 +156,12 @@ TEST(ContinuedStudy, TakesNothingOfAnotherPicture) {
     adapter.name = "a";
     adapter.file = files.path() / "a.hlsl";
     adapter.textures = {{"_Tex", {1, 1, {value, value, value, 255}}}};
-    return std::vector<Subject>{adapter_subject(adapter, true), subjects({"hard"}).front()};
+    return std::vector<Subject>{adapter_subject(adapter, true), library_subjects({"hard"}).front()};
   };
-  EXPECT_THROW(run_study(test_device(), of(255), settings(cache.path()), until("hard")),
-               platform::Interrupted);
+  interrupt(of(255), settings(cache.path()), "hard");
   const reference::ScratchFolder empty;
   const auto rmse = [&](const fs::path& folder) {
-    return run_study(test_device(), of(0), settings(folder), [](auto&&...) {}).records.at(0).metrics.rmse_all;
+    return run(of(0), settings(folder)).records.at(0).metrics.rmse_all;
   };
   EXPECT_EQ(rmse(cache.path()), rmse(empty.path()));
 }
@@ -188,7 +181,7 @@ TEST(ContinuedStudy, SplitsTheErrorByItsOwnUnlimitedPicture) {
     StudySettings splitting = settings(folder);
     splitting.split_error = true;
     const std::vector<Subject> subjects{technique_subject(list, list.find("means"), true)};
-    return run_study(test_device(), subjects, splitting, [](auto&&...) {}).records.at(0).metrics.split;
+    return run(subjects, splitting).records.at(0).metrics.split;
   };
   const ErrorSplit first = split(1, cache.path());
   const reference::ScratchFolder empty;
@@ -199,13 +192,13 @@ TEST(ContinuedStudy, SplitsTheErrorByItsOwnUnlimitedPicture) {
 
 TEST(ContinuedStudy, HasPicturesOnlyWhereTheyAreWanted) {
   const reference::ScratchFolder cache;
-  const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
+  const std::vector<Subject> chosen = library_subjects({"tent-5", "hard"});
   StudySettings figures = settings(cache.path());
   figures.pictures = false;
-  const StudyOutcome without = run_study(test_device(), chosen, figures, [](auto&&...) {});
+  const StudyOutcome without = run(chosen, figures);
   for (const PictureRow& row : without.pictures) EXPECT_TRUE(row.result.empty() && row.technique.empty());
-  EXPECT_THROW(run_study(test_device(), chosen, figures, until("hard")), platform::Interrupted);
-  const StudyOutcome with = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
+  interrupt(chosen, figures, "hard");
+  const StudyOutcome with = run(chosen, settings(cache.path()));
   EXPECT_EQ(with.records, without.records);
   for (const PictureRow& row : with.pictures) EXPECT_FALSE(row.result.empty()) << row.technique;
 }
@@ -216,10 +209,10 @@ TEST(ContinuedStudy, KeepsNothingWhereAnswersArePassedOn) {
   StudySettings passing = settings(cache.path());
   int answers = 0;
   passing.answered = [&](const SubjectAnswer&) { ++answers; };
-  const std::vector<Subject> chosen = subjects({"tent-5", "hard"});
-  EXPECT_THROW(run_study(test_device(), chosen, passing, until("hard")), platform::Interrupted);
+  const std::vector<Subject> chosen = library_subjects({"tent-5", "hard"});
+  interrupt(chosen, passing, "hard");
   EXPECT_EQ(kept_in(cache.path()), 0U);
-  run_study(test_device(), chosen, passing, [](auto&&...) {});
+  run(chosen, passing);
   EXPECT_EQ(answers, 3);
 }
 

@@ -2,9 +2,8 @@
 #include "study/earlier_rows.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "input/input_error.h"
+#include "input/input_error_matcher.h"
 #include "study/result_block.h"
 #include "study/synthetic_study.h"
 
@@ -29,13 +28,9 @@ Results before() {
 
 std::string problem(const Results& earlier, const std::vector<std::string>& rows = kTents) {
   Results results = now();
-  try {
-    add_earlier_rows(results, earlier, rows, "before.json");
-  } catch (const InputError& error) {
-    EXPECT_EQ(results, now()) << "nothing was added";
-    return error.what();
-  }
-  return "no problem";
+  const std::string error = input_error_of([&] { add_earlier_rows(results, earlier, rows, "before.json"); });
+  EXPECT_EQ(results, now()) << "nothing was added";
+  return error;
 }
 
 TEST(EarlierRows, AreAddedBehindTheOthersWithHowTheyWereMeasured) {

@@ -1,35 +1,17 @@
 // Tests edges of a multisampled picture: the reference, and a technique that shades each of their samples.
 #include <gmock/gmock.h>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
 #include "study/case_setup.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
 std::map<std::string, Record> at_edges(const std::string& scene, int samples) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene::built_in(scene)};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 160;
-  settings.frame.height = 90;
-  settings.frame.shadows.cascades = 4;
-  settings.reference_samples = 64;
-  settings.noise_seeds = 2;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
-  settings.edge_samples = samples;
-  settings.cache = cache.path();
-  std::vector<Subject> subjects;
-  for (const char* name : {"screen-pcss-angular-24-16", "screen-pcss-angular-24-16-edges"})
-    subjects.push_back(technique_subject(library_techniques(), library_techniques().find(name), true));
-  std::map<std::string, Record> records;
-  for (const Record& record : run_study(test_device(), subjects, settings, [](auto&&...) {}).records)
-    records[record.technique] = record;
-  return records;
+  SmallStudy study(scene::built_in(scene), 2.0, 160, 90);
+  study.settings.noise_seeds = 2;
+  study.settings.edge_samples = samples;
+  return study.records(library_subjects({"screen-pcss-angular-24-16", "screen-pcss-angular-24-16-edges"}));
 }
 
 double fetches_of(const Record& record, const std::string& pass) {
@@ -70,15 +52,11 @@ TEST(Edges, OtherPixelsAreShadedOnce) {
 }
 
 TEST(Edges, AreMeasuredWithoutASplitOfTheErrorAndUnderTheSun) {
-  StudySettings settings;
-  settings.scenes = {scene::built_in("spot-table")};
-  settings.light_degrees = {2.0};
-  settings.split_error = false;
-  settings.edge_samples = 4;
-  const Subject subject = technique_subject(
-      library_techniques(), library_techniques().find("pcss-spot-24-16"), true, techniques::LightKind::spot);
+  SmallStudy study(scene::built_in("spot-table"), 2.0, 160, 90);
+  study.settings.edge_samples = 4;
+  const Subject subject = library_subject("pcss-spot-24-16", techniques::LightKind::spot);
   EXPECT_THAT(
-      [&] { run_study(test_device(), {subject}, settings, [](auto&&...) { FAIL() << "it began"; }); },
+      [&] { run_study(test_device(), {subject}, study.settings, [](auto&&...) { FAIL() << "it began"; }); },
       testing::ThrowsMessage<InputError>(testing::HasSubstr("edges are measured under the sun alone")));
   EXPECT_THROW(sample_offsets(3), std::invalid_argument);
 }

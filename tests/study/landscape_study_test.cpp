@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
 #include "scene/mesh_builder.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
@@ -38,28 +36,11 @@ scene::Scene ridge(double sun_elevation) {
 
 std::map<std::string, Record> recorded_landscape(const scene::Scene& scene,
                                                  const std::vector<std::string>& names) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene};
-  settings.light_degrees = {0.53};
-  settings.frame.width = 240;
-  settings.frame.height = 136;
-  settings.frame.shadows.cascades = 4;
-  settings.reference_samples = 64;
-  settings.noise_seeds = 1;
-  settings.timing_repeats = 0;
-  settings.cache = cache.path();
-  settings.bake = {129, 128, 0.0};
-  std::vector<Subject> subjects;
-  for (const std::string& name : names)
-    subjects.push_back(technique_subject(library_techniques(), library_techniques().find(name), true));
-  const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
-  EXPECT_THAT(outcome.notes, testing::IsEmpty());
-  std::map<std::string, Record> records;
-  for (const Record& record : outcome.records) {
-    EXPECT_EQ(record.metrics.invalid, 0U) << record.technique;
-    records[record.technique] = record;
-  }
+  SmallStudy study(scene, 0.53, 240, 136);
+  study.settings.split_error = true;
+  study.settings.bake = {129, 128, 0.0};
+  std::map<std::string, Record> records = study.records(library_subjects(names));
+  for (const auto& [name, record] : records) EXPECT_EQ(record.metrics.invalid, 0U) << name;
   return records;
 }
 

@@ -8,44 +8,23 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
-StudySettings small_study(const std::filesystem::path& cache, int supersampling) {
-  StudySettings settings;
-  settings.scenes = {scene::built_in("contact-boxes")};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 96 * supersampling;
-  settings.frame.height = 54 * supersampling;
-  settings.frame.shadows.normal_bias = 0.0;
-  settings.reference_samples = 64;
-  settings.noise_seeds = 1;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
-  settings.cache = cache;
-  return settings;
-}
-
 std::vector<PictureRow> lit_rows(const std::vector<std::string>& techniques, int supersampling) {
-  const reference::ScratchFolder cache;
-  StudySettings settings = small_study(cache.path(), supersampling);
+  SmallStudy study(scene::built_in("contact-boxes"), 2.0, 96 * supersampling, 54 * supersampling);
+  study.settings.frame.shadows.cascades = parameters::ShadowSettings().cascades;
   lighting::LitSettings lit;
   lit.supersampling = supersampling;
   lit.sun_rays = 64;
-  lit.cache = cache.path();
+  lit.cache = study.cache.path();
   LitView view(lit, [](auto&&...) {});
-  settings.answered = [&](const SubjectAnswer& answer) { view.add(answer); };
-  std::vector<Subject> subjects;
-  for (const std::string& technique : techniques) {
-    {
-      subjects.push_back(technique_subject(library_techniques(), library_techniques().find(technique), true));
-      subjects.back().raster_bias = {};  // the bias of the picture
-    }
-  }
-  StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
+  study.settings.answered = [&](const SubjectAnswer& answer) { view.add(answer); };
+  std::vector<Subject> subjects = library_subjects(techniques);
+  for (Subject& subject : subjects) subject.raster_bias = {};  // the bias of the picture
+  StudyOutcome outcome = study.run(subjects);
   view.replace_pictures(outcome.pictures);
   return outcome.pictures;
 }

@@ -1,9 +1,7 @@
 // The techniques of noise/NoiseStudy.technique.json are the library's own but for what they are named after.
 #include <gmock/gmock.h>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
@@ -18,10 +16,6 @@ Subject noise_subject(const std::string& technique) {
   return technique_subject(noise_techniques(), noise_techniques().find(technique), true);
 }
 
-Subject library_subject(const std::string& technique) {
-  return technique_subject(library_techniques(), library_techniques().find(technique), true);
-}
-
 Subject remembering(Subject subject, double history) {
   subject.history = history;
   subject.name += " remembering";
@@ -29,21 +23,10 @@ Subject remembering(Subject subject, double history) {
 }
 
 StudyOutcome noise_outcome(const std::vector<Subject>& subjects, int seeds = 1) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene::built_in("trees")};
-  settings.light_degrees = {5.0};
-  settings.frame.width = 160;
-  settings.frame.height = 90;
-  settings.frame.shadows.cascades = 4;
-  settings.frame.shadows.resolution = 256;
-  settings.frame.shadows.normal_bias = 0.0;
-  settings.reference_samples = 64;
-  settings.noise_seeds = seeds;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
-  settings.cache = cache.path();
-  return run_study(test_device(), subjects, settings, [](auto&&...) {});
+  SmallStudy study(scene::built_in("trees"), 5.0, 160, 90);
+  study.settings.frame.shadows.resolution = 256;
+  study.settings.noise_seeds = seeds;
+  return study.run(subjects);
 }
 
 double all_fetches(const Record& record) {

@@ -3,35 +3,22 @@
 #include <gmock/gmock.h>
 
 #include "input/input_error.h"
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
 Subject subject(const std::string& technique, const std::string& name) {
-  const techniques::TechniqueList& list = library_techniques();
-  Subject made = technique_subject(list, list.find(technique), true);
+  Subject made = library_subject(technique);
   made.name = name;
   return made;
 }
 
 StudyOutcome outcome(const std::vector<Subject>& subjects, double degrees, bool split = false) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene::built_in("contact-boxes")};
-  settings.light_degrees = {degrees};
-  settings.frame.width = 96;
-  settings.frame.height = 54;
-  settings.frame.shadows.cascades = 4;
-  settings.frame.shadows.resolution = 1024;
-  settings.reference_samples = 64;
-  settings.noise_seeds = 1;
-  settings.timing_repeats = 0;
-  settings.split_error = split;
-  settings.cache = cache.path();
-  return run_study(test_device(), subjects, settings, [](auto&&...) {});
+  SmallStudy study(scene::built_in("contact-boxes"), degrees, 96, 54);
+  study.settings.frame.shadows.resolution = 1024;
+  study.settings.split_error = split;
+  return study.run(subjects);
 }
 
 TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
@@ -45,18 +32,15 @@ TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
 }
 
 TEST(OwnSettings, ALightOfTheOtherKindIsRefusedBeforeAnyWork) {
-  StudySettings settings;
-  settings.scenes = {scene::built_in("contact-boxes")};
+  StudySettings settings = SmallStudy(scene::built_in("contact-boxes"), 2.0, 96, 54).settings;
   settings.scenes[0].spot_light.emplace();
-  settings.split_error = false;
   const auto run = [&] {
     run_study(test_device(), {subject("tent-7", "a")}, settings, [](auto&&...) { FAIL() << "it began"; });
   };
   EXPECT_THAT(run, testing::ThrowsMessage<InputError>(testing::HasSubstr(
                        "scene 'contact-boxes' is lit by a spot light, and 'a' runs for the sun")));
-  const techniques::TechniqueList& list = library_techniques();
-  const auto make = [&](const char* technique, techniques::LightKind light) {
-    return [&list, technique, light] { technique_subject(list, list.find(technique), true, light); };
+  const auto make = [](const char* technique, techniques::LightKind light) {
+    return [technique, light] { library_subject(technique, light); };
   };
   EXPECT_THAT(make("pcss-angular-24-16", techniques::LightKind::spot),
               testing::ThrowsMessage<InputError>(
@@ -70,30 +54,20 @@ TEST(OwnSettings, ALightOfTheOtherKindIsRefusedBeforeAnyWork) {
       testing::ThrowsMessage<InputError>(testing::HasSubstr("measure the two kinds of light in two runs")));
   settings.scenes.pop_back();
   settings.split_error = true;
-  const Subject spot = technique_subject(list, list.find("tent-5"), true, techniques::LightKind::spot);
+  const Subject spot = library_subject("tent-5", techniques::LightKind::spot);
   EXPECT_THAT([&] { run_study(test_device(), {spot}, settings, [](auto&&...) {}); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("--no-split")));
 }
 
 TEST(OwnSettings, ASpotLightsSourceIsAsWideAsTheStudySays) {
-  const reference::ScratchFolder cache;
-  const techniques::TechniqueList& list = library_techniques();
-  StudySettings settings;
-  settings.scenes = {scene::built_in("spot-table")};
-  settings.light_degrees = {1.0, 8.0};
-  settings.frame.width = 160;
-  settings.frame.height = 90;
-  settings.frame.shadows.resolution = 512;
-  settings.frame.shadows.cascades = 4;  // the sun's maps; a spot light has one
-  settings.reference_samples = 64;
-  settings.noise_seeds = 1;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
-  settings.cache = cache.path();
+  SmallStudy study(scene::built_in("spot-table"), 1.0, 160, 90);
+  study.settings.light_degrees.push_back(8.0);
+  study.settings.frame.shadows.resolution = 512;
+  ASSERT_EQ(study.settings.frame.shadows.cascades, 4) << "the sun's maps; a spot light has one";
   std::vector<Subject> subjects;
   for (const char* name : {"hard", "tent-5-plane", "pcss-spot-24-16"})
-    subjects.push_back(technique_subject(list, list.find(name), true, techniques::LightKind::spot));
-  const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
+    subjects.push_back(library_subject(name, techniques::LightKind::spot));
+  const StudyOutcome outcome = study.run(subjects);
   ASSERT_EQ(outcome.frames.size(), 2U);
   ASSERT_EQ(outcome.records.size(), 6U);
   EXPECT_NEAR(outcome.frames[0].source_radius_metres.value(), 0.008727, 1e-6);

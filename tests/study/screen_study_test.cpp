@@ -1,40 +1,23 @@
 // Tests a study of techniques that run over the screen, from the list to the record.
 #include <gmock/gmock.h>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
-#include "study/study.h"
+#include "study/small_study.h"
 
 namespace penumbra::study {
 namespace {
 
 std::map<std::string, Record> recorded(const std::vector<techniques::Technique>& techniques, bool reversed_z,
                                        int pan_frames = 0) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene::built_in("contact-boxes")};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 120;
-  settings.frame.height = 68;
-  settings.frame.shadows.cascades = 4;
-  settings.frame.shadows.normal_bias = 0.0;
-  settings.frame.shadows.reversed_z = reversed_z;
-  settings.reference_samples = 64;
-  settings.noise_seeds = 2;
-  settings.timing_repeats = 1;
-  settings.split_error = false;
-  settings.cache = cache.path();
-  settings.pan_frames = pan_frames;
+  SmallStudy study(scene::built_in("contact-boxes"), 2.0, 120, 68);
+  study.settings.frame.shadows.reversed_z = reversed_z;
+  study.settings.noise_seeds = 2;
+  study.settings.timing_repeats = 1;
+  study.settings.pan_frames = pan_frames;
   std::vector<Subject> subjects;
   for (const techniques::Technique& technique : techniques)
     subjects.push_back(technique_subject(library_techniques(), technique, reversed_z));
-  const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
-  EXPECT_THAT(outcome.notes, testing::IsEmpty());
-  std::map<std::string, Record> records;
-  for (const Record& record : outcome.records) {
-    records[record.technique] = record;
-    EXPECT_TRUE(record.time) << record.technique;
-  }
+  std::map<std::string, Record> records = study.records(subjects);
+  for (const auto& [name, record] : records) EXPECT_TRUE(record.time) << name;
   return records;
 }
 

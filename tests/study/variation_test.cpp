@@ -4,10 +4,8 @@
 
 #include <cmath>
 
-#include "reference/scratch_folder.h"
-#include "resolve/test_device.h"
 #include "study/colour_map.h"
-#include "study/study.h"
+#include "study/small_study.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::study {
@@ -25,22 +23,11 @@ Subject with(const std::string& technique, const std::map<std::string, double>& 
 StudyOutcome outcome(const std::vector<Subject>& subjects,
                      const std::optional<PictureWindow>& window = std::nullopt,
                      std::function<void(const SubjectAnswer&)> answered = {}) {
-  const reference::ScratchFolder cache;
-  StudySettings settings;
-  settings.scenes = {scene::built_in("trees")};
-  settings.light_degrees = {2.0};
-  settings.frame.width = 96;
-  settings.frame.height = 54;
-  settings.frame.shadows.cascades = 4;
-  settings.frame.shadows.normal_bias = 0.0;
-  settings.reference_samples = 64;
-  settings.noise_seeds = kFrames;
-  settings.timing_repeats = 0;
-  settings.split_error = false;
-  settings.window = window;
-  settings.answered = std::move(answered);
-  settings.cache = cache.path();
-  return run_study(test_device(), subjects, settings, [](auto&&...) {});
+  SmallStudy study(scene::built_in("trees"), 2.0, 96, 54);
+  study.settings.noise_seeds = kFrames;
+  study.settings.window = window;
+  study.settings.answered = std::move(answered);
+  return study.run(subjects);
 }
 
 class Variation : public testing::TestWithParam<const char*> {};

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "input/input_error_matcher.h"
 #include "processor_time.h"
 #include "techniques/pass_graph.h"
@@ -210,6 +212,21 @@ TEST(ManifestSchema, DescribesEveryKey) {
   for (const auto& [object, definition] : schema.at("definitions").items())
     if (definition.contains("properties")) check(object, definition["properties"]);
   EXPECT_GT(described, 100U);
+}
+
+TEST(ManifestSchema, LimitsEveryList) {
+  std::size_t lists = 0;
+  const std::function<void(const json&, const std::string&)> check = [&](const json& rule,
+                                                                         const std::string& at) {
+    const bool list = rule.is_object() && rule.value("type", json()) == "array";
+    // A draw has at most 8 targets, which the check of graphs says.
+    EXPECT_TRUE(!list || at == "/definitions/texts" || rule.contains("maxItems")) << at;
+    lists += list ? 1 : 0;
+    if (rule.is_structured())
+      for (const auto& [key, inner] : rule.items()) check(inner, at + "/" + key);
+  };
+  check(json::parse(kTechniqueSchema), "");
+  EXPECT_GT(lists, 10U);
 }
 
 }  // namespace

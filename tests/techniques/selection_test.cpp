@@ -4,12 +4,10 @@
 
 #include <gmock/gmock.h>
 
-#include "input/input_error_matcher.h"
-#include "shaders/shader_files.h"
 #include "techniques/feature_tables.h"
+#include "techniques/manifest_test.h"
 #include "techniques/selection_hlsl.h"
 #include "techniques/settings_emit.h"
-#include "techniques/technique_list.h"
 
 namespace penumbra::techniques {
 namespace {
@@ -39,28 +37,17 @@ constexpr const char* ring_manifest = R"({
      "title": "Ring", "doc": "A ring.", "options": {"ringTaps": "taps"}}]
 })";
 
-class SelectionTest : public testing::Test {
+class SelectionTest : public ManifestTest {
  protected:
-  SelectionTest() { files_.write("Ring.hlsl", "// ring\n"); }
+  SelectionTest() : ManifestTest("ring.technique.json", {"Ring.hlsl", "Ring.shader"}) {}
 
-  TechniqueList read(const std::string& text) const {
-    return read_technique_list(files_.write("ring.technique.json", text));
-  }
   static std::string with(const std::string& from, const std::string& to) {
-    std::string text = ring_manifest;
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
+    return replaced(ring_manifest, from, to);
   }
-  std::string problem(const std::string& from, const std::string& to) const {
-    return input_error_of([&] {
-      const TechniqueList list = read(with(from, to));
-      emit_keywords_hlsl(list);
-      selection_rows(list);
-    });
+  void use(const TechniqueList& list) const override {
+    emit_keywords_hlsl(list);
+    selection_rows(list);
   }
-
-  shaders::ShaderFiles files_;
 };
 
 TEST_F(SelectionTest, TakesTheFilterOfItsTechnique) {
@@ -101,14 +88,11 @@ TEST_F(SelectionTest, ItsCallIsWrappedWhereItsMapsAreMany) {
                 "arguments": ["shadowMap", "pointSampler", "nearestOfAllTexels", "farthestOfAllTexels"],
                 "parameters": "RingParameters"}}]}],
   "defaults")";
-  files_.write("Ring.shader", "// ring\n");
-  std::string text = with(R"("defaults")", graph);
   const std::string filter =
       R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap", "pointSampler"],
                 "parameters": "RingParameters"})";
-  const std::size_t at = text.find(filter);
-  ASSERT_NE(at, std::string::npos);
-  text = emit_keywords_hlsl(read(text.replace(at, filter.size(), R"("graph": "rings")")));
+  const std::string text =
+      emit_keywords_hlsl(read(replaced(with(R"("defaults")", graph), filter, R"("graph": "rings")")));
   EXPECT_THAT(text, HasSubstr("TEXTURE2D(_PenumbraNearestOfAllTexelsTexture);\n"
                               "Texture2D<uint4> _PenumbraFarthestOfAllTexelsTexture;\n"));
   EXPECT_THAT(text, HasSubstr("    return FilterRing(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
@@ -147,8 +131,8 @@ TEST_F(SelectionTest, ParametersThatTheFeatureComputesAreNotSetBesides) {
       with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["RingParameters"])")));
   EXPECT_THAT(rows, Not(HasSubstr("vector")));
   EXPECT_THAT(rows, HasSubstr("option\tringTaps\t8\n")) << "but they begin as they are measured";
-  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["Rings"])"),
-              HasSubstr("unknown struct 'Rings'"));
+  refuse(ring_manifest, R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": ["Rings"])",
+         "unknown struct 'Rings'");
 }
 
 TEST_F(SelectionTest, AFallbackMayBeTheFilterWithoutAKeyword) {
@@ -200,62 +184,51 @@ class VisibilitySelectionTest : public SelectionTest {
     files_.write("ShaderLibrary/ring.technique.json",
                  with(R"("fallback": "Wide")", R"("fallback": "Plain")"));
     files_.write("ShaderLibrary/Disc.shader", "// disc\n");
+    manifest_ = "ShaderLibrary/disc.technique.json";
   }
 
-  TechniqueList read_with(const std::string& disc) const {
-    files_.write("ShaderLibrary/disc.technique.json", disc);
+  TechniqueList read(const std::string& text) const override {
+    files_.write(manifest_, text);
     return read_technique_list(files_.path(""));
   }
-  static std::string disc_with(const std::string& from, const std::string& to) {
-    std::string text = disc_manifest;
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-  }
-  std::string disc_problem(const std::string& from, const std::string& to) const {
-    return input_error_of([&] {
-      const TechniqueList list = read_with(disc_with(from, to));
-      selection_rows(list);
-      emit_presets_csharp(list);
-    });
+  void use(const TechniqueList& list) const override {
+    selection_rows(list);
+    emit_presets_csharp(list);
   }
 };
 
 TEST_F(VisibilitySelectionTest, HasItsFallbacksKeywordAndIsNotInShaders) {
-  const TechniqueList list = read_with(disc_manifest);
+  const TechniqueList list = read(disc_manifest);
   const Selection& disc = list.selections.back();
   EXPECT_TRUE(disc.draws_visibility);
   EXPECT_EQ(disc.keyword, "_PENUMBRA_RING");
   EXPECT_EQ(emit_keywords_hlsl(list),
-            emit_keywords_hlsl(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")"))));
+            emit_keywords_hlsl(ManifestTest::read(with(R"("fallback": "Wide")", R"("fallback": "Plain")"))));
 }
 
 TEST_F(VisibilitySelectionTest, IsEmittedWithItsGraphAndItsFallback) {
   EXPECT_THAT(
-      selection_rows(read_with(disc_manifest)),
+      selection_rows(read(disc_manifest)),
       HasSubstr("technique\tDisc\tRing\tkeyword=_PENUMBRA_RING\noption\tringTaps\t8\nformat\tgraph=disc\n"
                 "vector\t_PenumbraRingParameters0\tringTaps:"));
 }
 
 TEST_F(VisibilitySelectionTest, ItsGraphAtHalfResolutionIsBesideIt) {
-  std::string manifest =
-      disc_with(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "disc-half")");
-  const std::string graph = R"({"name": "disc", "textures")";
-  const auto put = [&](const std::string& before, const std::string& more) {
-    const std::size_t at = manifest.find(before);
-    ASSERT_NE(at, std::string::npos);
-    manifest.insert(at, more);
-  };
-  put(graph, R"({"name": "disc-half", "textures": [{"name": "visibility", "format": "r8"}],
+  std::string manifest = replaced(disc_manifest, R"("fallback": "Ring")",
+                                  R"("fallback": "Ring", "technique_half_resolution": "disc-half")");
+  manifest = replaced(manifest, R"({"name": "disc", "textures")",
+                      R"({"name": "disc-half", "textures": [{"name": "visibility", "format": "r8"}],
      "passes": [{"name": "Disc", "kind": "raster", "shader": "Disc.shader", "writes": ["visibility"],
                  "parameters": ["RingParameters"]}], "visibility": "visibility"},
-    )");
-  put(R"({"name": "preset-low")", R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, )");
-  EXPECT_THAT(selection_rows(read_with(manifest)), HasSubstr("half\tdisc-half\nformat\tgraph=disc\n"));
+    {"name": "disc", "textures")");
+  manifest = replaced(
+      manifest, R"({"name": "preset-low")",
+      R"({"name": "disc-half", "title": "Half a disc", "graph": "disc-half"}, {"name": "preset-low")");
+  EXPECT_THAT(selection_rows(read(manifest)), HasSubstr("half\tdisc-half\nformat\tgraph=disc\n"));
 }
 
 TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
-  const std::string text = emit_presets_csharp(read_with(disc_manifest));
+  const std::string text = emit_presets_csharp(read(disc_manifest));
   EXPECT_THAT(text, HasSubstr("// Preset Low: Disc of 12\n            new ShadowOptions\n"));
   EXPECT_THAT(text, HasSubstr("technique = ShadowTechnique.Disc, "));
   EXPECT_THAT(text, HasSubstr("ringTaps = 12, ")) << "as what it draws is measured, not as the first with it";
@@ -263,109 +236,87 @@ TEST_F(VisibilitySelectionTest, APresetDrawsItOrItsFallbackWithTheSameOptions) {
 
 // Upsampling calls the fallback's filter in the same way.
 TEST_F(VisibilitySelectionTest, APresetWhosePassesCallTheFallbacksFilterHasItsOptions) {
-  const auto problem_of = [this](std::string manifest) {
-    const auto put = [&](const std::string& from, const std::string& to) {
-      const std::size_t at = manifest.find(from);
-      ASSERT_NE(at, std::string::npos) << from;
-      manifest.replace(at, from.size(), to);
-    };
-    put(R"("options": {"ringTaps": "taps"})", R"("options": {})");
-    put(R"("graph": "disc", "values": {"taps": 12})", R"("graph": "disc", "values": {"taps": 8})");
-    return input_error_of([&] { read_with(manifest); });
+  const auto problem_of = [this](const std::string& manifest) {
+    const std::string text = replaced(manifest, R"("options": {"ringTaps": "taps"})", R"("options": {})");
+    return input_error_of([&] {
+      read(replaced(text, R"("graph": "disc", "values": {"taps": 12})",
+                    R"("graph": "disc", "values": {"taps": 8})"));
+    });
   };
   EXPECT_EQ(problem_of(disc_manifest), "no error") << "its passes' own parameter, which no option sets";
-  EXPECT_THAT(
-      problem_of(disc_with(R"("parameters": ["RingParameters"])",
-                           R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": )"
-                           R"(["shadowMap", "pointSampler"], "parameters": "RingParameters"})")),
-      HasSubstrs("disc.technique.json:17:", "'preset-low' and 'rings-12' differ in 'taps'"));
+  EXPECT_THAT(problem_of(replaced(disc_manifest, R"("parameters": ["RingParameters"])",
+                                  R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": )"
+                                  R"(["shadowMap", "pointSampler"], "parameters": "RingParameters"})")),
+              HasSubstrs("disc.technique.json:17:", "'preset-low' and 'rings-12' differ in 'taps'"));
 }
 
 TEST_F(VisibilitySelectionTest, MistakesAreNamedAtTheirLine) {
-  const auto at = [](const char* line) {
-    return HasSubstr(std::string("disc.technique.json:") + line + ":");
-  };
-  EXPECT_THAT(disc_problem(R"("value": 2, )", R"("value": 2, "keyword": "_PENUMBRA_DISC", )"),
-              AllOf(at("15"), HasSubstr("'disc' ends in a texture"), HasSubstr("leave the keyword out")));
+  const auto at = [](const char* line) { return std::string("disc.technique.json:") + line + ":"; };
+  refuse(disc_manifest, R"("value": 2, )", R"("value": 2, "keyword": "_PENUMBRA_DISC", )", at("15"),
+         "'disc' ends in a texture", "leave the keyword out");
   const std::string offered = R"("value": 2, "technique": "disc", "fallback": "Ring",
      "title": "Disc", "doc": "A disc.", "options": {"ringTaps": "taps"})";
-  EXPECT_THAT(disc_problem(offered, R"("technique": "disc", "fallback": "Ring")"),
-              AllOf(at("15"), HasSubstr("give it a value")));
-  EXPECT_THAT(disc_problem(R"("value": 2, )", ""),
-              AllOf(at("16"), HasSubstr("'doc' needs 'value', which is missing")));
-  EXPECT_THAT(disc_problem(R"("fallback": "Ring")", R"("fallback": "Disc")"),
-              AllOf(at("15"), HasSubstr("unknown selection 'Disc'")));
-  EXPECT_THAT(
-      disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "preset-low")"),
-      AllOf(at("15"), HasSubstr("'preset-low' is not the filter")));
-  EXPECT_THAT(
-      disc_problem(R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "ring")"),
-      AllOf(at("15"), HasSubstr("'ring' does not end in a texture, as 'disc' does")));
-  EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "plain")"),
-              AllOf(at("17"), HasSubstr("'plain' is not a preset")));
-  EXPECT_THAT(disc_problem(R"("preset": "preset-low")", R"("preset": "preset-lower")"),
-              AllOf(at("17"), HasSubstr("unknown technique 'preset-lower'")));
-  EXPECT_THAT(disc_problem(R"("fallback": "rings-12"})", R"("fallback": "rings-13"})"),
-              AllOf(at("17"), HasSubstr("unknown technique 'rings-13'")));
-  EXPECT_THAT(
-      disc_problem(R"("graph": "disc", "values": {"taps": 12})",
-                   R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],)"
-                   R"( "parameters": "RingParameters"}, "values": {"taps": 12})"),
-      AllOf(at("17"), HasSubstr("no selection has the passes of 'preset-low'")));
-  EXPECT_THAT(
-      disc_problem(R"("graph": "disc", "values": {"taps": 12})", R"("graph": "disc", "values": {"taps": 8})"),
-      AllOf(at("17"), HasSubstr("'preset-low' and 'rings-12' differ in 'taps'")));
-  EXPECT_THAT(disc_problem(R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])"),
-              AllOf(at("17"), HasSubstr("'rings-12' has not the keyword of 'Ring'")));
-  EXPECT_THAT(
-      disc_problem(R"("presets": [)", R"("presets": [{"preset": "preset-low", "fallback": "rings-12"}, )"),
-      AllOf(at("17"), HasSubstr("there are two fallbacks of 'preset-low'")));
-  EXPECT_THAT(disc_problem(R"(  "presets": [{"preset": "preset-low", "fallback": "rings-12"}])",
-                           R"(  "presets": [])"),
-              HasSubstr("the preset 'preset-low' has no fallback"));
-  EXPECT_THAT(disc_problem(R"("passes": [{"name": "Disc")", R"("passes": [{"name": "Upsample")"),
-              AllOf(at("17"), HasSubstr("of 'preset-low' and 'rings-12', one is at half resolution")));
+  refuse(disc_manifest, offered, R"("technique": "disc", "fallback": "Ring")", at("15"), "give it a value");
+  refuse(disc_manifest, R"("fallback": "Ring")", R"("fallback": "Disc")", at("15"),
+         "unknown selection 'Disc'");
+  refuse(disc_manifest, R"("fallback": "Ring")", R"("fallback": "Ring", "technique_16_bits": "preset-low")",
+         at("15"), "'preset-low' is not the filter");
+  refuse(disc_manifest, R"("fallback": "Ring")", R"("fallback": "Ring", "technique_half_resolution": "ring")",
+         at("15"), "'ring' does not end in a texture, as 'disc' does");
+  refuse(disc_manifest, R"("preset": "preset-low")", R"("preset": "plain")", at("17"),
+         "'plain' is not a preset");
+  refuse(disc_manifest, R"("preset": "preset-low")", R"("preset": "preset-lower")", at("17"),
+         "unknown technique 'preset-lower'");
+  refuse(disc_manifest, R"("fallback": "rings-12"})", R"("fallback": "rings-13"})", at("17"),
+         "unknown technique 'rings-13'");
+  refuse(disc_manifest, R"("graph": "disc", "values": {"taps": 12})",
+         R"("filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],)"
+         R"( "parameters": "RingParameters"}, "values": {"taps": 12})",
+         at("17"), "no selection has the passes of 'preset-low'");
+  refuse(disc_manifest, R"("graph": "disc", "values": {"taps": 12})",
+         R"("graph": "disc", "values": {"taps": 8})", at("17"),
+         "'preset-low' and 'rings-12' differ in 'taps'");
+  refuse(disc_manifest, R"("keywords": ["_PENUMBRA_RING"])", R"("keywords": ["_PENUMBRA_WIDE"])", at("17"),
+         "'rings-12' has not the keyword of 'Ring'");
+  refuse(disc_manifest, R"("presets": [)",
+         R"("presets": [{"preset": "preset-low", "fallback": "rings-12"}, )", at("17"),
+         "there are two fallbacks of 'preset-low'");
+  refuse(disc_manifest, R"(  "presets": [{"preset": "preset-low", "fallback": "rings-12"}])",
+         R"(  "presets": [])", "the preset 'preset-low' has no fallback");
+  refuse(disc_manifest, R"("passes": [{"name": "Disc")", R"("passes": [{"name": "Upsample")", at("17"),
+         "of 'preset-low' and 'rings-12', one is at half resolution");
 }
 
 TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {
-  const auto at = [](const char* line) {
-    return HasSubstr(std::string("ring.technique.json:") + line + ":");
-  };
-  EXPECT_THAT(problem(R"("technique": "plain"})", R"("technique": "plane"})"),
-              AllOf(at("16"), HasSubstr("unknown technique 'plane'"), HasSubstr("did you mean 'plain'?")));
-  EXPECT_THAT(problem(R"("name": "Wide")", R"("name": "Plain")"),
-              AllOf(at("17"), HasSubstr("there are two selections 'Plain'")));
-  EXPECT_THAT(problem("_PENUMBRA_WIDE", "WIDE"), AllOf(at("17"), HasSubstr("begins with '_PENUMBRA_'")));
-  EXPECT_THAT(problem("_PENUMBRA_RING", "_PENUMBRA_WIDE"),
-              AllOf(at("18"), HasSubstr("'Wide' has the keyword '_PENUMBRA_WIDE'")));
-  EXPECT_THAT(problem(R"(, "fallback": "Wide")", ""), HasSubstr("'fallback' is missing"));
-  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Ring")"),
-              AllOf(at("18"), HasSubstr("unknown selection 'Ring'")));
-  EXPECT_THAT(problem(R"("technique": "wide"})", R"("technique": "wide", "fallback": "Plain"})"),
-              AllOf(at("17"), HasSubstr("'Wide' reads no raw depths")));
-  EXPECT_THAT(problem(R"("value": 0)", R"("value": 1)"),
-              AllOf(at("18"), HasSubstr("'Plain' has the value 1")));
-  EXPECT_THAT(problem(R"("value": 0)", R"("value": 2)"),
-              AllOf(at("16"), HasSubstr("no selection has the value 0")));
-  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringTapes": "taps")"),
-              AllOf(at("19"), HasSubstr("unknown option 'ringTapes'")));
-  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringTaps": "tapes")"),
-              AllOf(at("19"), HasSubstr("unknown field 'tapes'")));
-  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringWidth": "taps")"),
-              AllOf(at("19"), HasSubstr("'ringWidth' is of type float, the field 'taps' of type int")));
-  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Wide", "technique_16_bits": "wide")"),
-              AllOf(at("18"), HasSubstr("'wide' is not the filter 'FilterRing' over maps, as 'ring' is")));
-  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Wide" )"),
-              AllOf(at("18"), HasSubstr("the renderer feature does not offer 'Wide', which is drawn where")));
-  EXPECT_THAT(
-      problem(R"(, "technique": "plain"})", R"(, "keyword": "_PENUMBRA_PLAIN", "technique": "plain"})"),
-      HasSubstr("no selection is without a keyword"));
-  EXPECT_THAT(problem(R"("range": [4, 32])", R"("range": [32, 4])"),
-              AllOf(at("5"), HasSubstr("the smallest value is not below the largest")));
-  EXPECT_THAT(problem(R"("type": "bool")", R"("type": "boolean")"),
-              AllOf(at("7"), HasSubstr("unknown type 'boolean'")));
-  EXPECT_THAT(problem(R"("name": "quiet")", R"("name": "ringTaps")"),
-              AllOf(at("7"), HasSubstr("there are two options 'ringTaps'")));
+  const auto at = [](const char* line) { return std::string("ring.technique.json:") + line + ":"; };
+  refuse(ring_manifest, R"("technique": "plain"})", R"("technique": "plane"})", at("16"),
+         "unknown technique 'plane'", "did you mean 'plain'?");
+  refuse(ring_manifest, R"("name": "Wide")", R"("name": "Plain")", at("17"),
+         "there are two selections 'Plain'");
+  refuse(ring_manifest, "_PENUMBRA_RING", "_PENUMBRA_WIDE", at("18"),
+         "'Wide' has the keyword '_PENUMBRA_WIDE'");
+  refuse(ring_manifest, R"(, "fallback": "Wide")", "", "'fallback' is missing");
+  refuse(ring_manifest, R"("fallback": "Wide")", R"("fallback": "Ring")", at("18"),
+         "unknown selection 'Ring'");
+  refuse(ring_manifest, R"("technique": "wide"})", R"("technique": "wide", "fallback": "Plain"})", at("17"),
+         "'Wide' reads no raw depths");
+  refuse(ring_manifest, R"("value": 0)", R"("value": 1)", at("18"), "'Plain' has the value 1");
+  refuse(ring_manifest, R"("value": 0)", R"("value": 2)", at("16"), "no selection has the value 0");
+  refuse(ring_manifest, R"("ringTaps": "taps")", R"("ringTapes": "taps")", at("19"),
+         "unknown option 'ringTapes'");
+  refuse(ring_manifest, R"("ringTaps": "taps")", R"("ringTaps": "tapes")", at("19"), "unknown field 'tapes'");
+  refuse(ring_manifest, R"("ringTaps": "taps")", R"("ringWidth": "taps")", at("19"),
+         "'ringWidth' is of type float, the field 'taps' of type int");
+  refuse(ring_manifest, R"("fallback": "Wide")", R"("fallback": "Wide", "technique_16_bits": "wide")",
+         at("18"), "'wide' is not the filter 'FilterRing' over maps, as 'ring' is");
+  refuse(ring_manifest, R"("fallback": "Wide")", R"("fallback": "Wide" )", at("18"),
+         "the renderer feature does not offer 'Wide', which is drawn where");
+  refuse(ring_manifest, R"(, "technique": "plain"})",
+         R"(, "keyword": "_PENUMBRA_PLAIN", "technique": "plain"})", "no selection is without a keyword");
+  refuse(ring_manifest, R"("range": [4, 32])", R"("range": [32, 4])", at("5"),
+         "the smallest value is not below the largest");
+  refuse(ring_manifest, R"("name": "quiet")", R"("name": "ringTaps")", at("7"),
+         "there are two options 'ringTaps'");
 }
 
 }  // namespace

@@ -4,18 +4,16 @@
 
 #include <map>
 
-#include "input/input_error_matcher.h"
 #include "processor_time.h"
 #include "sanitized.h"
-#include "shaders/shader_files.h"
 #include "techniques/golden_json.h"
+#include "techniques/manifest_test.h"
 #include "techniques/settings_emit.h"
 #include "techniques/technique_call.h"
 
 namespace penumbra::techniques {
 namespace {
 
-using shaders::ShaderFiles;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -36,27 +34,11 @@ constexpr const char* good = R"({
   ]
 })";
 
-class TechniqueListTest : public testing::Test {
+class TechniqueListTest : public ManifestTest {
  protected:
-  TechniqueListTest() { files_.write("Box.hlsl", "// box\n"); }
+  TechniqueListTest() : ManifestTest("box.technique.json", {"Box.hlsl"}) {}
 
-  TechniqueList read(const std::string& text) const {
-    return read_technique_list(files_.write("box.technique.json", text));
-  }
-  static std::string with(const std::string& from, const std::string& to) {
-    std::string text = good;
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-  }
-  std::string refusal_of(const std::string& text) const {
-    return input_error_of([&] { read(text); });
-  }
-  std::string problem(const std::string& from, const std::string& to) const {
-    return refusal_of(with(from, to));
-  }
-
-  ShaderFiles files_;
+  static std::string with(const std::string& from, const std::string& to) { return replaced(good, from, to); }
 };
 
 TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
@@ -68,16 +50,6 @@ TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
                 .techniques[0]
                 .bias,
             (TechniqueBias{0.0, 0.0, "medium", 0.5}));
-  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "slope": -1}, "values")"),
-              HasSubstr("'slope' must be a number from 0 to 10"));
-  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1}, "values")"), HasSubstr("'normal' is missing"));
-  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 11, "normal": 0}, "values")"),
-              HasSubstr("from 0 to 10"));
-  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft": 1}, "values")"),
-              HasSubstr("unknown key 'soft'"));
-  EXPECT_THAT(
-      problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft_quality": "hihg"}, "values")"),
-      HasSubstr("did you mean 'high'?"));
 }
 
 TEST_F(TechniqueListTest, ATechniqueSaysWhomItIsFor) {
@@ -87,8 +59,6 @@ TEST_F(TechniqueListTest, ATechniqueSaysWhomItIsFor) {
           .techniques[0];
   EXPECT_EQ(technique.use_when, "few fetches");
   EXPECT_EQ(technique.not_when, "wide discs");
-  EXPECT_THAT(problem(R"("values")", R"("use_when": "two\u000alines", "values")"), HasSubstr("use_when"));
-  EXPECT_THAT(problem(R"("values")", R"("not_when": "", "values")"), HasSubstr("not_when"));
 }
 
 TEST_F(TechniqueListTest, ATechniqueSaysWhichLightsItIsFor) {
@@ -98,13 +68,9 @@ TEST_F(TechniqueListTest, ATechniqueSaysWhichLightsItIsFor) {
   EXPECT_TRUE(both.is_for(LightKind::spot));
   EXPECT_TRUE(both.is_for(LightKind::directional));
   EXPECT_FALSE(read(good).techniques[0].is_for(LightKind::spot));
-  EXPECT_THAT(problem(R"("values")", R"("lights": ["spots"], "values")"),
-              HasSubstrs("unknown kind of light 'spots'", "did you mean 'spot'?"));
-  EXPECT_THAT(problem(R"("values")", R"("lights": [], "values")"), HasSubstr("'lights' is empty"));
-  EXPECT_THAT(
-      problem(R"("values")", R"("lights": ["spot"], "cascades": [{"from": 1, "values": {"taps": 1}}],
-     "values")"),
-      HasSubstr("'box-3' has passes or rules for cascades; under a spot light only filters alone run"));
+  refuse(good, R"("values")", R"("lights": ["spot"], "cascades": [{"from": 1, "values": {"taps": 1}}],
+     "values")",
+         "'box-3' has passes or rules for cascades; under a spot light only filters alone run");
 }
 
 TEST_F(TechniqueListTest, OnlyAFilterForSpotLightsAloneTakesTheSpotLight) {
@@ -116,8 +82,8 @@ TEST_F(TechniqueListTest, OnlyAFilterForSpotLightsAloneTakesTheSpotLight) {
   EXPECT_THAT(call.declarations, HasSubstr("float4 _PenumbraSpotLight;\n"));
   EXPECT_THAT(call.function,
               HasSubstr("sampler_PointClamp, BoundedSpotMap(_PenumbraSpotLight), receiver, tile"));
-  EXPECT_THAT(problem(R"("pointSampler"])", R"("pointSampler", "spotLight"])"),
-              HasSubstr("the filter of 'box-3' takes the spot light, which the sun is not"));
+  refuse(good, R"("pointSampler"])", R"("pointSampler", "spotLight"])",
+         "the filter of 'box-3' takes the spot light, which the sun is not");
 }
 
 TEST_F(TechniqueListTest, ReadsWhatIsThere) {
@@ -142,13 +108,11 @@ TEST_F(TechniqueListTest, ReadsWhatIsThere) {
 }
 
 TEST_F(TechniqueListTest, UnlimitedExceedsTheUpperEndAlone) {
-  const auto refusal = [this](const std::string& value) { return problem("\"taps\": 4096", value); };
-  EXPECT_THAT(refusal("\"taps\": \"4096\""), HasSubstr("must be a number"));
-  EXPECT_THAT(refusal("\"taps\": 1e999"), HasSubstr("box.technique.json:13:"));
-  EXPECT_THAT(refusal("\"taps\": 1.5"), HasSubstr("'taps' is a whole number"));
-  EXPECT_THAT(refusal("\"taps\": -100"), HasSubstr("'taps' is a whole number from 1 to "));
-  EXPECT_THAT(refusal("\"taps\": 16777217"), HasSubstr("'taps' is a whole number"));
-  EXPECT_THAT(refusal("\"scale\": 1"), HasSubstr("'scale' is a float2"));
+  const std::string taps = R"("taps": 4096)";
+  refuse(good, taps, R"("taps": 1.5)", "'taps' is a whole number");
+  refuse(good, taps, R"("taps": -100)", "'taps' is a whole number from 1 to ");
+  refuse(good, taps, R"("taps": 16777217)", "'taps' is a whole number");
+  refuse(good, taps, R"("scale": 1)", "'scale' is a float2");
 }
 
 TEST_F(TechniqueListTest, UsualKeywordSetsAreBothDirectionsOfDepthAndUnlimitedSamples) {
@@ -184,62 +148,43 @@ TEST_F(TechniqueListTest, AnEntrySaysOnlyWhatDiffersFromTheDefaults) {
 }
 
 TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
-  EXPECT_THAT(problem("\"techniques\"", "\"defaults\": {\"famly\": \"a\"}, \"techniques\""),
-              HasSubstr("unknown key 'famly'"));
-  EXPECT_THAT(problem("\"techniques\"", "\"defaults\": {\"values\": {\"tups\": 1}}, \"techniques\""),
-              HasSubstr("unknown key 'tups'"));
-  EXPECT_THAT(problem("\"range\": [1, 9]", "\"range\": [1, 9], \"default\": 11"),
-              HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
+  refuse(good, "\"techniques\"", "\"defaults\": {\"values\": {\"tups\": 1}}, \"techniques\"",
+         "unknown key 'tups'");
+  refuse(good, "\"range\": [1, 9]", "\"range\": [1, 9], \"default\": 11",
+         "'taps' is a whole number from 1 to 9, not 11");
 }
 
 TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndARemedy) {
-  EXPECT_THAT(problem("\"family\"", "\"famly\""),
-              HasSubstrs("box.technique.json:8:", "unknown key 'famly'", "did you mean 'family'?"));
-  EXPECT_THAT(problem(R"("family": "box", )", ""),
-              HasSubstrs("box.technique.json:8:", "'family' is missing", "give it here or in \"defaults\""));
-  EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
-              HasSubstrs("box.technique.json:13:35: ", "unknown key 'targets_absnt'",
-                         "did you mean 'targets_absent'?"));
-  EXPECT_THAT(
-      problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
-      HasSubstrs("box.technique.json:10:", "unknown struct 'BoxParameter'", "did you mean 'BoxParameters'?"));
-  EXPECT_THAT(problem("\"taps\": 3", "\"tap\": 3"), HasSubstr("no value for 'taps' of 'box-3'"));
-  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 3, \"radius\": 1"), HasSubstr("unknown key 'radius'"));
-  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
-  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 11"),
-              HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
-  EXPECT_THAT(problem("[1, 9]", "[9, 1]"), HasSubstr("the smallest value comes after the largest"));
-  EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
-  EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
-  EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
-  EXPECT_THAT(problem("Box.hlsl", "/etc/passwd"),
-              HasSubstrs("'/etc/passwd' lies outside of", "keep a technique's files in the folder"));
-  EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""),
-              HasSubstr("'pointSamplr' is no argument of a filter"));
-  EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));
-  EXPECT_THAT(problem("\"hlsl50\"", "\"hlsl51\""), HasSubstr("unknown key 'hlsl51'"));
-  EXPECT_THAT(problem("\"hlsl50\": \"too long\"", "\"hlsl50\": \"\""), HasSubstr("'hlsl50' is empty"));
-  EXPECT_THAT(problem("\"FilterBox\"", "\"Filter Box\""), HasSubstr("not an HLSL identifier"));
-  EXPECT_THAT(problem("[\"UNITY_REVERSED_Z\"]", "\"UNITY_REVERSED_Z\""),
-              HasSubstr("each of 'keyword_sets' must be an array, found a string"));
-  EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is not a keyword"));
-  EXPECT_THAT(problem("\"taps\": 4096", "\"tops\": 4096"), HasSubstr("did you mean 'taps'?"));
-  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"taps\""), HasSubstr("two fields 'taps'"));
+  refuse(good, "\"family\"", "\"famly\"", "box.technique.json:8:", "unknown key 'famly'",
+         "did you mean 'family'?");
+  refuse(good, R"("family": "box", )", "", "box.technique.json:8:", "'family' is missing",
+         "give it here or in \"defaults\"");
+  refuse(good, "\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\"",
+         "box.technique.json:10:", "unknown struct 'BoxParameter'", "did you mean 'BoxParameters'?");
+  refuse(good, "\"taps\": 3", "\"tap\": 3", "no value for 'taps' of 'box-3'");
+  refuse(good, "\"taps\": 3", "\"taps\": 3, \"radius\": 1", "unknown key 'radius'");
+  refuse(good, "\"taps\": 3", "\"taps\": 2.5", "must be a whole number");
+  refuse(good, "\"taps\": 3", "\"taps\": 11", "'taps' is a whole number from 1 to 9, not 11");
+  refuse(good, "[1, 9]", "[9, 1]", "the smallest value comes after the largest");
+  refuse(good, "[1.0, 0.5]", "[1.0]", "array of 2 numbers");
+  refuse(good, "Box.hlsl", "Bax.hlsl", "there is no file");
+  refuse(good, "Box.hlsl", "/etc/passwd", "'/etc/passwd' lies outside of",
+         "keep a technique's files in the folder");
+  refuse(good, "\"pointSampler\"", "\"pointSamplr\"", "'pointSamplr' is no argument of a filter");
+  refuse(good, "\"taps\": 4096", "\"tops\": 4096", "did you mean 'taps'?");
+  refuse(good, "\"name\": \"scale\"", "\"name\": \"taps\"", "two fields 'taps'");
 }
 
 TEST_F(TechniqueListTest, WhatIsEmittedIsPlainText) {
-  EXPECT_THAT(problem("Even kernel.", "x\\n#error"), HasSubstr("'doc' is one line"));
-  EXPECT_THAT(problem("per side", "ends in \\\\"), HasSubstr("'doc': 'ends in "));
-  EXPECT_THAT(problem("\"Box\"", "\"B\\u001b\""), HasSubstr("'title' is one line"));
-  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"class\""), HasSubstr("'class' is a word of C#"));
-  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"Vector0\""), HasSubstr("of the emitted struct"));
-  EXPECT_THAT(problem("\"box-3\"", "\"../box\""), HasSubstr("a name has letters, digits"));
-  EXPECT_THAT(problem("[1, 9]", "[1, 1e18]"), HasSubstr("'taps' is a whole number"));
-  EXPECT_THAT(problem("[1.0, 0.5]", "[1.0, 1e300]"), HasSubstr("'scale' is a number"));
-  EXPECT_THAT(problem("\"_WIDE\"", "\"UNITY_REVERSED_Z\""), HasSubstr("is the platform's to define"));
-  EXPECT_THAT(problem("Box.hlsl", "a\\\\b.hlsl"), HasSubstr("no backslashes"));
-  EXPECT_THAT(problem("\"filter\"", "\"graph\": \"g\", \"filter\""),
-              HasSubstr("has both a graph and a filter"));
+  refuse(good, "Even kernel.", "x\\n#error", "'doc' is one line");
+  refuse(good, "\"Box\"", "\"B\\u001b\"", "'title' is one line");
+  refuse(good, "\"name\": \"scale\"", "\"name\": \"class\"", "'class' is a word of C#");
+  refuse(good, "\"name\": \"scale\"", "\"name\": \"Vector0\"", "of the emitted struct");
+  refuse(good, "[1, 9]", "[1, 1e18]", "'taps' is a whole number");
+  refuse(good, "[1.0, 0.5]", "[1.0, 1e300]", "'scale' is a number");
+  refuse(good, "\"_WIDE\"", "\"UNITY_REVERSED_Z\"", "is the platform's to define");
+  refuse(good, "Box.hlsl", "a\\\\b.hlsl", "no backslashes");
+  refuse(good, "\"filter\"", "\"graph\": \"g\", \"filter\"", "has both a graph and a filter");
   EXPECT_THAT(refusal_of(R"({"techniques": [{"name": "a", "title": "A", "family": "f", "source": "s"}]})"),
               HasSubstrs("box.technique.json:1:", "'a' has neither a filter nor a graph"));
 }
@@ -291,33 +236,6 @@ TEST_F(TechniqueListTest, ManyTechniquesAreReadInSecondsAndVeryManyAreRefused) {
   EXPECT_LT(seconds, 5.0) << "what grows with the square takes minutes";
   EXPECT_THAT(refusal_of(techniques_of_one_graph(4000)),
               HasSubstr("65552 passes and textures of all techniques, and at most 65536"));
-}
-
-TEST_F(TechniqueListTest, EveryListOfAManifestIsLimited) {
-  const auto repeated = [](int count, const std::string& item) {
-    std::string text = item;
-    for (int i = 1; i < count; ++i) text += ", " + item;
-    return text;
-  };
-  const auto refuse = [&](const std::string& from, const std::string& to, const std::string& says) {
-    EXPECT_THAT(problem(from, to), HasSubstrs("box.technique.json:", says));
-  };
-  refuse(R"(["_WIDE"])", "[" + repeated(65, R"("_A")") + "]", "there are 65 keywords");
-  refuse(R"([[], ["UNITY_REVERSED_Z"]])", "[" + repeated(65, "[]") + "]", "there are 65 sets of keywords");
-  refuse(R"([[], ["UNITY_REVERSED_Z"]])", "[[" + repeated(65, R"("A")") + "]]",
-         "there are 65 keywords of one set");
-  for (const auto& [key, most] : std::map<std::string, int>{{"structs", 1024},
-                                                            {"graphs", 4096},
-                                                            {"techniques", 4096},
-                                                            {"looks", 256},
-                                                            {"options", 256},
-                                                            {"presets", 256},
-                                                            {"selections", 256}}) {
-    const std::string list = "\"" + key + "\": [" + repeated(most + 1, "{}") + "]";
-    const std::string refusal =
-        refusal_of(key == "techniques" ? "{" + list + "}" : "{" + list + R"(, "techniques": []})");
-    EXPECT_THAT(refusal, HasSubstr("there are " + std::to_string(most + 1) + " " + key)) << key;
-  }
 }
 
 TEST_F(TechniqueListTest, APackagesManifestsComeInTheirOrderAndShareStructs) {
@@ -489,11 +407,6 @@ TEST_F(LookListTest, AreReadAndWrittenAsCSharp) {
 }
 
 TEST_F(LookListTest, WrongOnesAreNamedWithTheirPlace) {
-  for (const char* degrees : {"0", "-1", "30.5"})
-    EXPECT_THAT(refusal(look("a", degrees, "1")),
-                HasSubstr("'angularDiameterDegrees' must be a number above 0 and at most 30"));
-  EXPECT_THAT(refusal(look("a", "1", "101")),
-              HasSubstr("'maxPenumbraMetres' must be a number above 0 and at most 100"));
   EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("a", "2", "1")), HasSubstr("two looks 'a'"));
   EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("b", "1", "1")),
               HasSubstr("'b' has the values of 'a'"));
@@ -570,29 +483,21 @@ TEST_F(TechniqueListTest, ATechniqueMayDifferFromACascadeOn) {
 }
 
 TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {
-  const auto problem_of = [&](const std::string& rules) {
-    const std::string given = R"([{"from": 1, "values": {"taps": 5}}, {"from": 3, "technique": "plain"}])";
-    std::string text = by_cascade;
-    return refusal_of(text.replace(text.find(given), given.size(), rules));
-  };
+  const std::string given = R"([{"from": 1, "values": {"taps": 5}}, {"from": 3, "technique": "plain"}])";
   const std::string line = "box.technique.json:13:";
-  for (const char* from : {"0", "4", "-1"})
-    EXPECT_THAT(problem_of("[{\"from\": " + std::string(from) + ", \"values\": {\"taps\": 5}}]"),
-                HasSubstrs(line, "'from' must be a whole number from 1 to 3, not "));
-  EXPECT_THAT(problem_of(R"([{"from": 2, "technique": "plain"}, {"from": 2, "technique": "plain"}])"),
-              HasSubstrs(line, "rules come in rising order"));
-  EXPECT_THAT(problem_of(R"([{"from": 1}])"), HasSubstrs(line, "the rule changes nothing"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plane"}])"),
-              HasSubstrs(line, "unknown technique 'plane'", "'plain'"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "mixed"}])"), HasSubstr("unknown technique 'mixed'"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "wide"}])"),
-              HasSubstrs(line, "'wide' is compiled with other keywords than 'mixed'"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 10}}])"),
-              HasSubstrs(line, "'taps' is a whole number from 1 to 9, not 10"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"tops": 1}}])"), HasSubstrs(line, "tops"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plain", "values": {"taps": 1}}])"),
-              HasSubstrs(line, "taps"));
-  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 5}, "filter": "x"}])"), HasSubstr("filter"));
+  refuse(by_cascade, given, R"([{"from": 2, "technique": "plain"}, {"from": 2, "technique": "plain"}])", line,
+         "rules come in rising order");
+  refuse(by_cascade, given, R"([{"from": 1}])", line, "the rule changes nothing");
+  refuse(by_cascade, given, R"([{"from": 1, "technique": "plane"}])", line, "unknown technique 'plane'",
+         "'plain'");
+  refuse(by_cascade, given, R"([{"from": 1, "technique": "mixed"}])", "unknown technique 'mixed'");
+  refuse(by_cascade, given, R"([{"from": 1, "technique": "wide"}])", line,
+         "'wide' is compiled with other keywords than 'mixed'");
+  refuse(by_cascade, given, R"([{"from": 1, "values": {"taps": 10}}])", line,
+         "'taps' is a whole number from 1 to 9, not 10");
+  refuse(by_cascade, given, R"([{"from": 1, "values": {"tops": 1}}])", line, "tops");
+  refuse(by_cascade, given, R"([{"from": 1, "technique": "plain", "values": {"taps": 1}}])", line, "taps");
+  refuse(by_cascade, given, R"([{"from": 1, "values": {"taps": 5}, "filter": "x"}])", "filter");
 }
 
 TechniqueList library() {

@@ -16,8 +16,11 @@ public sealed class CommandTests
     [TearDown]
     public void TearDown() => world.Dispose();
 
-    private Commands Run(params string[] more) => Commands.Run(
-        ["--package", world.Folder.At("package"), "--source", world.Folder.At("sources"), "--generation", "2022.3", .. more]);
+    private Commands Run(params string[] more) => RunOf("2022.3", more);
+
+    private Commands RunOf(string generation, params string[] more) => Commands.Run(
+        ["--package", world.Folder.At("package"), "--generation", generation,
+         .. world.Sources().SelectMany(one => new[] { "--" + one.Key, one.Value }), .. more]);
 
     [Test]
     public void NothingDiffers()
@@ -90,9 +93,23 @@ public sealed class CommandTests
     [Test]
     public void TheGenerationMustFitTheEngine()
     {
-        var run = Commands.Run("--package", world.Folder.At("package"), "--source", world.Folder.At("sources"), "--generation", "6000.0");
+        var run = RunOf("6000.0");
         Assert.That(run.Notes, Is.EqualTo("check-unity-api: the engine's source is of 2022.3.17f1: that is generation 2022.3, not 6000.0\n"));
         Assert.That(run.Code, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void ASourceSaysItsVersion()
+    {
+        world.Real("urp/package.json", "{\n  \"version\": oops\n}");
+        Assert.That(Run().Notes, Does.StartWith($"check-unity-api: {world.Folder.At("sources/urp/package.json")}:2:14: no JSON: "));
+        world.Real("urp/package.json", "{}");
+        Assert.That(Run().Notes, Does.StartWith($"check-unity-api: {world.Folder.At("sources/urp/package.json")}:1:1: a field is missing"));
+        File.Delete(world.Folder.At("sources/urp/package.json"));
+        Assert.That(Run().Notes, Is.EqualTo(
+            $"check-unity-api: {world.Folder.At("sources/urp")}: there is no package.json, which says the version of universal\n"));
+        world.Real("engine/README.md", "Unity");
+        Assert.That(Run().Notes, Is.EqualTo($"check-unity-api: {world.Folder.At("sources/engine/README.md")}:1:1: it says no version\n"));
     }
 
     [Test]
@@ -104,15 +121,15 @@ public sealed class CommandTests
         Assert.That(run.Code, Is.EqualTo(2));
     }
 
-    [TestCase("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)")]
-    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--source", ".")]
-    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--source", ".", "--generation", "5.6")]
-    [TestCase("--source needs a value (--help lists the options)", "--source")]
+    [TestCase("neither sources (--engine DIR) nor a folder of assemblies is given (--help says more)")]
+    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--engine", ".")]
+    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--engine", ".", "--generation", "5.6")]
+    [TestCase("--engine needs a value (--help lists the options)", "--engine")]
     [TestCase("--sauce is not an option (--help lists them)", "--sauce", "a")]
-    [TestCase("x: a folder of sources is given as --source x", "x", "--source", ".")]
-    [TestCase("--version does not go with --source (--help says more)", "--source", ".", "--generation", "2022.3", "--version", "6000.0")]
+    [TestCase("x: there is no such folder", "--engine", "x", "--generation", "2022.3")]
+    [TestCase("--version does not go with --engine (--help says more)", "--engine", ".", "--generation", "2022.3", "--version", "6000.0")]
     [TestCase("--generation does not go with a folder of assemblies (--help says more)", ".", "--generation", "2022.3")]
-    [TestCase("--output does not go with --page (--help says more)", "--page", "a.md", "--output", "b.json")]
+    [TestCase("--declarations does not go with a folder of assemblies (--help says more)", ".", "--declarations", "a")]
     [TestCase("nowhere: there is no such folder", "nowhere")]
     [TestCase("'new' is not a version of Unity such as 2022.3.17f1 or 6000.0", ".", "--version", "new")]
     public void WrongUsageIsTold(string message, params string[] arguments)
@@ -127,8 +144,8 @@ public sealed class CommandTests
     {
         var run = Commands.Run("--help");
         Assert.That((run.Code, run.Notes), Is.EqualTo((0, "")));
-        foreach (var option in new[] { "--source", "--generation", "--engine", "--core", "--universal", "--engine-version", "--output",
-                                       "--version", "--package", "--declarations", "--page", "--help" })
+        foreach (var option in new[] { "--generation", "--engine", "--core", "--universal", "--output",
+                                       "--version", "--package", "--declarations", "--help" })
             Assert.That(run.Answers, Does.Contain(option));
     }
 }

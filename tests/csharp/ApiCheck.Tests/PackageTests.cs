@@ -120,4 +120,13 @@ public sealed class PackageTests
         var file = folder.Write("A.asmdef", text);
         Assert.That(Assert.Throws<CheckException>(() => Asmdef.Read(file))!.Message, Does.StartWith(file + message));
     }
+
+    [TestCase("Editor/Mono/A.cs", true)]
+    [TestCase("Modules/UIElementsEditor/A.cs", true)]
+    [TestCase("Modules/UIElements/Editor/A.cs", true)]
+    [TestCase("Modules/UIElements/A.cs", false)]
+    [TestCase("Runtime/Export/Editor.cs", false)]
+    [TestCase("Runtime/2D/Rendergraph/A.cs", false)]
+    public void FilesOfTheEditorAreKnownByTheirFolder(string file, bool isEditors) =>
+        Assert.That(SourceFolder.IsEditorFile(file), Is.EqualTo(isEditors));
 }

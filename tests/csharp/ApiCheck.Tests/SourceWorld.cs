@@ -11,8 +11,6 @@ public sealed class SourceWorld : IDisposable
         foreach (var file in new[] { "ReadFrom.cs", "At.cs" })
             Folder.Write($"package/tests/csharp/UnityApi/Shared/{file}", File.ReadAllText(Repository.At($"tests/csharp/UnityApi/Shared/{file}")));
         Folder.Write("sources/engine/README.md", "## Unity 2022.3.17f1 C# reference source code\n");
-        Folder.Write("sources/engine/Editor/Mono/Empty.cs", "");
-        Folder.Write("sources/engine/Runtime/Export/Empty.cs", "");
         foreach (var (source, package) in new[] { ("core", "core"), ("urp", "universal") })
             Folder.Write($"sources/{source}/package.json", $$"""{ "name": "com.unity.render-pipelines.{{package}}", "version": "14.0.9" }""");
     }
@@ -23,8 +21,13 @@ public sealed class SourceWorld : IDisposable
 
     public void Package(string path, string text) => Folder.Write($"package/{path}", text);
 
+    /// <summary>The sources whose folders are there.</summary>
+    public Dictionary<string, string> Sources() => new[] { ("engine", "engine"), ("core", "core"), ("universal", "urp") }
+        .Select(one => (Source: one.Item1, Path: Folder.At($"sources/{one.Item2}"))).Where(one => Directory.Exists(one.Path))
+        .ToDictionary(one => one.Source, one => one.Path);
+
     public SourceRequest Request(string generation = "2022.3") =>
-        new(generation, Folder.At("package"), Folder.At("package/tests/csharp/UnityApi")) { Folders = [Folder.At("sources")] };
+        new(generation, Folder.At("package"), Folder.At("package/tests/csharp/UnityApi"), Sources());
 
     public SourceReport Check(string generation = "2022.3") => SourceReport.Of(generation, SourceCheck.Run(Request(generation)));
 

@@ -18,10 +18,9 @@ public static class Command
                 return Exit.Same;
             }
             options.RefuseStrangers();
-            if (options.Page is not null) return WritePage(options);
             if (options.IsSourceCheck) return CheckSources(options, answers);
             if (options.Operands.Count == 0)
-                throw CheckException.Usage("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)");
+                throw CheckException.Usage("neither sources (--engine DIR) nor a folder of assemblies is given (--help says more)");
             return CheckAssemblies(options, answers);
         }
         catch (CheckException error)
@@ -49,21 +48,16 @@ public static class Command
 
     private static int CheckSources(Options options, TextWriter answers)
     {
-        if (options.Operands.Count > 0)
-            throw CheckException.Usage($"{options.Operands[0]}: a folder of sources is given as --source {options.Operands[0]}");
         if (options.Generation is null || !Generation.All.Contains(options.Generation))
             throw CheckException.Usage($"--generation {string.Join('|', Generation.All)} says which declarations to check");
         var package = PackageOf(options);
-        var check = SourceCheck.Run(new SourceRequest(options.Generation, package,
-            Path.GetFullPath(options.Declarations ?? Path.Combine(package, "tests/csharp/UnityApi")))
-        {
-            Folders = options.Sources, Named = options.Named, Versions = options.Versions,
-        });
+        var declarations = Path.GetFullPath(options.Declarations ?? Path.Combine(package, "tests/csharp/UnityApi"));
+        var check = SourceCheck.Run(new SourceRequest(options.Generation, package, declarations, options.Named));
         var report = SourceReport.Of(options.Generation, check);
         if (options.Output is not null) WholeFile.Write(options.Output, report.Json());
         foreach (var problem in report.Problems) answers.WriteLine(problem);
         var counts = report.Counts;
-        var sources = report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}");
+        var sources = report.Sources.Select(source => $"{source.Source} {source.Version}");
         answers.WriteLine($"{counts.Types} types with {counts.Declarations} declarations, {counts.Differences} differences from " +
                           string.Join(", ", sources));
         return counts.Differences == 0 ? Exit.Same : Exit.Differences;
@@ -76,12 +70,5 @@ public static class Command
         foreach (var line in check.Problems) answers.WriteLine(line);
         foreach (var line in check.Notes) answers.WriteLine(line);
         return check.Problems.Count == 0 ? Exit.Same : Exit.Differences;
-    }
-
-    private static int WritePage(Options options)
-    {
-        var reports = options.Operands.Select(SourceReport.Read).ToArray();
-        WholeFile.Write(options.Page!, Page.Written(File.ReadAllText(options.Page!), reports));
-        return Exit.Same;
     }
 }

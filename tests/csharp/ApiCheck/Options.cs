@@ -4,20 +4,15 @@ namespace Penumbra.ApiCheck;
 public sealed class Options
 {
     public const string Usage = """
-        usage: check-unity-api --source DIR [--source DIR ...] --generation 2022.3|6000.0|6000.5 [options]
+        usage: check-unity-api --engine DIR --core DIR --universal DIR --generation 2022.3|6000.0|6000.5 [options]
                check-unity-api DIR [DIR ...] [options]
-               check-unity-api --page FILE REPORT [REPORT ...]
 
         The first form compares our declarations of Unity's API with the C# of Unity's reference source and of the
-        packages core and URP, found in the folders given. The second compiles the package against real assemblies:
+        packages core and URP. The second compiles the package against real assemblies:
         a Unity installation, a project's folder (Library/ScriptAssemblies), or a folder of reference assemblies.
-        The third writes the figures of reports into a page.
 
-          --engine DIR, --core DIR, --universal DIR    the folder of one source
-          --engine-version V, --core-version V, --universal-version V
-                                    for a source that does not say its version
           --output FILE             the answer as JSON
-          --version V               the version of Unity, where the assemblies' folder does not tell it
+          --version V               the version of Unity, where no folder is that of a project
           --package DIR             the package (default: this repository)
           --declarations DIR        the declarations (default: tests/csharp/UnityApi of the package)
           --help
@@ -25,14 +20,11 @@ public sealed class Options
         Exit: 0 nothing differs, 1 differences, 2 wrong usage or an unreadable file, 3 assemblies are missing.
         """;
 
-    public List<string> Sources { get; } = [];
     public List<string> Operands { get; } = [];
     public Dictionary<string, string> Named { get; } = [];
-    public Dictionary<string, string> Versions { get; } = [];
     public string? Generation { get; private set; }
     public string? Version { get; private set; }
     public string? Output { get; private set; }
-    public string? Page { get; private set; }
     public string? Package { get; private set; }
     public string? Declarations { get; private set; }
     public bool Help { get; private set; }
@@ -52,33 +44,26 @@ public sealed class Options
         return options;
     }
 
-    public bool IsSourceCheck => Sources.Count > 0 || Named.Count > 0;
+    public bool IsSourceCheck => Named.Count > 0;
 
     /// <summary>Refuses an option that the asked check would not look at: it is a mistake.</summary>
     public void RefuseStrangers()
     {
-        var (form, foreign) = Page is not null
-            ? ("--page", new (string Option, bool Given)[] { ("--source", IsSourceCheck), Of("--output", Output), Of("--version", Version) })
-            : IsSourceCheck
-                ? ("--source", [Of("--version", Version)])
-                : ("a folder of assemblies", [Of("--generation", Generation), Of("--declarations", Declarations)]);
-        foreach (var (option, _) in foreign.Where(entry => entry.Given))
-            throw CheckException.Usage($"{option} does not go with {form} (--help says more)");
+        var foreign = IsSourceCheck
+            ? Version is null ? null : "--version does not go with --engine"
+            : Generation is not null ? "--generation does not go with a folder of assemblies"
+            : Declarations is not null ? "--declarations does not go with a folder of assemblies" : null;
+        if (foreign is not null) throw CheckException.Usage($"{foreign} (--help says more)");
     }
-
-    private static (string, bool) Of(string option, string? value) => (option, value is not null);
 
     private void Set(string option, string value)
     {
         switch (option)
         {
-            case "--source": Sources.Add(value); break;
             case "--engine" or "--core" or "--universal": Named[option[2..]] = value; break;
-            case "--engine-version" or "--core-version" or "--universal-version": Versions[option[2..^8]] = value; break;
             case "--generation": Generation = value; break;
             case "--version": Version = value; break;
             case "--output" or "-o": Output = value; break;
-            case "--page": Page = value; break;
             case "--package": Package = value; break;
             case "--declarations": Declarations = value; break;
             default: throw CheckException.Usage($"{option} is not an option (--help lists them)");

@@ -141,59 +141,6 @@ namespace Penumbra.Tests
         public void AStageThatDeclaresNoKeywordIsKeptOnceForAll() =>
             Assert.That(Of(QualityPreset.High).Has(PenumbraShadows.ShaderFile, "Resolve", new string[0], name => false));
 
-        [Test]
-        public void AVolumeComesWhole()
-        {
-            PenumbraShadowsVolume volume = Volume(one =>
-            {
-                one.technique.Set(ShadowTechnique.PcssHdrp);
-                one.mask.Set(true);
-            });
-            Assert.That(Kept(Of(QualityPreset.Reference, volume)),
-                        Is.EquivalentTo(Asked(ShadowPresets.Options(QualityPreset.Reference)).Concat(new[]
-                        {
-                            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve _PENUMBRA_PCSS_HDRP",
-                        })));
-        }
-
-        [Test]
-        public void APresetOfOneVolumeMeetsTheSwitchOfAnother()
-        {
-            ShadowOptions tent = ShadowPresets.Options(QualityPreset.Custom);
-            tent.technique = ShadowTechnique.Tent5x5;
-            PenumbraShadowsVolume preset = Volume(one => one.preset.Set(QualityPreset.High));
-            PenumbraShadowsVolume half = Volume(one => one.halfResolution.Set(true));
-            Assert.That(Kept(Of(tent, preset, half)),
-                        Is.EquivalentTo(OfPreset(LastKernels.Concat(HalfKernels).ToArray()).Append("Resolve")));
-        }
-
-        [Test]
-        public void ALightThatBecomesAPointHasAWidthOnTheWay()
-        {
-            PenumbraShadowsVolume volume = Volume(one =>
-            {
-                one.angularDiameterDegrees.Set(0.0f);
-                one.denoise.Set(true);
-            });
-            string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
-            Assert.That(Kept(Of(PresetFallback.Options(QualityPreset.Medium), volume)),
-                        Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS").Append(Tent)));
-        }
-
-        [Test]
-        public void ContactShadowsAreKeptWhereAFeatureOrAVolumeHasThem()
-        {
-            IEnumerable<string> alone = OfPreset(LastKernels);
-            var settings = new PenumbraShadowsSettings { preset = QualityPreset.Reference };
-            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)), Is.EquivalentTo(alone));
-            PenumbraShadowsVolume volume = Volume(one => one.contactShadowMetres.Set(0.25f));
-            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, new[] { volume })),
-                        Is.EquivalentTo(alone.Append("ScreenTrace")));
-            settings.contactShadowMetres = 0.5f;
-            Assert.That(Kept(ChainPrograms.Of(new[] { settings }, NoVolumes)),
-                        Is.EquivalentTo(alone.Append("ScreenTrace")));
-        }
-
         // The programs are for example "FarShadows _PENUMBRA_CLOUDS".
         private static string[] KeptOfFar(PenumbraShadowsSettings settings)
         {
@@ -225,18 +172,6 @@ namespace Penumbra.Tests
             Assert.That(KeptOfFar(settings), Is.EqualTo(new[] { "_PENUMBRA_CLOUDS" }));
             Assert.That(ChainPrograms.Of(new[] { settings }, NoVolumes)
                             .Has("Shaders/PenumbraFar.shader", "FarShadowsAlone", new string[0], name => false), Is.False);
-        }
-
-        [Test]
-        public void AConservativeMaskHasPassesOfTwoShaders()
-        {
-            ShadowOptions options = PresetFallback.Options(QualityPreset.High);
-            options.conservativeMask = true;
-            Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
-            {
-                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask _PENUMBRA_PCSS", "Resolve _PENUMBRA_PCSS",
-                "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", Tent,
-            }));
         }
 
         // Options that VolumeOverrides leaves out must not choose programs.

@@ -19,32 +19,44 @@ namespace Penumbra.Tests
         [Test]
         public void ASoundProjectNeedsNone() => Assert.That(FeatureAdvice.For(Sound()), Is.Empty);
 
+        private delegate void Change(ref FeatureState state);
+
+        private static FeatureState With(Change change)
+        {
+            FeatureState state = Sound();
+            change(ref state);
+            return state;
+        }
+
+        private static readonly (MessageType type, string[] said, Change change)[] Obstacles =
+        {
+            (MessageType.Error, new[] { "Reimport" }, (ref FeatureState s) => s.shaderFound = false),
+            (MessageType.Error, new[] { "Compatibility Mode" }, (ref FeatureState s) => s.compatibilityMode = true),
+            (MessageType.Error, new[] { "Depth Priming", "Disabled" },
+             (ref FeatureState s) => (s.deferred, s.tileOnly, s.depthPriming) = (false, true, true)),
+            (MessageType.Warning, new[] { "Cast Shadows" }, (ref FeatureState s) => s.mainLightShadows = false),
+            (MessageType.Warning, new[] { "Remove it" }, (ref FeatureState s) => s.urpScreenSpaceShadows = true),
+            (MessageType.Warning, new[] { "Add Component", "Terrain" },
+             (ref FeatureState s) => s.missingGround = FarShadowGround.NoGround),
+            (MessageType.Warning, new[] { "Water", "Prepass Layer Mask" },
+             (ref FeatureState s) => s.layersWithoutDepth = 1 << 4),
+            (MessageType.Warning, new[] { "The main light's Normal Bias is 1,", "Set it to 0" },
+             (ref FeatureState s) => s.normalBias = 1.0f),
+            (MessageType.Warning, new[] { "The main light's Normal Bias is 0.13," },
+             (ref FeatureState s) => s.normalBias = 0.125f),
+            (MessageType.Info, new[] { "temporal" }, (ref FeatureState s) => s.settings.noise = NoiseMode.PerFrame),
+            (MessageType.Info, new[] { "debug view" }, (ref FeatureState s) => s.settings.debugView = DebugView.Cascades),
+            (MessageType.Info, new[] { "Depth Priming" }, (ref FeatureState s) => s.deferred = false),
+        };
+
         [Test]
         public void EachObstacleIsNamedWithTheWayOut()
         {
-            FeatureState state = Sound();
-            state.shaderFound = false;
-            Assert.That(Texts(state, MessageType.Error).Single(), Does.Contain("Reimport"));
-            state = Sound();
-            state.compatibilityMode = true;
-            Assert.That(Texts(state, MessageType.Error).Single(), Does.Contain("Compatibility Mode"));
-            state = Sound();
-            state.mainLightShadows = false;
-            Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("Cast Shadows"));
-            state = Sound();
-            state.urpScreenSpaceShadows = true;
-            Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("Remove it"));
-            state = Sound();
-            state.settings.noise = NoiseMode.PerFrame;
-            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("temporal"));
-            state = Sound();
-            state.settings.debugView = DebugView.Cascades;
-            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("debug view"));
-            state = Sound();
-            state.deferred = false;
-            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Depth Priming"));
-            state.depthPriming = true;
-            Assert.That(FeatureAdvice.For(state), Is.Empty);
+            foreach ((MessageType type, string[] said, Change change) in Obstacles)
+                foreach (string words in said) Assert.That(Texts(With(change), type).Single(), Does.Contain(words));
+            foreach (Change sound in new Change[] { (ref FeatureState s) => (s.deferred, s.depthPriming) = (false, true),
+                                                    (ref FeatureState s) => (s.deferred, s.tileOnly) = (false, true) })
+                Assert.That(FeatureAdvice.For(With(sound)), Is.Empty);
         }
 
         [Test]
@@ -55,14 +67,6 @@ namespace Penumbra.Tests
             state.shaderErrors = "ShaderLibrary/ScreenTiles/TileDecision.hlsl, line 12: undeclared identifier (D3D)";
             Assert.That(FeatureAdvice.For(state).First().type, Is.EqualTo(MessageType.Error));
             Assert.That(FeatureAdvice.For(state).First().text, Does.EndWith("\n" + state.shaderErrors));
-        }
-
-        [Test]
-        public void MissingGroundIsNamedWithTheWayOut()
-        {
-            FeatureState state = Sound();
-            state.missingGround = FarShadowGround.NoGround;
-            Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("Add Component").And.Contain("Terrain"));
         }
 
         /// <summary>Each field that the inspector shows counts.</summary>
@@ -235,36 +239,6 @@ namespace Penumbra.Tests
             state.settings.preset = QualityPreset.Custom;
             state.settings.custom.technique = technique;
             Assert.That(Texts(state, MessageType.Info).Any(text => text.Contains("Depth and Normal 0")), Is.EqualTo(biases));
-        }
-
-        [Test]
-        public void LayersWithoutDepthAreNamed()
-        {
-            FeatureState state = Sound();
-            state.layersWithoutDepth = 1 << 4;
-            Assert.That(Texts(state, MessageType.Warning).Single(),
-                        Does.Contain("Water").And.Contain("Prepass Layer Mask"));
-        }
-
-        [TestCase(1.0f, "1")]
-        [TestCase(0.125f, "0.13")]
-        public void ANormalBiasIsNamedWithTheWayOut(float bias, string said)
-        {
-            FeatureState state = Sound();
-            state.normalBias = bias;
-            Assert.That(Texts(state, MessageType.Warning).Single(),
-                        Does.StartWith("The main light's Normal Bias is " + said + ",").And.Contain("Set it to 0"));
-        }
-
-        [Test]
-        public void TileOnlyModeHasNoPlaceForDepthPriming()
-        {
-            FeatureState state = Sound();
-            state.deferred = false;
-            state.tileOnly = state.depthPriming = true;
-            Assert.That(Texts(state, MessageType.Error).Single(), Does.Contain("Depth Priming").And.Contain("Disabled"));
-            state.depthPriming = false;
-            Assert.That(FeatureAdvice.For(state), Is.Empty);
         }
 
         [Test]

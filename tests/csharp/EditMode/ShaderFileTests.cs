@@ -12,8 +12,7 @@ namespace Penumbra.Tests
         private const string Before = "#pragma one // Größe\r\nsecond\nthird\r\n";
         private const string After = "#pragma one two // Größe\r\nsecond\nthird\r\n";
 
-        private string folder;
-        private string path;
+        private string folder, path;
 
         [SetUp]
         public void AFolder()

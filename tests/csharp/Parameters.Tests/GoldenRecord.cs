@@ -1,5 +1,3 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
 /// <summary>
@@ -9,11 +7,7 @@ internal sealed class GoldenRecord
 {
     private readonly JsonElement json;
 
-    private GoldenRecord(string label, JsonElement json)
-    {
-        Label = label;
-        this.json = json;
-    }
+    private GoldenRecord(string label, JsonElement json) => (Label, this.json) = (label, json);
 
     /// <summary>The place of the record, such as "cascades[3] far from the origin".</summary>
     public string Label { get; }

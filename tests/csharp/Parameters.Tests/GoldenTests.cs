@@ -1,12 +1,9 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
 /// <summary>
 /// Compares every figure of the C# mathematics with the C++ one's, from the same floats: within 1 ULP, and within 2
 /// where a tangent takes part, since those are the C libraries' own.
 /// </summary>
-[TestFixture]
 public class GoldenTests
 {
     private const double Product = 1;

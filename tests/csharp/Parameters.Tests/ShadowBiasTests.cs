@@ -1,33 +1,8 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
-[TestFixture]
+/// <summary>Unusual settings; tests/golden/parameters.json has the others.</summary>
 public class ShadowBiasTests
 {
-    [Test]
-    public void BothRoadsToATexelAgree([Values] SoftShadowKernel kernel)
-    {
-        var frustum = new LightFrustum();
-        var projection = Matrix4x4.identity;
-        projection.m00 = (float)frustum.M00;
-        var ofProjection = ShadowBias.OfProjection(projection, frustum.Layout.TileResolution, 1.0f, 2.0f, kernel);
-        var ofCascade = ShadowBias.OfCascade(frustum.Scales(0.53f), 1.0f, 2.0f, kernel);
-        Assert.That(ofCascade.x, Is.EqualTo(ofProjection.x).Within(1e-8));
-        Assert.That(ofCascade.y, Is.EqualTo(ofProjection.y).Within(1e-8));
-    }
-
-    // The bias is 20 m over 1024 texels, twice, times the kernel's 3.5 texels.
-    [Test]
-    public void TheBiasIsTexelsOfTheKernel()
-    {
-        var projection = Matrix4x4.identity;
-        projection.m00 = 0.1f;
-        var bias = ShadowBias.OfProjection(projection, 1024, 1.0f, 2.0f, SoftShadowKernel.High);
-        Assert.That(bias.x, Is.EqualTo(-3.5 * 20.0 / 1024.0).Within(1e-8));
-        Assert.That(bias.y, Is.EqualTo(-7.0 * 20.0 / 1024.0).Within(1e-8));
-    }
-
     [Test]
     public void NoBiasIsNotMinusZero()
     {

@@ -1,8 +1,5 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
-[TestFixture]
 public class ShadowUniformsTests
 {
     private static readonly AtlasLayout Layout = new AtlasLayout(2048, 3);

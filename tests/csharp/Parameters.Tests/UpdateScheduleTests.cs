@@ -1,8 +1,5 @@
-using NUnit.Framework;
-
 namespace Penumbra.Tests;
 
-[TestFixture]
 public class UpdateScheduleTests
 {
     private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
@@ -27,16 +24,6 @@ public class UpdateScheduleTests
             }
             Assert.That(schedule.Due(record.Int("frame")), Is.EqualTo(record.Int("due")), record.Label);
         }
-    }
-
-    [Test]
-    public void EachCascadeIsDrawnOnceInItsPeriod()
-    {
-        var schedule = new UpdateSchedule(1, 2, 4, 8);
-        for (var cascade = 0; cascade < 4; ++cascade)
-            for (var begin = -9; begin < 9; ++begin)
-                Assert.That(Enumerable.Range(begin, schedule.Period(cascade))
-                                .Count(frame => schedule.IsDue(cascade, frame)), Is.EqualTo(1));
     }
 
     [TestCase(0, 1)]

@@ -180,64 +180,34 @@ public sealed class AddedTechniqueTests : FeatureTests
         Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
     }
 
-    [Test]
-    public void AShaderWithoutThePassIsNamed()
-    {
-        AddedTechniques.AddMeans().PassNames.Remove("Columns");
-        ExpectSkipped("Means.shader has no pass 'Columns'");
-    }
+    private static TestCaseData Obstacle(string named, Action place) => new(named, place);
 
-    [Test]
-    public void AShaderThatDoesNotCompileIsNamed()
+    private static readonly TestCaseData[] Obstacles =
     {
-        AddedTechniques.AddMeans().isSupported = false;
-        ExpectSkipped("Means.shader does not compile for this platform");
-    }
+        Obstacle("Means.shader has no pass 'Columns'", () => AddedTechniques.AddMeans().PassNames.Remove("Columns")),
+        Obstacle("Means.shader does not compile for this platform", () => AddedTechniques.AddMeans().isSupported = false),
+        Obstacle("Blocks.compute is not a compute shader",
+                 () =>
+                 {
+                     AddedTechniques.AddBlocks();
+                     AssetDatabase.Assets["Packages/com.penumbra.shadows/Blocks.compute"] = new Shader();
+                 }),
+        Obstacle("Blocks.compute has no kernel 'Sum', or it does not compile",
+                 () => AddedTechniques.AddBlocks().Kernels.RemoveAll(kernel => kernel.Name == "Sum")),
+        Obstacle("this device cannot run kernel 'Shade' of Blocks.compute",
+                 () => AddedTechniques.AddBlocks().Kernels.Single(kernel => kernel.Name == "Shade").IsSupported = false),
+        Obstacle("Blocks.compute is a compute shader, which this device does not support",
+                 () => { AddedTechniques.AddBlocks(); SystemInfo.supportsComputeShaders = false; }),
+        Obstacle("this device cannot write textures of R32_UInt",
+                 () => { AddedTechniques.AddBlocks(); SystemInfo.Unsupported = GraphicsFormat.R32_UInt; }),
+        Obstacle("this device cannot draw to textures of R32_SFloat",
+                 () => { AddedTechniques.AddMeans(); SystemInfo.Unsupported = GraphicsFormat.R32_SFloat; }),
+    };
 
-    [Test]
-    public void AnAssetOfAnotherKindIsNamed()
+    [TestCaseSource(nameof(Obstacles))]
+    public void WhatIsInTheWayIsNamed(string named, Action place)
     {
-        AddedTechniques.AddBlocks();
-        AssetDatabase.Assets["Packages/com.penumbra.shadows/Blocks.compute"] = new Shader();
-        ExpectSkipped("Blocks.compute is not a compute shader");
-    }
-
-    [Test]
-    public void AComputeShaderWithoutTheKernelIsNamed()
-    {
-        ComputeShader kernels = AddedTechniques.AddBlocks();
-        kernels.Kernels.RemoveAll(kernel => kernel.Name == "Sum");
-        ExpectSkipped("Blocks.compute has no kernel 'Sum', or it does not compile");
-    }
-
-    [Test]
-    public void AKernelThatTheDeviceCannotRunIsNamed()
-    {
-        AddedTechniques.AddBlocks().Kernels.Single(kernel => kernel.Name == "Shade").IsSupported = false;
-        ExpectSkipped("this device cannot run kernel 'Shade' of Blocks.compute");
-    }
-
-    [Test]
-    public void AFormatThatTheDeviceCannotWriteIsNamed()
-    {
-        AddedTechniques.AddBlocks();
-        SystemInfo.Unsupported = GraphicsFormat.R32_UInt;
-        ExpectSkipped("this device cannot write textures of R32_UInt");
-    }
-
-    [Test]
-    public void AFormatThatTheDeviceCannotDrawToIsNamed()
-    {
-        AddedTechniques.AddMeans();
-        SystemInfo.Unsupported = GraphicsFormat.R32_SFloat;
-        ExpectSkipped("this device cannot draw to textures of R32_SFloat");
-    }
-
-    [Test]
-    public void ADeviceWithoutComputeShadersIsNamed()
-    {
-        AddedTechniques.AddBlocks();
-        SystemInfo.supportsComputeShaders = false;
-        ExpectSkipped("Blocks.compute is a compute shader, which this device does not support");
+        place();
+        ExpectSkipped(named);
     }
 }

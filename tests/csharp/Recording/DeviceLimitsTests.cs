@@ -19,22 +19,24 @@ public sealed class DeviceLimitsTests : EngineTests
 
     private ShadowChain Chain(params GraphPass[] before)
     {
-        var passes = new List<GraphPass>(before) { pass };
         var graph = new TechniqueGraph
         {
-            name = "graph", textures = textures.ToArray(), passes = passes.ToArray(), visibility = 0,
+            name = "graph", textures = textures.ToArray(), passes = before.Append(pass).ToArray(), visibility = 0,
         };
         return new ShadowChain(new[] { graph }, null);
     }
 
-    private static GraphPass Writing(params int[] targets)
+    private static GraphPass Writing(params int[] targets) => new GraphPass
     {
-        var writing = new GraphPass
-        {
-            asset = PenumbraShadows.ShaderFile, program = "Means", writes = new GraphBinding[targets.Length],
-        };
-        for (int i = 0; i < targets.Length; ++i) writing.writes[i] = GraphBinding.Texture(targets[i]);
-        return writing;
+        asset = PenumbraShadows.ShaderFile, program = "Means", writes = targets.Select(GraphBinding.Texture).ToArray(),
+    };
+
+    private static GraphPass Kernel(int target)
+    {
+        GraphPass kernel = Writing(target);
+        kernel.kind = PassKind.Compute;
+        kernel.groups = GraphGroups.TexelsOf(target);
+        return kernel;
     }
 
     private void Add(GraphExtent extent, int depth = 1, int layers = 1, int samples = 1, int mips = 1) =>
@@ -50,30 +52,29 @@ public sealed class DeviceLimitsTests : EngineTests
         Assert.That(DeviceLimits.StereoProblem(Chain(Writing(1), Writing(2))), Is.Null);
     }
 
-    [Test]
-    public void Volumes()
-    {
-        Add(GraphExtent.Fixed, depth: 8);
-        SystemInfo.supports3DRenderTextures = false;
-        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device cannot draw to 3D textures"));
-    }
+    private static TestCaseData Limit(string problem, Action lacks, GraphExtent extent, int depth = 1, int layers = 1,
+                                      int samples = 1) => new(problem, lacks, extent, depth, layers, samples);
 
-    [TestCase(GraphExtent.Fixed, 2)]
-    [TestCase(GraphExtent.Tile, 1)]
-    public void Arrays(object extent, int layers)
-    {
-        Add((GraphExtent)extent, layers: layers);
-        SystemInfo.supports2DArrayTextures = false;
-        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device does not support texture arrays"));
-    }
+    private static void LacksArrays() => SystemInfo.supports2DArrayTextures = false;
 
-    [Test]
-    public void Samples()
+    private static readonly TestCaseData[] Limits =
     {
-        Add(GraphExtent.Screen, samples: 4);
-        SystemInfo.supportsMultisampledTextures = 0;
-        Assert.That(DeviceLimits.Problem(Chain(Writing(1))),
-                    Is.EqualTo("this device cannot read multisampled textures"));
+        Limit("this device cannot draw to 3D textures", () => SystemInfo.supports3DRenderTextures = false,
+              GraphExtent.Fixed, depth: 8),
+        Limit("this device does not support texture arrays", LacksArrays, GraphExtent.Fixed, layers: 2),
+        Limit("this device does not support texture arrays", LacksArrays, GraphExtent.Tile),
+        Limit("this device cannot read multisampled textures", () => SystemInfo.supportsMultisampledTextures = 0,
+              GraphExtent.Screen, samples: 4),
+    };
+
+    [TestCaseSource(nameof(Limits))]
+    public void ATextureThatTheDeviceLacksIsNamed(string problem, Action lacks, object extent, int depth, int layers,
+                                                  int samples)
+    {
+        Add((GraphExtent)extent, depth, layers, samples);
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.Null);
+        lacks();
+        Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo(problem));
     }
 
     [Test]
@@ -112,14 +113,9 @@ public sealed class DeviceLimitsTests : EngineTests
     public void KernelsOverBothEyesAtOnce()
     {
         Add(GraphExtent.Map);
-        GraphPass kernel = Writing(1);
-        kernel.kind = PassKind.Compute;
-        kernel.groups = GraphGroups.TexelsOf(1);
-        Assert.That(StereoProblem(Chain(kernel)), Is.Null, "over the map");
+        Assert.That(StereoProblem(Chain(Kernel(1))), Is.Null, "over the map");
         Add(GraphExtent.Screen);
-        GraphPass reading = Writing(1);
-        reading.kind = PassKind.Compute;
-        reading.groups = GraphGroups.TexelsOf(1);
+        GraphPass reading = Kernel(1);
         reading.reads = new[] { GraphBinding.Texture("_Screen", 2) };
         ShadowChain chain = Chain(Writing(2), reading);
         Assert.That(StereoProblem(chain), Does.StartWith("kernel 'Means' uses textures of the screen"));
@@ -139,8 +135,7 @@ public sealed class DeviceLimitsTests : EngineTests
     [Test]
     public void AVisibilityOfKernelsHasAnotherFormat()
     {
-        pass.kind = PassKind.Compute;
-        pass.groups = GraphGroups.TexelsOf(0);
+        pass = Kernel(0);
         SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
         ShadowChain chain = Chain();
         Assert.That(DeviceLimits.Problem(chain), Is.Null);

@@ -23,9 +23,7 @@ internal sealed class FakeScene
 
     /// <summary>The cascade for which the engine finds no view of the light; -1 for none.</summary>
     internal int CascadeWithoutView = -1;
-    internal bool SceneLightingOff;
-    internal bool DepthOnly;
-    internal bool Overlay;
+    internal bool SceneLightingOff, DepthOnly, Overlay;
 
     /// <summary>
     /// Whether the camera draws into the back buffer, without a texture of its own; only Unity 6 has this.
@@ -142,9 +140,7 @@ internal sealed class FakeScene
 /// <summary>URP's keywords at the places of a camera's frame where receivers are drawn.</summary>
 internal sealed class FrameKeywords
 {
-    internal string AtOpaques;
-    internal string AtTransparents;
-    internal string AtEnd;
+    internal string AtOpaques, AtTransparents, AtEnd;
 
     /// <summary>_MainLightShadowParams, if anything but URP has set it.</summary>
     internal Vector4? ReceiversAtOpaques;

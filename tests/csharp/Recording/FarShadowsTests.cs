@@ -15,7 +15,7 @@ public sealed class FarShadowsTests : FeatureTests
         made.Clear();
     }
 
-    private readonly List<FarShadowGround> made = new List<FarShadowGround>();
+    private readonly List<FarShadowGround> made = new();
 
     // The engine enables components in this way.
     private static void Enable(FarShadowGround ground, bool on) =>
@@ -101,7 +101,7 @@ public sealed class FarShadowsTests : FeatureTests
         Assert.That(Vector(Draw("FarShadows"), "_PenumbraGroundArea").x, Is.EqualTo(-100.0f));
     }
 
-    private static void Baked(FarShadowGround ground)
+    private static FarShadowGround Baked(FarShadowGround ground)
     {
         ground.HeightMap = new Texture2D { name = "baked", width = 257, height = 129 };
         ground.HorizonFirst = new Texture2D { name = "first" };
@@ -109,12 +109,13 @@ public sealed class FarShadowsTests : FeatureTests
         ground.CornerMetres = new Vector2(1.0f, 2.0f);
         ground.SizeMetres = new Vector2(300.0f, 400.0f);
         ground.HeightsMetres = new Vector2(-5.0f, 70.0f);
+        return ground;
     }
 
     [Test]
     public void BakedTexturesStandInForATerrain()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         Render();
         FakeDevice.DrawCall far = Draw("FarShadows");
@@ -127,7 +128,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void HorizonAnglesAreReadFromTwoTextures()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = FarShadowMode.HorizonAngles;
         Render();
         FakeDevice.DrawCall far = Draw("FarShadows");
@@ -136,46 +137,20 @@ public sealed class FarShadowsTests : FeatureTests
         Assert.That(far.Keywords, Has.Member("_PENUMBRA_FAR_HORIZON").And.No.Member("_PENUMBRA_FAR_HEIGHTS"));
     }
 
-    private static readonly object[] Lacking =
+    private static TestCaseData Lack(FarShadowMode mode, string problem, Action<FarShadowGround> set) =>
+        new(set, mode, problem);
+
+    private static readonly TestCaseData[] Lacking =
     {
-        new object[] { (Action<FarShadowGround>)(ground => { }), FarShadowMode.HeightMap, FarShadowGround.NoHeights },
-        new object[]
-        {
-            (Action<FarShadowGround>)(ground => ground.Terrain = new Terrain()), FarShadowMode.HeightMap,
-            FarShadowGround.NoHeights,
-        },
-        new object[]
-        {
-            (Action<FarShadowGround>)(ground => ground.Terrain = Valley()), FarShadowMode.HorizonAngles,
-            FarShadowGround.NoAngles,
-        },
-        new object[]
-        {
-            (Action<FarShadowGround>)(ground =>
-            {
-                Baked(ground);
-                ground.HorizonSecond.Destroyed = true;
-            }),
-            FarShadowMode.HorizonAngles, FarShadowGround.NoAngles,
-        },
-        new object[]
-        {
-            (Action<FarShadowGround>)(ground =>
-            {
-                Baked(ground);
-                ground.SizeMetres = new Vector2(float.NaN, 10.0f);
-            }),
-            FarShadowMode.HorizonAngles, FarShadowGround.NoSize,
-        },
-        new object[]
-        {
-            (Action<FarShadowGround>)(ground =>
-            {
-                Baked(ground);
-                ground.HeightsMetres = new Vector2(5.0f, 5.0f);
-            }),
-            FarShadowMode.HeightMap, FarShadowGround.NoRange,
-        },
+        Lack(FarShadowMode.HeightMap, FarShadowGround.NoHeights, ground => { }),
+        Lack(FarShadowMode.HeightMap, FarShadowGround.NoHeights, ground => ground.Terrain = new Terrain()),
+        Lack(FarShadowMode.HorizonAngles, FarShadowGround.NoAngles, ground => ground.Terrain = Valley()),
+        Lack(FarShadowMode.HorizonAngles, FarShadowGround.NoAngles,
+             ground => Baked(ground).HorizonSecond.Destroyed = true),
+        Lack(FarShadowMode.HorizonAngles, FarShadowGround.NoSize,
+             ground => Baked(ground).SizeMetres = new Vector2(float.NaN, 10.0f)),
+        Lack(FarShadowMode.HeightMap, FarShadowGround.NoRange,
+             ground => Baked(ground).HeightsMetres = new Vector2(5.0f, 5.0f)),
     };
 
     [TestCaseSource(nameof(Lacking))]
@@ -194,7 +169,7 @@ public sealed class FarShadowsTests : FeatureTests
         Enable(ground, false);
         Render();
         Assert.That(feature.MissingGround, Is.EqualTo(FarShadowGround.NoGround));
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         Assert.That(Render(), Is.EqualTo(new[] { "Resolve", "FarShadows" }));
         Assert.That(feature.MissingGround, Is.Null);
     }
@@ -242,7 +217,7 @@ public sealed class FarShadowsTests : FeatureTests
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         Assert.That(Render(), Is.EqualTo(new[] { "Resolve", "CloudMap", "FarShadows" }), "clouds need no ground");
         Assert.That(feature.MissingGround, Is.EqualTo(FarShadowGround.NoGround));
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         Render();
         Assert.That(Draw("FarShadows").Keywords, Has.Member("_PENUMBRA_CLOUDS").And.Member("_PENUMBRA_FAR_HEIGHTS"));
         feature.Settings.farShadows.windMetresPerSecond = new Vector2(float.NaN, float.PositiveInfinity);
@@ -253,7 +228,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void ADeviceThatCannotDrawTheCloudsHasNone()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         feature.Settings.farShadows.clouds = true;
         SystemInfo.Unsupported = GraphicsFormat.R16_UNorm;
@@ -278,7 +253,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void ContactShadowsComeBeforeThem()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.contactShadowMetres = 0.5f;
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         Assert.That(Render(), Is.EqualTo(new[] { "Resolve", "ScreenTrace", "FarShadows" }));
@@ -292,7 +267,7 @@ public sealed class FarShadowsTests : FeatureTests
     [TestCase(true, 1)]
     public void WhereNothingCastsIntoTheCascadesTheyAreDrawnOverALitScreen(bool casters, int cascadeWithoutView)
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         scene.Casters = casters;
         scene.CascadeWithoutView = cascadeWithoutView;
         string ofUrp = new FakeUrp().Render(scene).AtTransparents;
@@ -342,7 +317,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void AVolumesPresetKeepsThem()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         Volume(QualityPreset.Medium);
         Assert.That(Render(), Has.Member("FarShadows"));
@@ -352,7 +327,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void TheShaderHasWhatFramesDrawWith()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         var variants = FakeShader.FarVariants()["FarShadows"];
         foreach (FarShadowMode mode in Enum.GetValues(typeof(FarShadowMode)))
             foreach (bool clouds in new[] { false, true })
@@ -370,7 +345,7 @@ public sealed class FarShadowsTests : FeatureTests
     [Test]
     public void FramesAllocateNothing()
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = FarShadowMode.HeightMap;
         feature.Settings.farShadows.clouds = true;
         feature.Settings.contactShadowMetres = 0.5f;
@@ -395,7 +370,7 @@ public sealed class FarShadowsTests : FeatureTests
     [TestCase(FarShadowMode.Off, true)]
     public void OpaqueSurfacesDoNotFadeAndTransparentOnesDoAsWithUrp(FarShadowMode mode, bool clouds)
     {
-        Ground(Baked);
+        Ground(ground => Baked(ground));
         feature.Settings.farShadows.mode = mode;
         feature.Settings.farShadows.clouds = clouds;
         scene.Distance = 120.0f;

@@ -11,6 +11,9 @@ public abstract class EngineTests
         }.SelectMany(type => type.GetProperties(BindingFlags.Static | BindingFlags.Public))
             .Where(property => property.CanWrite).Select(property => (property, property.GetValue(null))).ToArray();
 
+    // They are asked for before the first test changes one of them.
+    static EngineTests() { }
+
     [TearDown]
     public void RestoreTheEngine()
     {

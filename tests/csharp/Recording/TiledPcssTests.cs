@@ -147,35 +147,22 @@ public sealed class TiledPcssTests : FeatureTests
         Assert.That(feature.Drawn.technique, Is.EqualTo(drawn));
     }
 
-    private void ExpectTheFilterAlone(string reason) =>
+    private static readonly object[] Lacks =
+    {
+        Lack("OpenGL does not define", () => SystemInfo.Device = GraphicsDeviceType.OpenGLES3),
+        Lack("is a compute shader, which this device does not support", () => SystemInfo.supportsComputeShaders = false),
+        Lack("cannot write textures of R32_UInt", () => SystemInfo.Unsupported = GraphicsFormat.R32_UInt),
+        Lack("kernel 'Bounds' has groups of 64 threads, and this device allows 32",
+             () => SystemInfo.maxComputeWorkGroupSize = 32),
+    };
+
+    private static TestCaseData Lack(string reason, Action lack) => new TestCaseData(reason, lack).SetArgDisplayNames(reason);
+
+    [TestCaseSource(nameof(Lacks))]
+    public void WithoutWhatKernelsNeedItsFilterIsDrawnAlone(string reason, Action lack)
+    {
+        lack();
         ExpectInstead(ShadowTechnique.PcssBounded, "_PENUMBRA_PCSS_BOUNDED", reason);
-
-    [Test]
-    public void OnOpenGlItsFilterIsDrawnAlone()
-    {
-        SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
-        ExpectTheFilterAlone("OpenGL does not define");
-    }
-
-    [Test]
-    public void WithoutKernelsItsFilterIsDrawnAlone()
-    {
-        SystemInfo.supportsComputeShaders = false;
-        ExpectTheFilterAlone("is a compute shader, which this device does not support");
-    }
-
-    [Test]
-    public void WithoutItsFormatItsFilterIsDrawnAlone()
-    {
-        SystemInfo.Unsupported = GraphicsFormat.R32_UInt;
-        ExpectTheFilterAlone("cannot write textures of R32_UInt");
-    }
-
-    [Test]
-    public void WithSmallThreadGroupsItsFilterIsDrawnAlone()
-    {
-        SystemInfo.maxComputeWorkGroupSize = 32;
-        ExpectTheFilterAlone("kernel 'Bounds' has groups of 64 threads, and this device allows 32");
     }
 
     [Test]

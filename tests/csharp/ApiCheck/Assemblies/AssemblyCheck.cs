@@ -13,19 +13,22 @@ public sealed class AssemblyCheck
 
     public static AssemblyCheck Run(string root, IReadOnlyList<string> folders, string? version)
     {
-        if (version is not null) UnityVersion.Parse(version);
+        if (folders.FirstOrDefault(folder => !Directory.Exists(folder)) is { } nowhere)
+            throw CheckException.Usage($"{nowhere}: there is no such folder");
+        var said = folders.Select(folder => Path.Combine(folder, "ProjectSettings", "ProjectVersion.txt")).FirstOrDefault(File.Exists);
+        var unity = UnityVersion.Parse(version ?? (said is not null ? File.ReadAllText(said) : throw CheckException.Usage(
+            "no folder is that of a project, which says the version of Unity: --version V says it")));
+        if (unity.IsOlderThan(UnityVersion.Oldest))
+            throw CheckException.Usage($"Unity {unity.Text} is older than 2022.3, which the package needs");
         var package = PackageSources.Read(root);
-        var layout = UnityLayout.Find(folders);
-        var index = new AssemblyIndex(layout);
-        var missing = index.Missing(package).ToArray();
+        var found = new FoundAssemblies(folders);
+        var missing = found.Missing(package).ToArray();
         if (missing.Length > 0)
             throw CheckException.Missing("assemblies are missing:\n  " + string.Join("\n  ", missing));
-        // The render graph left its experimental namespace with pipeline 17.
-        var unity = VersionSearch.Find(layout, version, () => UnityVersion.Parse(
-            index.HasType("UnityEngine.Rendering.RenderGraphModule.RenderGraph") ? "6000.0" : "2022.3"));
         var check = new AssemblyCheck();
-        check.Compile(package, PackageVersions.Of(unity.Version, VersionSearch.Packages(layout)), index);
-        check.Describe(layout, unity);
+        check.Compile(package, PackageVersions.Of(unity), found);
+        check.Notes.Add($"Unity {unity.Text}, engine in {found.Engine}");
+        check.Notes.Add("players: " + (found.Player ?? "the editor's modules, as no build support is installed beside them"));
         return check;
     }
 
@@ -38,14 +41,14 @@ public sealed class AssemblyCheck
         Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
     };
 
-    private void Compile(PackageSources package, PackageVersions versions, AssemblyIndex index)
+    private void Compile(PackageSources package, PackageVersions versions, FoundAssemblies found)
     {
         var lines = new Dictionary<(Place? Place, string Text), List<string>>();
         var compiled = new SortedSet<string>(StringComparer.Ordinal);
         foreach (var set in Sets)
         {
             var build = new PackageBuild(package, versions, set);
-            foreach (var compilation in build.Compile(assembly => index.For(assembly, set)))
+            foreach (var compilation in build.Compile(assembly => found.For(assembly, set)))
             {
                 compiled.Add(compilation.AssemblyName!);
                 foreach (var diagnostic in compilation.GetDiagnostics().Where(IsTold))
@@ -71,15 +74,4 @@ public sealed class AssemblyCheck
     /// <summary>Whether a diagnostic is told: errors, and what this Unity calls obsolete.</summary>
     private static bool IsTold(Diagnostic diagnostic) =>
         diagnostic.Severity == DiagnosticSeverity.Error || diagnostic.Id is "CS0618" or "CS0612";
-
-    private void Describe(UnityLayout layout, VersionSearch unity)
-    {
-        Notes.Add($"Unity {unity.Version.Text} by {unity.From}, engine in {layout.Engine}");
-        Notes.Add(layout.Player is null
-            ? "players: the editor's modules, as no build support is installed beside them"
-            : $"players: {layout.Player}");
-        Notes.Add(layout.Library.Count == 0
-            ? "class library: .NET Standard 2.1 of this program, as the folders hold none"
-            : $"class library: {layout.Library[0]}");
-    }
 }

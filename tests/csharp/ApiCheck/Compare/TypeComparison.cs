@@ -5,25 +5,10 @@ public sealed class TypeComparison(TypeMatch match)
 {
     public IEnumerable<string> Differences(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
-        if (Access.Outside(declared) != Access.Outside(real))
-            yield return Names.Differ(Names.Of(declared.DeclaredAccessibility), Names.Of(real.DeclaredAccessibility));
-        if (declared.TypeKind != real.TypeKind)
-        {
-            yield return Names.Differ($"a {Names.Of(declared.TypeKind)}", $"a {Names.Of(real.TypeKind)}");
-            yield break;
-        }
-        var differences = Modifiers(declared, real)
-            .Concat(Generics.Differences(declared.TypeParameters, real.TypeParameters, match))
+        // Access and kind come first; more cannot be compared of two kinds.
+        if (declared.TypeKind != real.TypeKind) return Facts.Differences(Facts.OfType(declared).Take(2), Facts.OfType(real).Take(2), match);
+        return Facts.Differences(Facts.OfType(declared), Facts.OfType(real), match)
             .Concat(Inheritance(declared, real)).Concat(Attribute(declared, real));
-        foreach (var difference in differences) yield return difference;
-        if (declared.EnumUnderlyingType is { } one && real.EnumUnderlyingType is { } other && !match.Same(one, other))
-            yield return Names.Differ($"its values are {Names.Of(one)}", Names.Of(other));
-        if (declared.DelegateInvokeMethod is { } call && real.DelegateInvokeMethod is { } realCall)
-        {
-            foreach (var difference in new MemberComparison(match).Methods(call, realCall)) yield return difference;
-        }
-        if (Obsolescence.Of(real) is { IsError: true } mark)
-            yield return $"[Obsolete] as an error in the real source: {mark.Message}";
     }
 
     /// <summary>
@@ -57,39 +42,16 @@ public sealed class TypeComparison(TypeMatch match)
 
     /// <summary>Whether the declared type has the member, be it its own or inherited.</summary>
     public bool Has(INamedTypeSymbol declared, ISymbol member) =>
-        MemberSearch.Everywhere(declared, member.Name).Any(own => SameParameters(own, member));
-
-    private bool SameParameters(ISymbol declared, ISymbol real) => (declared, real) switch
-    {
-        (IMethodSymbol one, IMethodSymbol other) => match.SameParameters(one.Parameters, other.Parameters),
-        (IPropertySymbol one, IPropertySymbol other) => match.SameParameters(one.Parameters, other.Parameters),
-        _ => declared.Kind == real.Kind,
-    };
-
-    private static IEnumerable<string> Modifiers(INamedTypeSymbol declared, INamedTypeSymbol real)
-    {
-        if (declared.TypeKind == TypeKind.Class && Modifier(declared) != Modifier(real))
-            yield return Names.Differ(Modifier(declared), Modifier(real));
-        if (declared.IsRefLikeType != real.IsRefLikeType)
-            yield return Names.Differ(RefStruct(declared), RefStruct(real));
-    }
-
-    private static string RefStruct(ITypeSymbol type) => type.IsRefLikeType ? "a ref struct" : "no ref struct";
-
-    private static string Modifier(INamedTypeSymbol type) =>
-        type.IsStatic ? "static" : type.IsAbstract ? "abstract" : type.IsSealed ? "sealed" : "open";
+        MemberSearch.Everywhere(declared, member.Name).Any(own => match.SameSignature(own, member));
 
     private IEnumerable<string> Inheritance(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         if (declared.TypeKind == TypeKind.Class && declared.BaseType is { SpecialType: not SpecialType.System_Object } parent &&
             !MemberSearch.Above(real).Any(type => match.Same(parent, type)))
-            yield return Names.Differ($"derives from {Names.Of(parent)}", Parent(real));
+            yield return Names.Differ($"derives from {Names.Of(parent)}", real.BaseType is { } other ? $"from {Names.Of(other)}" : "from nothing");
         foreach (var type in declared.Interfaces.Where(type => !real.AllInterfaces.Any(other => match.Same(type, other))))
             yield return Names.Differ($"implements {Names.Of(type)}", "not");
     }
-
-    private static string Parent(INamedTypeSymbol real) =>
-        real.BaseType is { SpecialType: not SpecialType.System_Object } parent ? $"from {Names.Of(parent)}" : "from no class";
 
     /// <summary>The problem of an attribute, which must not be allowed here where the real one is not.</summary>
     private static IEnumerable<string> Attribute(INamedTypeSymbol declared, INamedTypeSymbol real)

@@ -24,9 +24,18 @@ public sealed class TypeMatch
     };
 
     /// <summary>Whether both have the same types and passing modes, in the same order.</summary>
-    public bool SameParameters(IReadOnlyList<IParameterSymbol> declared, IReadOnlyList<IParameterSymbol> real) =>
+    private bool SameParameters(IReadOnlyList<IParameterSymbol> declared, IReadOnlyList<IParameterSymbol> real) =>
         declared.Count == real.Count &&
         declared.Zip(real).All(pair => pair.First.RefKind == pair.Second.RefKind && Same(pair.First.Type, pair.Second.Type));
+
+    /// <summary>Whether two members of one name are of the same kind and parameters.</summary>
+    public bool SameSignature(ISymbol declared, ISymbol real) => (declared, real) switch
+    {
+        (IMethodSymbol one, IMethodSymbol other) => one.Arity == other.Arity && SameParameters(one.Parameters, other.Parameters) &&
+            (one.MethodKind != MethodKind.Conversion || Same(one.ReturnType, other.ReturnType)),
+        (IPropertySymbol one, IPropertySymbol other) => SameParameters(one.Parameters, other.Parameters),
+        _ => declared.Kind == real.Kind,
+    };
 
     private bool SameNamed(INamedTypeSymbol declared, INamedTypeSymbol real)
     {

@@ -41,30 +41,19 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         }
 
         var candidates = MemberSearch.Find(type, declared.Name);
-        var real = Pick(declared, candidates) ?? Pick(declared, [.. MemberSearch.Everywhere(type, declared.Name)]);
+        var real = candidates.Concat(MemberSearch.Everywhere(type, declared.Name)).FirstOrDefault(other => match.SameSignature(declared, other));
         if (real is null)
         {
             findings.Add(declared, Unmatched(declared, type, candidates, out var near), near ?? type);
             return;
         }
-        foreach (var difference in new MemberComparison(match).Differences(declared, real))
+        foreach (var difference in Facts.Differences(Facts.OfMember(declared), Facts.OfMember(real), match))
             findings.Add(declared, difference, real);
         Note(declared, real);
         if (!SymbolEqualityComparer.Default.Equals(real.ContainingType.OriginalDefinition, type.OriginalDefinition))
             result.Inherited.Add(Names.Of(declared) + " of " + Names.Of(real.ContainingType));
         else CheckPlace(declared, real, read);
     }
-
-    /// <summary>The real member of the same kind and parameters.</summary>
-    private ISymbol? Pick(ISymbol declared, IReadOnlyList<ISymbol> candidates) => candidates.FirstOrDefault(real =>
-        (declared, real) switch
-        {
-            (IMethodSymbol one, IMethodSymbol other) => one.Arity == other.Arity &&
-                match.SameParameters(one.Parameters, other.Parameters) &&
-                (one.MethodKind != MethodKind.Conversion || match.Same(one.ReturnType, other.ReturnType)),
-            (IPropertySymbol one, IPropertySymbol other) => match.SameParameters(one.Parameters, other.Parameters),
-            _ => declared.Kind == real.Kind,
-        });
 
     private string Unmatched(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ISymbol> candidates, out ISymbol? near)
     {
@@ -74,12 +63,15 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         var likely = candidates.OfType<IMethodSymbol>().Where(Access.IsReachable).ToArray();
         if (declared is IMethodSymbol { MethodKind: not MethodKind.Conversion } method && likely is [var only] &&
             only.Arity == method.Arity)
-            return string.Join("; ", Parameters.Differences(method.Parameters, only.Parameters, match));
+            return Differ(method.Parameters, only.Parameters);
         if (declared is IPropertySymbol property && near is IPropertySymbol other)
-            return string.Join("; ", Parameters.Differences(property.Parameters, other.Parameters, match));
+            return Differ(property.Parameters, other.Parameters);
         var overloads = likely.Length > 0 ? likely : candidates.ToArray();
         return $"no overload has these parameters; the real ones are {string.Join(", ", overloads.Select(Names.ShortOf))}";
     }
+
+    private string Differ(IReadOnlyList<IParameterSymbol> declared, IReadOnlyList<IParameterSymbol> real) =>
+        string.Join("; ", Facts.Differences(Facts.OfParameters(declared), Facts.OfParameters(real), match));
 
     private static string Absent(ISymbol declared, INamedTypeSymbol type, out ISymbol? near)
     {
@@ -98,7 +90,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
 
     private void Note(ISymbol declared, ISymbol real)
     {
-        if (Obsolescence.Of(real) is { IsError: false }) result.Obsolete.Add(Names.Of(declared));
+        if (Facts.Obsolete(real) is { } mark && !mark.ConstructorArguments.Any(argument => argument.Value is true))
+            result.Obsolete.Add(Names.Of(declared));
     }
 
     private static string[] Files(IEnumerable<ReadFrom> origins) =>

@@ -7,12 +7,8 @@ namespace Penumbra.ApiCheck.Package;
 /// </summary>
 public sealed class PackageSources
 {
-    private PackageSources(string root, IReadOnlyList<Asmdef> assemblies, IReadOnlyDictionary<string, Asmdef> owners)
-    {
-        Root = root;
-        Assemblies = assemblies;
-        Owners = owners;
-    }
+    private PackageSources(string root, IReadOnlyList<Asmdef> assemblies, IReadOnlyDictionary<string, Asmdef> owners) =>
+        (Root, Assemblies, Owners) = (root, assemblies, owners);
 
     public string Root { get; }
     public IReadOnlyList<Asmdef> Assemblies { get; }

@@ -18,7 +18,7 @@ public sealed record SourceReport
     public required IReadOnlyList<CheckedType> Types { get; init; }
     public required IReadOnlyList<string> Problems { get; init; }
 
-    public sealed record ReadSource(string Source, string? Version, string VersionFrom, int Files,
+    public sealed record ReadSource(string Source, string Version, string VersionFrom, int Files,
                                     IReadOnlyList<string> DeclaredFrom);
 
     public sealed record Totals(int Types, int Declarations, int Inherited, int ByName, int Obsolete, int Differences);
@@ -54,19 +54,7 @@ public sealed record SourceReport
         };
     }
 
-    public static SourceReport Read(string file)
-    {
-        try
-        {
-            return JsonSerializer.Deserialize<SourceReport>(File.ReadAllText(file), Form) ??
-                   throw CheckException.Usage($"{file}:1:1: no report: write it with --output");
-        }
-        catch (JsonException error)
-        {
-            var place = $"{file}:{(error.LineNumber ?? 0) + 1}:{(error.BytePositionInLine ?? 0) + 1}";
-            throw CheckException.Usage($"{place}: no report: {error.Message}");
-        }
-    }
+    public static SourceReport Read(string file) => JsonSerializer.Deserialize<SourceReport>(File.ReadAllText(file), Form)!;
 
     /// <summary>JSON with a record to a line, so that a difference between two files shows which changed.</summary>
     public string Json()

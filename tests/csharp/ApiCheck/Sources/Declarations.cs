@@ -11,8 +11,7 @@ public sealed class Declarations
     private const string OwnBehaviourName = "OwnBehaviourAttribute";
 
     private readonly string[] files;
-    private readonly string root;
-    private readonly string shownFrom;
+    private readonly string root, shownFrom;
 
     public Declarations(string root, string generation, string shownFrom)
     {

@@ -1,18 +1,12 @@
 namespace Penumbra.ApiCheck.Sources;
 
-/// <summary>The request of a check against real sources.</summary>
-public sealed record SourceRequest(string Generation, string Package, string Declarations)
-{
-    public IReadOnlyList<string> Folders { get; init; } = [];
-
-    /// <summary>Folders given for one source each, and versions for sources that do not say their own.</summary>
-    public IReadOnlyDictionary<string, string> Named { get; init; } = new Dictionary<string, string>();
-    public IReadOnlyDictionary<string, string> Versions { get; init; } = new Dictionary<string, string>();
-}
+/// <summary>The request of a check against real sources, whose folders are named by engine, core and universal.</summary>
+public sealed record SourceRequest(string Generation, string Package, string Declarations,
+                                   IReadOnlyDictionary<string, string> Folders);
 
 /// <summary>
 /// Checks every declaration of a generation against the C# of engine, core and URP, and the package against the
-/// declarations, under each symbol set: `check-unity-api --source`.
+/// declarations, under each symbol set: `check-unity-api --engine`.
 /// </summary>
 public sealed class SourceCheck
 {
@@ -22,7 +16,8 @@ public sealed class SourceCheck
     public static SourceCheck Run(SourceRequest request)
     {
         var check = new SourceCheck();
-        var folders = SourceSearch.Find(request.Folders, request.Named, request.Versions);
+        SourceFolder[] folders = [.. SourceFolder.All.Where(request.Folders.ContainsKey)
+            .Select(source => SourceFolder.Open(source, request.Folders[source]))];
         var declarations = new Declarations(request.Declarations, request.Generation, request.Package);
         check.Sources = [.. folders.Select(RealSource.Read)];
 
@@ -48,8 +43,8 @@ public sealed class SourceCheck
             throw CheckException.Usage($"the engine's source is of {unity.Text}: that is generation {unity.Generation}, not " +
                                        generation);
         var known = new Dictionary<string, string>();
-        foreach (var folder in folders.Where(folder => folder.Version is not null && folder.Source != SourceFolder.Engine))
-            known[folder.Source == SourceFolder.Core ? PackageVersions.Core : PackageVersions.Universal] = folder.Version!;
+        foreach (var folder in folders.Where(folder => folder.Source != SourceFolder.Engine))
+            known[folder.Source == SourceFolder.Core ? PackageVersions.Core : PackageVersions.Universal] = folder.Version;
         return PackageVersions.Of(unity, known);
     }
 }

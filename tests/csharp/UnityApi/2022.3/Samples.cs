@@ -1,10 +1,7 @@
 namespace UnityEditor
 {
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Selection.bindings.cs")]
-    public sealed partial class Selection
-    {
-        public static UnityEngine.GameObject activeGameObject { get; set; }
-    }
+    public sealed partial class Selection { public static UnityEngine.GameObject activeGameObject { get; set; } }
 }
 
 namespace UnityEngine.Rendering

@@ -4,10 +4,7 @@ using UnityEngine.Experimental.Rendering;
 namespace UnityEngine.Rendering.Universal;
 
 [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipeline.cs")]
-public sealed partial class UniversalRenderPipeline
-{
-    private UniversalRenderPipeline() { }
-}
+public sealed partial class UniversalRenderPipeline { private UniversalRenderPipeline() { } }
 
 [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct RenderingData
@@ -30,9 +27,7 @@ public struct LightData
 public struct ShadowData
 {
     public bool supportsMainLightShadows;
-    public int mainLightShadowmapWidth;
-    public int mainLightShadowmapHeight;
-    public int mainLightShadowCascadesCount;
+    public int mainLightShadowmapWidth, mainLightShadowmapHeight, mainLightShadowCascadesCount;
     public Vector3 mainLightShadowCascadesSplit;
     public float mainLightShadowCascadeBorder;
     public bool supportsSoftShadows;
@@ -41,8 +36,7 @@ public struct ShadowData
 [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct CameraData
 {
-    [OwnBehaviour] public Matrix4x4[] Views;
-    [OwnBehaviour] public Matrix4x4[] Projections;
+    [OwnBehaviour] public Matrix4x4[] Views, Projections;
 
     public Camera camera;
     public RenderTexture targetTexture;
@@ -107,10 +101,7 @@ public static class RenderingUtils
 public abstract partial class ScriptableRenderer
 {
     [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRenderer.cs")]
-    public class RenderingFeatures
-    {
-        public bool msaa { get; set; } = true;
-    }
+    public class RenderingFeatures { public bool msaa { get; set; } = true; }
 
     public RenderingFeatures supportedRenderingFeatures { get; set; } = new RenderingFeatures();
 }

@@ -36,8 +36,7 @@ namespace UnityEngine.Rendering
     public sealed partial class GraphicsSettings
     {
         [OwnBehaviour]
-        public static Dictionary<Type, IRenderPipelineGraphicsSettings> Settings { get; } =
-            new Dictionary<Type, IRenderPipelineGraphicsSettings>();
+        public static Dictionary<Type, IRenderPipelineGraphicsSettings> Settings { get; } = new();
 
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsSettings.RenderPipelineGlobalSettings.bindings.cs")]
         public static T GetRenderPipelineSettings<T>() where T : class, IRenderPipelineGraphicsSettings =>
@@ -54,15 +53,12 @@ namespace UnityEngine.Rendering
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/Common/ContextContainer.cs")]
-    public abstract class ContextItem
-    {
-        public abstract void Reset();
-    }
+    public abstract class ContextItem { public abstract void Reset(); }
 
     [ReadFrom(At.Core17, "core", "Runtime/Common/ContextContainer.cs")]
     public class ContextContainer : IDisposable
     {
-        [OwnBehaviour] public Dictionary<Type, ContextItem> Items { get; } = new Dictionary<Type, ContextItem>();
+        [OwnBehaviour] public Dictionary<Type, ContextItem> Items { get; } = new();
 
         public T Get<T>() where T : ContextItem, new() => (T)Items[typeof(T)];
 
@@ -127,16 +123,10 @@ namespace UnityEngine.Rendering.RenderGraphModule
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
-    public class UnsafeGraphContext
-    {
-        public UnsafeCommandBuffer cmd;
-    }
+    public class UnsafeGraphContext { public UnsafeCommandBuffer cmd; }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
-    public partial struct RasterGraphContext
-    {
-        public RasterCommandBuffer cmd;
-    }
+    public partial struct RasterGraphContext { public RasterCommandBuffer cmd; }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public delegate void BaseRenderFunc<PassData, ContextType>(PassData data, ContextType renderGraphContext)
@@ -181,7 +171,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public List<(TextureHandle texture, AccessFlags access)> Textures =
                 new List<(TextureHandle, AccessFlags)>();
             public bool IsRaster;
-            public List<RendererListHandle> Lists = new List<RendererListHandle>();
+            public List<RendererListHandle> Lists = new();
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
 
             /// <summary>The pass's data; null for a pass of URP's own.</summary>
@@ -207,7 +197,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
         private sealed class DataPass<PassData> : Pass where PassData : class, new()
         {
-            private static readonly Stack<DataPass<PassData>> pool = new Stack<DataPass<PassData>>();
+            private static readonly Stack<DataPass<PassData>> pool = new();
             internal readonly PassData OwnData = new PassData();
             internal BaseRenderFunc<PassData, UnsafeGraphContext> UnsafeWork;
             internal BaseRenderFunc<PassData, RasterGraphContext> RasterWork;
@@ -231,7 +221,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
         }
 
         [OwnBehaviour] public RenderGraph() { }
-        [OwnBehaviour] public List<Pass> Passes { get; } = new List<Pass>();
+        [OwnBehaviour] public List<Pass> Passes { get; } = new();
 
         /// <summary>Ends a camera: its passes serve the next one.</summary>
         [OwnBehaviour]
@@ -243,8 +233,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
             lent.Clear();
         }
 
-        private readonly List<RTHandle> lent = new List<RTHandle>();
-        private readonly Stack<RTHandle> free = new Stack<RTHandle>();
+        private readonly List<RTHandle> lent = new();
+        private readonly Stack<RTHandle> free = new();
 
         [OwnBehaviour]
         public TextureHandle Lend(string name, in RenderTextureDescriptor descriptor)
@@ -289,10 +279,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
 namespace UnityEngine.Rendering
 {
     [ReadFrom(At.Core17, "core", "Runtime/Stripping/IStripper.cs")]
-    public interface IStripper
-    {
-        bool active { get; }
-    }
+    public interface IStripper { bool active { get; } }
 }
 
 namespace UnityEditor.Rendering
@@ -307,9 +294,6 @@ namespace UnityEditor.Rendering
     [ReadFrom(At.Core17, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
     public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData> { }
 
-    public partial class VolumeComponentEditor
-    {
-        public bool enableOverrides { get; set; } = true;
-    }
+    public partial class VolumeComponentEditor { public bool enableOverrides { get; set; } = true; }
 }
 #endif

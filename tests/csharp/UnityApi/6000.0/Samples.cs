@@ -3,10 +3,7 @@ using Unity.Collections;
 namespace UnityEditor
 {
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/Selection/Selection.bindings.cs")]
-    public sealed partial class Selection
-    {
-        public static UnityEngine.GameObject activeGameObject { get; set; }
-    }
+    public sealed partial class Selection { public static UnityEngine.GameObject activeGameObject { get; set; } }
 }
 
 namespace UnityEngine
@@ -14,14 +11,9 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RangeInt.cs")]
     public struct RangeInt
     {
-        public int start;
-        public int length;
+        public int start, length;
 
-        public RangeInt(int start, int length)
-        {
-            this.start = start;
-            this.length = length;
-        }
+        public RangeInt(int start, int length) => (this.start, this.length) = (start, length);
     }
 }
 

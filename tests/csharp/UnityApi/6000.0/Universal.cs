@@ -80,11 +80,7 @@ public struct CameraData
     public ref CameraType cameraType => ref Data.cameraType;
     public ref float maxShadowDistance => ref Data.maxShadowDistance;
 
-    public XRPass xr
-    {
-        get => Data.xr;
-        internal set => Data.SetXr(value);
-    }
+    public XRPass xr { get => Data.xr; internal set => Data.SetXr(value); }
 }
 
 [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalRenderingData.cs")]
@@ -109,9 +105,7 @@ public class UniversalLightData : ContextItem
 public class UniversalShadowData : ContextItem
 {
     public bool supportsMainLightShadows;
-    public int mainLightShadowmapWidth;
-    public int mainLightShadowmapHeight;
-    public int mainLightShadowCascadesCount;
+    public int mainLightShadowmapWidth, mainLightShadowmapHeight, mainLightShadowCascadesCount;
     public Vector3 mainLightShadowCascadesSplit;
     public float mainLightShadowCascadeBorder;
     public bool supportsSoftShadows;
@@ -122,8 +116,7 @@ public class UniversalShadowData : ContextItem
 [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalCameraData.cs")]
 public class UniversalCameraData : ContextItem
 {
-    [OwnBehaviour] public Matrix4x4[] Views;
-    [OwnBehaviour] public Matrix4x4[] Projections;
+    [OwnBehaviour] public Matrix4x4[] Views, Projections;
 
     public Camera camera;
     public CameraRenderType renderType;

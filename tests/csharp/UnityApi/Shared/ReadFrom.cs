@@ -9,12 +9,8 @@ namespace Penumbra.UnityApi
     [AttributeUsage(AttributeTargets.All, AllowMultiple = true, Inherited = false)]
     public sealed class ReadFromAttribute : Attribute
     {
-        public ReadFromAttribute(string version, string source, string path)
-        {
-            Version = version;
-            Source = source;
-            Path = path;
-        }
+        public ReadFromAttribute(string version, string source, string path) =>
+            (Version, Source, Path) = (version, source, path);
 
         public string Version { get; }
         public string Source { get; }

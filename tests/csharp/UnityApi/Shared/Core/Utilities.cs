@@ -24,7 +24,7 @@ namespace UnityEngine.Rendering
     public static class CoreUtils
     {
         /// <summary>The scene views whose light bulb is off.</summary>
-        [OwnBehaviour] public static readonly HashSet<Camera> Unlit = new HashSet<Camera>();
+        [OwnBehaviour] public static readonly HashSet<Camera> Unlit = new();
 
         public static Material CreateEngineMaterial(Shader shader) => new Material(shader);
 
@@ -48,7 +48,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core, "core", "Runtime/Common/CommandBufferPool.cs")]
     public static class CommandBufferPool
     {
-        private static readonly Stack<CommandBuffer> free = new Stack<CommandBuffer>();
+        private static readonly Stack<CommandBuffer> free = new();
 
         public static CommandBuffer Get() => free.Count > 0 ? free.Pop() : new CommandBuffer();
 
@@ -60,10 +60,7 @@ namespace UnityEngine.Rendering
     }
 
     [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
-    public class ProfilingSampler
-    {
-        public ProfilingSampler(string name) { }
-    }
+    public class ProfilingSampler { public ProfilingSampler(string name) { } }
 
     [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
     public struct ProfilingScope : IDisposable

@@ -1,16 +1,10 @@
 namespace UnityEngine.Rendering;
 
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeComponent.cs")]
-public partial class VolumeComponent : ScriptableObject
-{
-    public bool active = true;
-}
+public partial class VolumeComponent : ScriptableObject { public bool active = true; }
 
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
-public abstract class VolumeParameter
-{
-    public virtual bool overrideState { get; set; }
-}
+public abstract class VolumeParameter { public virtual bool overrideState { get; set; } }
 
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class VolumeParameter<T> : VolumeParameter
@@ -43,14 +37,10 @@ public class IntParameter : VolumeParameter<int>
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class ClampedIntParameter : IntParameter
 {
-    public int min;
-    public int max;
+    public int min, max;
 
-    public ClampedIntParameter(int value, int min, int max, bool overrideState = false) : base(value, overrideState)
-    {
-        this.min = min;
-        this.max = max;
-    }
+    public ClampedIntParameter(int value, int min, int max, bool overrideState = false) : base(value, overrideState) =>
+        (this.min, this.max) = (min, max);
 }
 
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
@@ -62,21 +52,17 @@ public class FloatParameter : VolumeParameter<float>
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class ClampedFloatParameter : FloatParameter
 {
-    public float min;
-    public float max;
+    public float min, max;
 
     public ClampedFloatParameter(float value, float min, float max, bool overrideState = false)
-        : base(value, overrideState)
-    {
-        this.min = min;
-        this.max = max;
-    }
+        : base(value, overrideState) =>
+        (this.min, this.max) = (min, max);
 }
 
 [ReadFrom(At.Core, "core", "Runtime/Volume/VolumeProfile.cs")]
 public sealed partial class VolumeProfile : ScriptableObject
 {
-    public List<VolumeComponent> components = new List<VolumeComponent>();
+    public List<VolumeComponent> components = new();
 
     public bool TryGet<T>(out T component) where T : VolumeComponent
     {
@@ -91,8 +77,7 @@ public sealed class VolumeStack : IDisposable
 {
     [OwnBehaviour] public VolumeStack() { }
 
-    [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } =
-        new Dictionary<Type, VolumeComponent>();
+    [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } = new();
 
     public T GetComponent<T>() where T : VolumeComponent =>
         Components.TryGetValue(typeof(T), out VolumeComponent found) ? (T)found : null;

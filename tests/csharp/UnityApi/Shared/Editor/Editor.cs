@@ -6,11 +6,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIContent.cs")]
     public class GUIContent
     {
-        public GUIContent(string text, string tooltip)
-        {
-            this.text = text;
-            this.tooltip = tooltip;
-        }
+        public GUIContent(string text, string tooltip) => (this.text, this.tooltip) = (text, tooltip);
 
         public string text { get; set; }
         public string tooltip { get; set; }
@@ -19,10 +15,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIStyle.cs")] public sealed partial class GUIStyle { }
 
     [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
-    public sealed class GUILayoutOption
-    {
-        private GUILayoutOption() { }
-    }
+    public sealed class GUILayoutOption { private GUILayoutOption() { } }
 
     [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
@@ -38,17 +31,11 @@ namespace UnityEditor
 {
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Inspector/CustomEditor.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/Inspector/Core/CustomEditor.cs")]
-    public partial class CustomEditor : Attribute
-    {
-        public CustomEditor(Type inspectedType) { }
-    }
+    public partial class CustomEditor : Attribute { public CustomEditor(Type inspectedType) { } }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/MenuItem.cs")]
     [AttributeUsage(AttributeTargets.Method)]
-    public sealed class MenuItem : Attribute
-    {
-        public MenuItem(string itemName) { }
-    }
+    public sealed class MenuItem : Attribute { public MenuItem(string itemName) { } }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Inspector/Editor.cs")]
     public partial class Editor : ScriptableObject
@@ -111,8 +98,7 @@ namespace UnityEditor
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
     public sealed partial class PrefabUtility
     {
-        [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Recorded { get; } =
-            new System.Collections.Generic.HashSet<Object>();
+        [OwnBehaviour] public static HashSet<Object> Recorded { get; } = new();
 
         public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
     }
@@ -123,8 +109,7 @@ namespace UnityEditor
     [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
     {
-        [OwnBehaviour] public static System.Collections.Generic.List<string> Boxes { get; } =
-            new System.Collections.Generic.List<string>();
+        [OwnBehaviour] public static List<string> Boxes { get; } = new();
 
         public static void HelpBox(string message, MessageType type) => Boxes.Add(message);
         public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) { }
@@ -149,8 +134,7 @@ namespace UnityEditor
     [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
     public partial class EditorUtility
     {
-        [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Dirty { get; } =
-            new System.Collections.Generic.HashSet<Object>();
+        [OwnBehaviour] public static HashSet<Object> Dirty { get; } = new();
 
         public static void SetDirty(Object target) => Dirty.Add(target);
 
@@ -170,20 +154,18 @@ namespace UnityEditor
             return "";
         }
         public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);
-        [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, Object> Assets { get; } =
-            new System.Collections.Generic.Dictionary<string, Object>();
+        [OwnBehaviour] public static Dictionary<string, Object> Assets { get; } = new();
 
         /// <summary>The main assets that others are parts of.</summary>
-        [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, Object> Contained { get; } =
-            new System.Collections.Generic.Dictionary<Object, Object>();
+        [OwnBehaviour] public static Dictionary<Object, Object> Contained { get; } = new();
 
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
         /// <summary>
         /// The paths of GUIDs: at first that of the package's folder of shaders, where the package manager puts it.
         /// </summary>
-        [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, string> Guids { get; } =
-            new System.Collections.Generic.Dictionary<string, string>
+        [OwnBehaviour] public static Dictionary<string, string> Guids { get; } =
+            new Dictionary<string, string>
             {
                 { "d547e543300383e817b83b7a554c305a", "Packages/com.penumbra.shadows/Shaders" },
             };
@@ -231,8 +213,7 @@ namespace UnityEditor
     public sealed partial class ShaderUtil
     {
         /// <summary>The compiler's messages, by shader.</summary>
-        [OwnBehaviour] public static System.Collections.Generic.Dictionary<Object, ShaderMessage[]> Messages { get; } =
-            new System.Collections.Generic.Dictionary<Object, ShaderMessage[]>();
+        [OwnBehaviour] public static Dictionary<Object, ShaderMessage[]> Messages { get; } = new();
 
         public static ShaderMessage[] GetShaderMessages(Shader s) => MessagesOf(s);
         public static ShaderMessage[] GetComputeShaderMessages(ComputeShader s) => MessagesOf(s);
@@ -250,10 +231,7 @@ namespace UnityEditor
 namespace UnityEditor.Build.Reporting
 {
     [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
-    public struct BuildSummary
-    {
-        public BuildOptions options { get; }
-    }
+    public struct BuildSummary { public BuildOptions options { get; } }
 
     [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
     public sealed partial class BuildReport : Object
@@ -279,33 +257,27 @@ namespace UnityEditor.Build
     }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
-    public interface IOrderedCallback
-    {
-        int callbackOrder { get; }
-    }
+    public interface IOrderedCallback { int callbackOrder { get; } }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessShaders : IOrderedCallback
     {
         void OnProcessShader(Shader shader, Rendering.ShaderSnippetData snippet,
-                             System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
+                             IList<Rendering.ShaderCompilerData> data);
     }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessComputeShaders : IOrderedCallback
     {
         void OnProcessComputeShader(ComputeShader shader, string kernelName,
-                                    System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
+                                    IList<Rendering.ShaderCompilerData> data);
     }
 }
 
 namespace UnityEditor.Rendering
 {
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
-    public struct ShaderSnippetData
-    {
-        public string passName => "";
-    }
+    public struct ShaderSnippetData { public string passName => ""; }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public enum ShaderCompilerMessageSeverity { Error, Warning }
@@ -333,7 +305,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
     public struct ShaderKeywordSet
     {
-        [OwnBehaviour] public System.Collections.Generic.HashSet<string> Enabled { get; set; }
+        [OwnBehaviour] public HashSet<string> Enabled { get; set; }
 
         public bool IsEnabled(ShaderKeyword keyword) => Enabled != null && Enabled.Contains(keyword.Name);
     }

@@ -10,7 +10,7 @@ namespace UnityEditor;
 public class SerializedObject
 {
     internal Object Target { get; }
-    internal Dictionary<string, object> Written { get; } = new Dictionary<string, object>();
+    internal Dictionary<string, object> Written { get; } = new();
 
     public SerializedObject(Object obj) { Target = obj; }
 
@@ -37,11 +37,7 @@ public partial class SerializedProperty
     private readonly SerializedObject owner;
     private readonly string path;
 
-    internal SerializedProperty(SerializedObject owner, string path)
-    {
-        this.owner = owner;
-        this.path = path;
-    }
+    internal SerializedProperty(SerializedObject owner, string path) => (this.owner, this.path) = (owner, path);
 
     public int intValue { get => Convert.ToInt32(Value); set => Value = value; }
     public float floatValue { get => (float)Value; set => Value = value; }
@@ -60,7 +56,7 @@ public partial class SerializedProperty
 [ReadFrom(At.Engine, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
 public partial class Undo
 {
-    private static readonly Stack<Action> Steps = new Stack<Action>();
+    private static readonly Stack<Action> Steps = new();
 
     internal static void Remember(Action step) => Steps.Push(step);
 

@@ -6,7 +6,7 @@ namespace UnityEditor
     [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
     public partial class AssetImporter : Object
     {
-        [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new Dictionary<string, AssetImporter>();
+        [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new();
 
         /// <summary>The number of times that its asset was imported again.</summary>
         [OwnBehaviour] public int Imports { get; private set; }

@@ -6,20 +6,17 @@ namespace UnityEditor.Rendering;
 public static class CoreEditorUtils
 {
     /// <summary>The messages that were drawn; tests press their buttons.</summary>
-    [OwnBehaviour] public static System.Collections.Generic.List<(string message, string button, System.Action action)> Boxes
+    [OwnBehaviour] public static List<(string message, string button, System.Action action)> Boxes
     {
         get;
-    } = new System.Collections.Generic.List<(string, string, System.Action)>();
+    } = new List<(string, string, System.Action)>();
 
     public static void DrawFixMeBox(string message, MessageType messageType, string buttonLabel, System.Action action) =>
         Boxes.Add((message, buttonLabel, action));
 }
 
 [ReadFrom(At.Core, "core", "Editor/Volume/SerializedDataParameter.cs")]
-public sealed class SerializedDataParameter
-{
-    internal SerializedDataParameter() { }
-}
+public sealed class SerializedDataParameter { internal SerializedDataParameter() { } }
 
 [ReadFrom(At.Core, "core", "Editor/Volume/VolumeComponentEditor.cs")]
 public partial class VolumeComponentEditor : Editor

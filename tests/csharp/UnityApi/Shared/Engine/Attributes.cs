@@ -45,14 +45,9 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class RangeAttribute : PropertyAttribute
     {
-        public readonly float min;
-        public readonly float max;
+        public readonly float min, max;
 
-        public RangeAttribute(float min, float max)
-        {
-            this.min = min;
-            this.max = max;
-        }
+        public RangeAttribute(float min, float max) => (this.min, this.max) = (min, max);
     }
 }
 
@@ -76,10 +71,7 @@ namespace UnityEditor.ShaderKeywordFilter
 {
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
-    public class FilterAttribute : Attribute
-    {
-        internal FilterAttribute() { }
-    }
+    public class FilterAttribute : Attribute { internal FilterAttribute() { } }
 
     [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]

@@ -4,7 +4,7 @@ namespace UnityEngine.Rendering;
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.bindings.cs")]
 public partial class CommandBuffer : IDisposable
 {
-    private readonly List<Action<FakeDevice>> commands = new List<Action<FakeDevice>>();
+    private readonly List<Action<FakeDevice>> commands = new();
 
     [OwnBehaviour] public IReadOnlyList<Action<FakeDevice>> Commands => commands;
 

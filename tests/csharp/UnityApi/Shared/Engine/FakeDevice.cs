@@ -24,8 +24,7 @@ public sealed class FakeDevice
         public string Groups;
         public Dictionary<string, object> Uniforms;
         public Dictionary<string, string> Textures;
-        public SortedSet<string> Keywords;
-        public SortedSet<string> GlobalKeywords;
+        public SortedSet<string> Keywords, GlobalKeywords;
 
         /// <summary>Whether the editor may skip the draw until it has compiled the program.</summary>
         public bool CompilesAsynchronously;
@@ -33,12 +32,12 @@ public sealed class FakeDevice
 
     public bool CompilesAsynchronously { get; set; } = true;
 
-    public SortedSet<string> Keywords { get; } = new SortedSet<string>();
-    public SortedSet<string> MaterialKeywords { get; } = new SortedSet<string>();
-    public Dictionary<string, object> Uniforms { get; } = new Dictionary<string, object>();
-    public Dictionary<string, string> Textures { get; } = new Dictionary<string, string>();
-    public List<DrawCall> Draws { get; } = new List<DrawCall>();
-    public List<string> Copies { get; } = new List<string>();
+    public SortedSet<string> Keywords { get; } = new();
+    public SortedSet<string> MaterialKeywords { get; } = new();
+    public Dictionary<string, object> Uniforms { get; } = new();
+    public Dictionary<string, string> Textures { get; } = new();
+    public List<DrawCall> Draws { get; } = new();
+    public List<string> Copies { get; } = new();
     public string Target { get; set; } = "camera";
     private RenderBufferLoadAction load;
     private Rect? viewport;

@@ -4,22 +4,7 @@ namespace UnityEngine;
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Matrix4x4.cs")]
 public partial struct Matrix4x4 : IEquatable<Matrix4x4>
 {
-    public float m00;
-    public float m10;
-    public float m20;
-    public float m30;
-    public float m01;
-    public float m11;
-    public float m21;
-    public float m31;
-    public float m02;
-    public float m12;
-    public float m22;
-    public float m32;
-    public float m03;
-    public float m13;
-    public float m23;
-    public float m33;
+    public float m00, m10, m20, m30, m01, m11, m21, m31, m02, m12, m22, m32, m03, m13, m23, m33;
 
     public Matrix4x4(Vector4 column0, Vector4 column1, Vector4 column2, Vector4 column3)
     {

@@ -17,16 +17,10 @@ public partial class Object
 }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Debug/Debug.bindings.cs")]
-public partial class Debug
-{
-    public static bool isDebugBuild { get; [OwnBehaviour] set; } = true;
-}
+public partial class Debug { public static bool isDebugBuild { get; [OwnBehaviour] set; } = true; }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/LayerMask.bindings.cs")]
-public struct LayerMask
-{
-    public static string LayerToName(int layer) => layer == 4 ? "Water" : "";
-}
+public struct LayerMask { public static string LayerToName(int layer) => layer == 4 ? "Water" : ""; }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
 public partial class Component : Object

@@ -1,16 +1,10 @@
 namespace UnityEngine
 {
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Bounds.cs")]
-    public partial struct Bounds : IEquatable<Bounds>
-    {
-        public bool Equals(Bounds other) => true;
-    }
+    public partial struct Bounds : IEquatable<Bounds> { public bool Equals(Bounds other) => true; }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
-    public sealed partial class Camera : Behaviour
-    {
-        public bool allowDynamicResolution { get; set; }
-    }
+    public sealed partial class Camera : Behaviour { public bool allowDynamicResolution { get; set; } }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Plane.cs")] public partial struct Plane { }
 
@@ -123,8 +117,7 @@ namespace UnityEngine
 
         /// <summary>The formats between whose texels the device does not interpolate.</summary>
         [OwnBehaviour]
-        public static System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat> Unfiltered { get; } =
-            new System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat>();
+        public static HashSet<Experimental.Rendering.GraphicsFormat> Unfiltered { get; } = new();
     }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Time/Time.bindings.cs")]
@@ -210,11 +203,7 @@ namespace Unity.Collections
 
         public int Length => Items?.Length ?? 0;
 
-        public T this[int index]
-        {
-            get => Items[index];
-            set => Items[index] = value;
-        }
+        public T this[int index] { get => Items[index]; set => Items[index] = value; }
 
         public bool Equals(NativeArray<T> other) => Items == other.Items;
     }

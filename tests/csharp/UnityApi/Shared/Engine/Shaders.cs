@@ -5,13 +5,13 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.bindings.cs")]
     public sealed partial class Shader : Object
     {
-        private static readonly List<string> properties = new List<string>();
+        private static readonly List<string> properties = new();
 
         /// <summary>The shaders that Find() finds.</summary>
-        [OwnBehaviour] public static readonly Dictionary<string, Shader> Known = new Dictionary<string, Shader>();
+        [OwnBehaviour] public static readonly Dictionary<string, Shader> Known = new();
 
         /// <summary>The names of the passes, in order.</summary>
-        [OwnBehaviour] public List<string> PassNames { get; } = new List<string>();
+        [OwnBehaviour] public List<string> PassNames { get; } = new();
 
         [OwnBehaviour] public static string PropertyName(int id) => properties[id];
 
@@ -24,7 +24,7 @@ namespace UnityEngine
 
         public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(KeywordNames);
 
-        [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new Dictionary<string, object>();
+        [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new();
 
         [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Vector4 GetGlobalVector(string name) =>
@@ -53,16 +53,14 @@ namespace UnityEngine
         public sealed class Kernel
         {
             public string Name;
-            public uint X;
-            public uint Y;
-            public uint Z;
+            public uint X, Y, Z;
             public bool IsSupported = true;
         }
 
-        [OwnBehaviour] public List<Kernel> Kernels { get; } = new List<Kernel>();
+        [OwnBehaviour] public List<Kernel> Kernels { get; } = new();
 
         /// <summary>The keywords that the kernel's file declares.</summary>
-        [OwnBehaviour] public List<string> KeywordNames { get; set; } = new List<string>();
+        [OwnBehaviour] public List<string> KeywordNames { get; set; } = new();
 
         [OwnBehaviour] public ComputeShader() { }
 

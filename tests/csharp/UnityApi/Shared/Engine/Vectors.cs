@@ -3,8 +3,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector2.cs")]
     public struct Vector2 : IEquatable<Vector2>
     {
-        public float x;
-        public float y;
+        public float x, y;
 
         public Vector2(float x, float y) { this.x = x; this.y = y; }
 
@@ -17,9 +16,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector3.cs")]
     public partial struct Vector3 : IEquatable<Vector3>
     {
-        public float x;
-        public float y;
-        public float z;
+        public float x, y, z;
 
         public Vector3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
 
@@ -44,10 +41,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector4.cs")]
     public struct Vector4 : IEquatable<Vector4>
     {
-        public float x;
-        public float y;
-        public float z;
-        public float w;
+        public float x, y, z, w;
 
         public Vector4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
 
@@ -64,10 +58,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Color.cs")]
     public struct Color : IEquatable<Color>
     {
-        public float r;
-        public float g;
-        public float b;
-        public float a;
+        public float r, g, b, a;
 
         public Color(float r, float g, float b, float a) { this.r = r; this.g = g; this.b = b; this.a = a; }
 

@@ -2,23 +2,14 @@ namespace UnityEngine;
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
-public sealed class ContextMenu : Attribute
-{
-    public ContextMenu(string itemName) { }
-}
+public sealed class ContextMenu : Attribute { public ContextMenu(string itemName) { } }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
-public sealed class AddComponentMenu : Attribute
-{
-    public AddComponentMenu(string menuName) { }
-}
+public sealed class AddComponentMenu : Attribute { public AddComponentMenu(string menuName) { } }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
 [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
-public sealed class RequireComponent : Attribute
-{
-    public RequireComponent(Type requiredComponent) { }
-}
+public sealed class RequireComponent : Attribute { public RequireComponent(Type requiredComponent) { } }
 
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
 [AttributeUsage(AttributeTargets.Class, Inherited = false)]

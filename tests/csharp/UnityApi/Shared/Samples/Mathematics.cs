@@ -42,13 +42,8 @@ public partial struct Quaternion : IEquatable<Quaternion>
 [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Rect.cs")]
 public partial struct Rect : IEquatable<Rect>
 {
-    public Rect(float x, float y, float width, float height)
-    {
-        this.x = x;
-        this.y = y;
-        this.width = width;
-        this.height = height;
-    }
+    public Rect(float x, float y, float width, float height) =>
+        (this.x, this.y, this.width, this.height) = (x, y, width, height);
 
     public float x { get; set; }
     public float y { get; set; }

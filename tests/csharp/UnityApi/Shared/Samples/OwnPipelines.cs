@@ -2,10 +2,7 @@ using Unity.Collections;
 
 namespace UnityEngine.Rendering
 {
-    public abstract partial class RenderPipelineAsset
-    {
-        protected abstract RenderPipeline CreatePipeline();
-    }
+    public abstract partial class RenderPipelineAsset { protected abstract RenderPipeline CreatePipeline(); }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
     public abstract class RenderPipeline
@@ -73,7 +70,7 @@ namespace UnityEngine.Rendering
         [OwnBehaviour] public static CullingResults Next { get; set; }
 
         /// <summary>The numbers of the cascades that have no matrices.</summary>
-        [OwnBehaviour] public static HashSet<int> Missing { get; } = new HashSet<int>();
+        [OwnBehaviour] public static HashSet<int> Missing { get; } = new();
 
         [OwnBehaviour] public static VisibleLight[] Lights { get; set; } = new VisibleLight[0];
 
@@ -170,10 +167,7 @@ namespace UnityEngine.Rendering
     }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
-    public struct RendererList
-    {
-        [OwnBehaviour] public string What { get; set; }
-    }
+    public struct RendererList { [OwnBehaviour] public string What { get; set; } }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
     public struct RendererListParams : IEquatable<RendererListParams>

@@ -32,7 +32,7 @@ namespace UnityEngine
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
     public sealed partial class GameObject : Object
     {
-        [OwnBehaviour] public List<Component> Components { get; } = new List<Component>();
+        [OwnBehaviour] public List<Component> Components { get; } = new();
 
         public GameObject() { }
 
@@ -82,10 +82,7 @@ namespace UnityEngine
     public enum PrimitiveType { Sphere = 0, Capsule = 1, Cylinder = 2, Cube = 3, Plane = 4, Quad = 5 }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    public sealed partial class MeshFilter : Component
-    {
-        public Mesh sharedMesh { get; set; }
-    }
+    public sealed partial class MeshFilter : Component { public Mesh sharedMesh { get; set; } }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
     public partial class Renderer : Component
@@ -122,11 +119,7 @@ namespace UnityEngine
 
     public partial struct Bounds
     {
-        public Bounds(Vector3 center, Vector3 size)
-        {
-            this.center = center;
-            this.size = size;
-        }
+        public Bounds(Vector3 center, Vector3 size) => (this.center, this.size) = (center, size);
 
         public Vector3 center { get; set; }
         public Vector3 size { get; set; }
@@ -142,10 +135,7 @@ namespace UnityEngine
     }
 
     [ReadFrom(At.Engine, "engine", "Runtime/Export/Application/Application.bindings.cs")]
-    public partial class Application
-    {
-        public static bool isPlaying { get; [OwnBehaviour] set; }
-    }
+    public partial class Application { public static bool isPlaying { get; [OwnBehaviour] set; } }
 }
 
 namespace UnityEngine.Rendering

@@ -29,7 +29,7 @@ namespace UnityEngine.Rendering.Universal
     public abstract partial class ScriptableRenderer : IDisposable
     {
         [OwnBehaviour] protected ScriptableRenderer() { }
-        [OwnBehaviour] public List<ScriptableRenderPass> Queue { get; } = new List<ScriptableRenderPass>();
+        [OwnBehaviour] public List<ScriptableRenderPass> Queue { get; } = new();
 
         public void EnqueuePass(ScriptableRenderPass pass) => Queue.Add(pass);
 
@@ -53,7 +53,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRendererData.cs")]
     public abstract partial class ScriptableRendererData : ScriptableObject
     {
-        public List<ScriptableRendererFeature> rendererFeatures { get; } = new List<ScriptableRendererFeature>();
+        public List<ScriptableRendererFeature> rendererFeatures { get; } = new();
     }
 
     [ReadFrom(At.Universal, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
