@@ -46,55 +46,72 @@ int precedence_of(const Token& token) {
 }
 
 constexpr int of_unary = 11;
-constexpr int deepest_expression = 200;
+constexpr int deepest_expression = 1000;
 
-std::int32_t wrapped(std::int64_t value) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(value));
+// A number of 32 bits. As in C, an operation is unsigned where one of its operands is.
+struct Value {
+  std::uint32_t bits = 0;
+  bool is_unsigned = false;
+
+  std::int32_t number() const { return static_cast<std::int32_t>(bits); }
+};
+
+Value truth(bool value) {
+  return {value ? 1U : 0U, false};
 }
 
-std::int32_t divided(Spelling operation, std::int32_t a, std::int32_t b) {
-  if (a == std::numeric_limits<std::int32_t>::min() && b == -1) return 0;
-  return operation == known::divide ? a / b : a % b;
+bool is_less(Value a, Value b, bool is_unsigned) {
+  return is_unsigned ? a.bits < b.bits : a.number() < b.number();
 }
 
-std::int32_t shifted(Spelling operation, std::int32_t a, std::int32_t b) {
-  if (b < 0 || b > 31) throw Problem("in this condition: a shift by less than 0 or more than 31");
-  return operation == known::shift_left ? wrapped(std::int64_t{a} << b) : a >> b;
+// The divisor is not 0.
+Value divided(Spelling operation, Value a, Value b, bool is_unsigned) {
+  const bool quotient = operation == known::divide;
+  if (is_unsigned) return {quotient ? a.bits / b.bits : a.bits % b.bits, true};
+  if (b.number() == -1) return {quotient ? 0U - a.bits : 0U, false};
+  return {static_cast<std::uint32_t>(quotient ? a.number() / b.number() : a.number() % b.number()), false};
 }
 
-std::int32_t applied(Spelling operation, std::int32_t a, std::int32_t b) {
+Value shifted(Spelling operation, Value a, Value b) {
+  if (b.bits > 31) throw Problem("in this condition: a shift by less than 0 or more than 31");
+  if (operation == known::shift_left) return {a.bits << b.bits, a.is_unsigned};
+  return {a.is_unsigned ? a.bits >> b.bits : static_cast<std::uint32_t>(a.number() >> b.bits), a.is_unsigned};
+}
+
+Value applied(Spelling operation, Value a, Value b) {
+  const bool is_unsigned = a.is_unsigned || b.is_unsigned;
   switch (operation) {
     case known::logical_or:
-      return a != 0 || b != 0;
+      return truth(a.bits != 0 || b.bits != 0);
     case known::logical_and:
-      return a != 0 && b != 0;
+      return truth(a.bits != 0 && b.bits != 0);
     case known::bit_or:
-      return a | b;
+      return {a.bits | b.bits, is_unsigned};
     case known::bit_xor:
-      return a ^ b;
+      return {a.bits ^ b.bits, is_unsigned};
     case known::bit_and:
-      return a & b;
+      return {a.bits & b.bits, is_unsigned};
     case known::equal:
-      return a == b;
+      return truth(a.bits == b.bits);
     case known::unequal:
-      return a != b;
+      return truth(a.bits != b.bits);
     case known::greater:
-      return a > b;
+      return truth(is_less(b, a, is_unsigned));
     case known::at_least:
-      return a >= b;
+      return truth(!is_less(a, b, is_unsigned));
     case known::less:
-      return a < b;
+      return truth(is_less(a, b, is_unsigned));
     case known::at_most:
-      return a <= b;
+      return truth(!is_less(b, a, is_unsigned));
     case known::plus:
-      return wrapped(std::int64_t{a} + b);
+      return {a.bits + b.bits, is_unsigned};
     case known::minus:
-      return wrapped(std::int64_t{a} - b);
+      return {a.bits - b.bits, is_unsigned};
     case known::times:
-      return wrapped(std::int64_t{a} * b);
+      return {a.bits * b.bits, is_unsigned};
     case known::divide:
     case known::remainder:
-      return divided(operation, a, b);
+      return divided(operation, a, b, is_unsigned);
     default:
       return shifted(operation, a, b);
   }
@@ -106,12 +123,12 @@ class Evaluation {
   Evaluation(const std::vector<Token>& tokens, const Spellings& spellings)
       : tokens_(tokens), spellings_(spellings) {}
 
-  std::int32_t run() {
-    const std::int32_t value = choice(true);
+  bool run() {
+    const Value value = choice(true);
     if (at_ < tokens_.size())
       throw Problem("the condition ends before its line does, at '" + spellings_.text(tokens_[at_].spelling) +
                     "'");
-    return value;
+    return value.bits != 0;
   }
 
  private:
@@ -122,32 +139,33 @@ class Evaluation {
   }
 
   // `counts` is false where the value is not used: dividing by zero is no error there.
-  std::int32_t choice(bool counts) {
+  Value choice(bool counts) {
     if (++depth_ > deepest_expression) throw Problem("in this condition: brackets nested too deeply");
-    const std::int32_t condition = expression(0, counts);
-    std::int32_t value = condition;
+    const Value condition = expression(0, counts);
+    Value value = condition;
     if (take(known::question)) {
-      const std::int32_t first = choice(counts && condition != 0);
+      const Value first = choice(counts && condition.bits != 0);
       if (!take(known::colon)) throw Problem("in this condition: '?' without ':'");
-      const std::int32_t second = choice(counts && condition == 0);
-      value = condition != 0 ? first : second;
+      const Value second = choice(counts && condition.bits == 0);
+      value = condition.bits != 0 ? first : second;
+      value.is_unsigned = first.is_unsigned || second.is_unsigned;
     }
     --depth_;
     return value;
   }
 
-  std::int32_t expression(int precedence, bool counts) {
-    std::int32_t value = operand(counts);
+  Value expression(int precedence, bool counts) {
+    Value value = operand(counts);
     while (at_ < tokens_.size()) {
       const int here = precedence_of(tokens_[at_]);
       if (here <= precedence) break;
       const Spelling operation = tokens_[at_++].spelling;
-      const bool decided =
-          (operation == known::logical_or && value != 0) || (operation == known::logical_and && value == 0);
-      const std::int32_t other = expression(here, counts && !decided);
-      if ((operation == known::divide || operation == known::remainder) && other == 0) {
+      const bool decided = (operation == known::logical_or && value.bits != 0) ||
+                           (operation == known::logical_and && value.bits == 0);
+      const Value other = expression(here, counts && !decided);
+      if ((operation == known::divide || operation == known::remainder) && other.bits == 0) {
         if (counts) throw Problem("in this condition: division by 0");
-        value = 0;
+        value = {};
       } else {
         value = applied(operation, value, other);
       }
@@ -155,24 +173,26 @@ class Evaluation {
     return value;
   }
 
-  std::int32_t operand(bool counts) {
+  Value operand(bool counts) {
     if (at_ == tokens_.size()) throw Problem("this condition has no value");
     const Token token = tokens_[at_++];
-    if (token.kind == Kind::identifier) return 0;
+    if (token.kind == Kind::identifier) return {};
     if (token.kind == Kind::integer) return value_of(spellings_.text(token.spelling));
     if (++depth_ > deepest_expression) throw Problem("in this condition: operators nested too deeply");
-    std::int32_t value = 0;
+    Value value;
     if (token.is(known::open)) {
       value = choice(counts);
       if (!take(known::close)) throw Problem("in this condition: '(' is never closed");
     } else if (token.is(known::plus)) {
       value = expression(of_unary, counts);
     } else if (token.is(known::minus)) {
-      value = wrapped(-std::int64_t{expression(of_unary, counts)});
+      value = expression(of_unary, counts);
+      value.bits = 0U - value.bits;
     } else if (token.is(known::complement)) {
-      value = ~expression(of_unary, counts);
+      value = expression(of_unary, counts);
+      value.bits = ~value.bits;
     } else if (token.is(known::negate)) {
-      value = expression(of_unary, counts) == 0;
+      value = truth(expression(of_unary, counts).bits == 0);
     } else {
       throw Problem("this condition has no value: unexpected '" + spellings_.text(token.spelling) + "'");
     }
@@ -180,12 +200,15 @@ class Evaluation {
     return value;
   }
 
-  static std::int32_t value_of(const std::string& number) {
+  // A number is unsigned if it says so, or if it is too large for an int.
+  static Value value_of(const std::string& number) {
     char* end = nullptr;
     const std::uint64_t value = std::strtoull(number.c_str(), &end, 0);
-    if (std::string_view("uUlL").find(*end) == std::string_view::npos && *end != '\0')
+    const std::string_view suffix(end);
+    if (suffix.find_first_not_of("uUlL") != std::string_view::npos)
       throw Problem("in this condition: '" + number + "' is not an integer");
-    return wrapped(static_cast<std::int64_t>(value));
+    const bool says_so = suffix.find_first_of("uU") != std::string_view::npos;
+    return {static_cast<std::uint32_t>(value), says_so || value > std::numeric_limits<std::int32_t>::max()};
   }
 
   const std::vector<Token>& tokens_;
@@ -198,7 +221,7 @@ class Evaluation {
 
 bool holds(const Token* first, const Token* last, Expansion& expansion, const Spellings& spellings) {
   const std::vector<Token> tokens = expansion.expanded(first, last, true);
-  return Evaluation(tokens, spellings).run() != 0;
+  return Evaluation(tokens, spellings).run();
 }
 
 }  // namespace penumbra::preprocessing

@@ -237,7 +237,7 @@ class SourceCut {
       item.step = Step::problem;
       out_.messages.emplace_back(problem.what());
     }
-    nest(item, line);
+    nest(item);
     out_.items.push_back(item);
   }
 
@@ -254,7 +254,7 @@ class SourceCut {
       }
       case Step::include:
         item.index = out_.includes.size();
-        out_.includes.push_back(header(first_line(rest)));
+        out_.includes.push_back(header(line, first_line(rest)));
         return;
       case Step::undef:
       case Step::on_defined:
@@ -271,8 +271,8 @@ class SourceCut {
         item.last = out_.tokens.size();
         return;
       case Step::skipped:
-        out_.once = out_.once || (name.spelling == known::word_pragma && !line.empty() &&
-                                  spellings_.text(line.front().spelling) == "once");
+        item.once = name.spelling == known::word_pragma && !line.empty() &&
+                    spellings_.text(line.front().spelling) == "once";
         return;
       case Step::otherwise:
       case Step::end:
@@ -286,16 +286,21 @@ class SourceCut {
   }
 
   // Returns the file that #include names.
-  std::string header(std::string_view line) {
-    const bool quoted = line.starts_with('"');
-    if (!quoted && !line.starts_with('<')) throw Problem("'#include' needs a \"file\" or a <file>");
-    const std::size_t end = line.find(quoted ? '"' : '>', 1);
-    if (end == std::string_view::npos)
-      throw Problem(std::string("this '#include' has no closing '") + (quoted ? '"' : '>') + "'");
-    return std::string(line.substr(1, end - 1));
+  std::string header(const std::vector<Token>& line, std::string_view rest) {
+    if (!line.empty() && line.front().kind == Kind::string) {
+      const std::string& quoted = spellings_.text(line.front().spelling);
+      return quoted.substr(1, quoted.size() - 2);
+    }
+    if (!rest.starts_with('<') && !rest.starts_with('"'))
+      throw Problem("'#include' needs a \"file\" or a <file>");
+    const std::size_t end = rest.find('>', 1);
+    if (rest.front() == '"' || end == std::string_view::npos)
+      throw Problem(std::string("this '#include' has no closing '") + (rest.front() == '"' ? '"' : '>') +
+                    "'");
+    return std::string(rest.substr(1, end - 1));
   }
 
-  void nest(const Item& item, const std::vector<Token>& line) {
+  void nest(const Item& item) {
     const std::size_t here = out_.items.size();
     const Step step = item.step;
     if (step == Step::on_condition || step == Step::on_defined || step == Step::on_undefined) {
@@ -309,7 +314,6 @@ class SourceCut {
     if (step != Step::end && condition.otherwise_seen)
       fail(step == Step::otherwise ? "'#else' comes after another '#else'" : "'#elif' comes after '#else'",
            item.place);
-    if (step == Step::end && !line.empty()) fail("more follows '#endif' on its line", item.place);
     condition.otherwise_seen = condition.otherwise_seen || step == Step::otherwise;
     if (step != Step::end) return condition.branches.push_back(here);
     for (const std::size_t branch : condition.branches) out_.items[branch].end = here;

@@ -47,6 +47,7 @@ enum class Step : std::uint8_t {
 struct Item {
   Step step = Step::problem;
   Place place;            // place of a directive's '#'
+  bool once = false;      // it is #pragma once
   std::size_t index = 0;  // index of the run, definition, include or message, or the spelling of the macro
   std::size_t first = 0;  // a condition's tokens
   std::size_t last = 0;
@@ -58,7 +59,6 @@ struct CutSource {
   // An error wherever the source is read: a condition or a comment without its end. Empty if there is none.
   std::string problem;
   Place problem_place;
-  bool once = false;  // the source says #pragma once
   std::vector<Item> items;
   std::vector<Run> runs;
   std::vector<Token> tokens;  // tokens of runs and conditions

@@ -9,7 +9,9 @@ namespace penumbra::preprocessing {
 namespace {
 
 constexpr std::size_t most_tokens = 4'000'000;  // tokens of one run; URP's lighting has some ten thousand
-constexpr int deepest_call = 200;               // nested calls in arguments
+constexpr int deepest_call = 1000;              // nested calls in arguments
+
+constexpr std::size_t longest_token = std::size_t{64} << 10U;  // that ## makes
 
 bool may_be_joined(const Token& token) {
   return token.kind == Kind::identifier || token.kind == Kind::integer || token.kind == Kind::number;
@@ -166,16 +168,13 @@ Expansion::Arguments Expansion::read_arguments(const Definition& macro, const Pl
   scan();
   const bool was_in_call = std::exchange(in_call_, true);
   std::vector<Token> list;
-  std::vector<Spelling> open;
+  std::size_t depth = 0;  // of round brackets
   for (;;) {
     const Token token = scan();
     if (token.kind == Kind::end)
       throw Problem("the call of macro '" + spellings_.text(macro.name) + "' is never closed", call);
-    if (open.empty() && token.is(known::close)) break;
-    if (const Spelling close = closing(token); close != 0)
-      open.push_back(close);
-    else if (!open.empty() && token.is(open.back()))
-      open.pop_back();
+    if (token.is(known::close) && depth-- == 0) break;
+    if (token.is(known::open)) ++depth;
     list.push_back(token);
   }
   in_call_ = was_in_call;
@@ -247,6 +246,7 @@ std::vector<Token> Expansion::substituted(const Definition& macro, const Argumen
     pastes = false;
   }
   for (Token& token : tokens) token.parameter = no_parameter;
+  scanned_ += tokens.size();
   return tokens;
 }
 
@@ -254,6 +254,7 @@ std::vector<Token> Expansion::substituted(const Definition& macro, const Argumen
 // Tokens that do not form one stay two.
 void Expansion::join(std::vector<Token>& left, const Token* right, const Token* last) {
   const std::string text = spellings_.text(left.back().spelling) + spellings_.text(right->spelling);
+  if (text.size() > longest_token) throw Problem("## makes a name of more than 64 KiB");
   TokenScan scan(text, spellings_);
   Token joined = scan.next();
   if (scan.next().kind == Kind::end) {

@@ -62,6 +62,7 @@ class Expansion {
   void continue_with(Continuation* continuation) { continuation_ = continuation; }
   const Token* position() const { return at_; }  // position in the bottom input
   const Place& place() const { return place_; }  // place of the token that was read last from the text
+  void begin_directive(const Place& place) { place_ = place; }
 
   Token scan();
   // If a macro of that name is called here, pushes its expansion and returns true.

@@ -162,8 +162,10 @@ class Reading final : public Continuation {
       case Step::otherwise:
         frame.at = item.end;
         return true;
-      case Step::end:
       case Step::skipped:
+        if (item.once) once_.insert(frame.name);
+        break;
+      case Step::end:
         break;
       case Step::problem:
         throw Problem(source.messages[item.index], item.place);
@@ -183,6 +185,7 @@ class Reading final : public Continuation {
   bool chosen(const Item& item) {
     if (item.step == Step::otherwise) return true;
     const Token* const tokens = frame_->source.tokens.data();
+    expansion_.begin_directive(item.place);
     if (item.step == Step::on_condition || item.step == Step::or_on_condition)
       return holds(tokens + item.first, tokens + item.last, expansion_, spellings_);
     if (item.index == known::open)
@@ -207,8 +210,7 @@ class Reading final : public Continuation {
   bool include(const std::string& asked, const Place& place) {
     IncludedFile file = includes_.enter(asked, frame_->name);
     if (!file.problem.empty()) throw Problem(file.problem, place);
-    const bool skipped = file.source->once && !once_.insert(file.name).second;
-    const bool right = skipped || read(*file.source, std::move(file.name));
+    const bool right = once_.contains(file.name) || read(*file.source, std::move(file.name));
     includes_.leave();
     return right;
   }
@@ -223,8 +225,9 @@ class Reading final : public Continuation {
   void run() {
     const CutSource& source = frame_->source;
     const Run* run = &source.runs[source.items[frame_->at].index];
+    bool plain = mentions_no_macro(*run);
     for (std::size_t at = run->first; at < run->last;) {
-      const std::size_t macro = next_macro(*run, at);
+      const std::size_t macro = plain ? run->last : next_macro(*run, at);
       if (run->bad >= at && run->bad < macro)
         throw Problem(message_for_bad(spellings_.text(source.tokens[run->bad].spelling)),
                       source.places[run->bad]);
@@ -232,23 +235,25 @@ class Reading final : public Continuation {
       if (macro == run->last) break;
       read_text(macro, run->last);
       expand();
-      run = &source.runs[source.items[frame_->at].index];
+      const Run* const now = &source.runs[source.items[frame_->at].index];
+      if (now != run) plain = mentions_no_macro(*now);
+      run = now;
       at = static_cast<std::size_t>(expansion_.position() - source.tokens.data());
     }
   }
 
+  bool is_macro(Spelling name) const { return macros_.is_defined(name) || name == known::word_line; }
+
+  bool mentions_no_macro(const Run& run) const {
+    const auto names = frame_->source.names.begin();
+    return std::none_of(names + static_cast<std::ptrdiff_t>(run.first_name),
+                        names + static_cast<std::ptrdiff_t>(run.last_name),
+                        [this](Spelling name) { return is_macro(name); });
+  }
+
   std::size_t next_macro(const Run& run, std::size_t at) const {
-    const CutSource& source = frame_->source;
-    const auto names = source.names.begin();
-    const bool plain = std::none_of(names + static_cast<std::ptrdiff_t>(run.first_name),
-                                    names + static_cast<std::ptrdiff_t>(run.last_name), [&](Spelling each) {
-                                      return macros_.is_defined(each) || each == known::word_line;
-                                    });
-    if (plain) return run.last;
-    while (at < run.last &&
-           !(source.tokens[at].kind == Kind::identifier && (macros_.is_defined(source.tokens[at].spelling) ||
-                                                            source.tokens[at].spelling == known::word_line)))
-      ++at;
+    const std::vector<Token>& tokens = frame_->source.tokens;
+    while (at < run.last && !(tokens[at].kind == Kind::identifier && is_macro(tokens[at].spelling))) ++at;
     return at;
   }
 

@@ -142,8 +142,10 @@ Kind TokenScan::number() {
 }
 
 Kind TokenScan::string() {
-  for (++at_; at_ < text_.size() && peek() != '"' && peek() != '\n'; ++at_)
-    if (peek() == '\\' && peek(1) != '\n' && peek(1) != '\0') ++at_;
+  for (++at_; at_ < text_.size() && peek() != '"' && peek() != '\n';) {
+    if (skip_joins()) continue;
+    at_ += peek() == '\\' && peek(1) != '\0' ? 2 : 1;
+  }
   if (peek() != '"') return Kind::bad;
   ++at_;
   return Kind::string;
