@@ -38,8 +38,7 @@ TEST(PlatformDefines, AreThoseOfTheTable) {
                                    Key("SHADER_STAGE_VERTEX"), Key("SHADER_TARGET"), Key("UNITY_VERSION"),
                                    Key("SHADER_TARGET_GLSL"), Pair("_Object2World", "unity_ObjectToWorld"),
                                    Key("_World2Object"), Pair("_LightMatrix0", "unity_WorldToLight"),
-                                   Key("unity_World2Shadow"), Key("_CameraToWorld"), Key("_WorldToCamera"),
-                                   Key("_Projector"), Key("_ProjectorClip")));
+                                   Key("unity_World2Shadow"), Key("_Projector"), Key("_ProjectorClip")));
 }
 
 // The lists are those of Unity's own error messages, "Platform defines:".

@@ -49,8 +49,6 @@ constexpr std::pair<const char*, const char*> renamed[] = {{"_Object2World", "un
                                                            {"_World2Object", "unity_WorldToObject"},
                                                            {"unity_World2Shadow", "unity_WorldToShadow"},
                                                            {"_LightMatrix0", "unity_WorldToLight"},
-                                                           {"_CameraToWorld", "unity_CameraToWorld"},
-                                                           {"_WorldToCamera", "unity_WorldToCamera"},
                                                            {"_Projector", "unity_Projector"},
                                                            {"_ProjectorClip", "unity_ProjectorClip"}};
 
