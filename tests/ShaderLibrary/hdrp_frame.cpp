@@ -76,8 +76,7 @@ Compiled& compiled(const HdrpFunction& function, HdrpVersion version, DepthDirec
   return passes.emplace(std::pair(text, defines), compile(text, defines)).first->second;
 }
 
-// The words of a structured buffer: a three-vector starts at, and a struct is as long as, a multiple of 16
-// bytes.
+// The words of a structured buffer, which Direct3D packs.
 class Words {
  public:
   Words& add(float value) {
@@ -86,8 +85,8 @@ class Words {
   }
   Words& add(std::int32_t value) { return add(std::bit_cast<float>(value)); }
   Words& add(const glm::vec2& value) { return add(value.x).add(value.y); }
-  Words& add(const glm::vec3& value) { return align().add(value.x).add(value.y).add(value.z); }
-  Words& add(const glm::vec4& value) { return align().add(value.x).add(value.y).add(value.z).add(value.w); }
+  Words& add(const glm::vec3& value) { return add(value.x).add(value.y).add(value.z); }
+  Words& add(const glm::vec4& value) { return add(value.x).add(value.y).add(value.z).add(value.w); }
   Words& align() {
     words_.resize((words_.size() + 3) / 4 * 4, 0.0f);
     return *this;
