@@ -33,6 +33,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hlsl/source_text.h"
 #include "platform/child_process.h"
 #include "techniques/technique_list.h"
 #include "validation/engine.h"
@@ -186,7 +187,8 @@ const char* short_stage(hlsl::Stage stage) {
 fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::size_t number) {
   const fs::path folder = scratch / std::to_string(number);
   shaders::PreprocessedSource prepared = shaders::preprocess(unit.compile);
-  write(folder / "source.hlsl", *unit.compile.text);
+  const hlsl::SharedText& text = unit.compile.text;  // none where the unit is a file
+  write(folder / "source.hlsl", text ? *text : hlsl::read_source(unit.compile.file).text);
   write(folder / "prepared.hlsl", prepared.text);
   std::string front = "glslangValidator -D -S " + std::string(short_stage(unit.compile.stage)) + " -e " +
                       unit.compile.entry + " ";
