@@ -1,4 +1,4 @@
-// What the tests of every filter share.
+// Cases and checks that the tests of every filter share.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ struct SmallStudy {
     return run_study(test_device(), subjects, settings, [](auto&&...) {});
   }
 
-  // By technique, of a study that has nothing to note.
+  // Returns the records by technique. The study must have no notes.
   std::map<std::string, Record> records(const std::vector<Subject>& subjects) const {
     const StudyOutcome outcome = run(subjects);
     EXPECT_TRUE(outcome.notes.empty()) << outcome.notes.front();

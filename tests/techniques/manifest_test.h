@@ -1,4 +1,5 @@
-// What the tests of manifests share: files beside a manifest, and what is said of it with one thing changed.
+// A fixture for tests of manifests: it writes files beside a manifest, and reads the manifest with one thing
+// changed.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ class ManifestTest : public testing::Test {
   std::string refusal_of(const std::string& text) const {
     return input_error_of([&] { use(read(text)); });
   }
-  // What may refuse a list that was read.
+  // Checks that may refuse a list that was read.
   virtual void use(const TechniqueList&) const {}
 
   // Expects that the message for the text with one thing changed has all of these parts.

@@ -261,7 +261,6 @@ void ShaderSources::add_program(const SourceProgram& program) {
   bool lacks_stage = false;
   bool is_for_another_api = true;
   std::set<variants::GraphicsApi> counted;
-  hlsl::SharedText unit_text;  // that of the API before, which is nearly always the same
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram built = program;
     built.platform = platform.platform;
@@ -269,7 +268,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     built.platform.includes_hlsl_support = program.includes_hlsl_support;
     built.targets = platform.targets;
     built.vulkan = platform.vulkan;
-    built.pragmas = variants::read_pragmas({built.file, built.text, variants::pragma_defines(built.platform),
+    built.pragmas = variants::read_pragmas({built.file, *built.text, variants::pragma_defines(built.platform),
                                             finder(options_.roots, built.file)});
     const bool broken = hlsl::has_errors(built.pragmas.diagnostics);
     const bool first = !std::exchange(said, true);
@@ -290,9 +289,8 @@ void ShaderSources::add_program(const SourceProgram& program) {
       if (!std::exchange(lacks_stage, true)) say(built.file, built.shader, built.pass, {*missing});
     built.space = std::make_shared<variants::KeywordSpace>(
         built.pragmas, variants::on_api(options_.narrowing, built.platform.api));
-    std::string text = uniforms_of(built.space->dynamic_keywords()) + std::exchange(built.text, {});
-    if (!unit_text || *unit_text != text) unit_text = std::move(text);
-    built.unit_text = unit_text;
+    if (const std::string uniforms = uniforms_of(built.space->dynamic_keywords()); !uniforms.empty())
+      built.text = uniforms + *built.text;
     built.number = static_cast<int>(programs_.size());
     built.counted_before = !counted.insert(built.platform.api).second;
     programs_.push_back(std::move(built));
@@ -360,7 +358,7 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.keywords = keywords;
   unit.targets = program.targets;
   unit.compile.file = program.file;
-  unit.compile.text = program.unit_text;
+  unit.compile.text = program.text;
   unit.compile.entry = entry;
   unit.compile.stage = stage;
   unit.compile.entry_place = place_of_entry(program.pragmas, entry, stage);

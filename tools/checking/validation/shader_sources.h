@@ -49,8 +49,7 @@ struct SourceProgram {
   bool is_pass = false;              // a pass of a .shader, which must have a vertex and a fragment stage
   bool scriptable_pipeline = false;  // as in ProgramToLint
   std::vector<lint::NamedPlace> properties;  // as in ProgramToLint
-  std::string text;                          // lines and columns are the file's own
-  hlsl::SharedText unit_text;                // the text of its units, with the uniforms of dynamic keywords
+  hlsl::SharedText text;                     // lines and columns are the file's own
   std::string light_mode;                    // as in variants::Platform, and the next
   bool includes_hlsl_support = false;
   std::vector<std::string> targets;

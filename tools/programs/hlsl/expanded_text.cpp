@@ -140,9 +140,6 @@ class BracketPairs {
   std::optional<OpenPlace> fault_;
 };
 
-// Up to this many empty lines are shorter than a directive.
-constexpr int most_empty_lines = 16;
-
 // Moves from `at`, the current location of the text, to that of the next code.
 void go_to(const LinePlace& place, LinePlace& at, std::string& out) {
   const bool near =

@@ -30,6 +30,9 @@ std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std:
 // closed further left than the line that opened it.
 std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources);
 
+// Up to this many empty lines are shorter than a #line directive.
+inline constexpr int most_empty_lines = 16;
+
 // Returns preprocessed text without its empty lines, with a #line directive only where one is needed: the
 // same code at the same locations gives the same text, whatever was removed between. Each token keeps its
 // file, line and column.

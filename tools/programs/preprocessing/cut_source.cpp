@@ -80,9 +80,8 @@ class DefinitionCut {
       const Token& name = line_[at_];
       if (spellings_.text(name.spelling) == ".")
         throw Problem(
-            "not supported here: macros with '...'; name the parameters, and write a macro for each number "
-            "of "
-            "arguments");
+            "not supported here: macros with '...'; name the parameters, and write a macro for each "
+            "number of arguments");
       if (name.kind != Kind::identifier) break;
       if (parameter(name) != no_parameter)
         throw Problem("two parameters of this macro are called '" + spellings_.text(name.spelling) + "'");

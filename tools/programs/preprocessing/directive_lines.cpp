@@ -15,7 +15,6 @@ class DirectiveScan {
     for (next(); token_.kind != Kind::end; next()) {
       if (begins_line && token_.is(known::hash)) directive();
       begins_line = token_.kind == Kind::newline;
-      if (token_.kind == Kind::end) break;
     }
     return std::move(lines_);
   }

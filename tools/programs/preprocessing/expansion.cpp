@@ -49,6 +49,18 @@ std::vector<std::vector<Token>> split(const std::vector<Token>& list) {
   return parts;
 }
 
+std::vector<Token> with_commas(const std::vector<std::vector<Token>>& parts) {
+  std::vector<Token> list;
+  for (const std::vector<Token>& part : parts) {
+    if (&part != &parts.front()) {
+      list.emplace_back().kind = Kind::punctuation;
+      list.back().spelling = known::comma;
+    }
+    list.insert(list.end(), part.begin(), part.end());
+  }
+  return list;
+}
+
 }  // namespace
 
 void Expansion::read_text(const Token* first, const Token* last, const Place* places) {
@@ -131,15 +143,7 @@ bool Expansion::expand(Token& name) {
     for (const std::vector<Token>& argument : arguments)
       expansions.push_back(expanded(argument.data(), argument.data() + argument.size(), false));
     if (arguments.size() < macro->parameters.size()) {
-      std::vector<Token> list;
-      for (const std::vector<Token>& expansion : expansions) {
-        if (&expansion != &expansions.front()) {
-          list.emplace_back().kind = Kind::punctuation;
-          list.back().spelling = known::comma;
-        }
-        list.insert(list.end(), expansion.begin(), expansion.end());
-      }
-      arguments = expansions = split(list);
+      arguments = expansions = split(with_commas(expansions));
     }
     check_count(*macro, arguments.size(), begin);
     input.tokens = substituted(*macro, arguments, expansions);

@@ -5,14 +5,12 @@
 #include <set>
 #include <utility>
 
+#include "hlsl/expanded_text.h"
 #include "preprocessing/condition.h"
 
 namespace penumbra::preprocessing {
 
 namespace {
-
-// Up to this many empty lines are shorter than a directive.
-constexpr int most_empty_lines = 16;
 
 class Output {
  public:
@@ -47,7 +45,7 @@ class Output {
     const bool same_file = file_ == next_file_ || *file_ == *next_file_;
     if (same_file && line == line_ && !text_.empty()) return false;
     file_ = next_file_;
-    if (same_file && line >= line_ && line - line_ <= most_empty_lines) {
+    if (same_file && line >= line_ && line - line_ <= hlsl::most_empty_lines) {
       text_.append(static_cast<std::size_t>(line - line_), '\n');
     } else {
       if (!text_.empty()) text_ += '\n';

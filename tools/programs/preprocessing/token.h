@@ -12,7 +12,7 @@ enum class Kind : std::uint8_t {
   end,  // the end of the text, or of the tokens that are read
   newline,
   identifier,
-  integer,  // a number of type int, which #if can evaluate
+  integer,  // an integer, which #if can evaluate
   number,   // any other number
   string,
   punctuation,

@@ -71,11 +71,14 @@ bool has_four_offsets(spirv::Words one) {
          one[gather_mask] == spv::ImageOperandsConstOffsetsMask;
 }
 
-bool has_remainders(const SpirvModule& module) {
+bool is_remainder(spirv::Words one) {
+  return spirv::opcode(one) == spv::OpFMod || spirv::opcode(one) == spv::OpSMod;
+}
+
+template <typename Condition>
+bool has_any(const SpirvModule& module, Condition condition) {
   bool found = false;
-  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
-    found = found || spirv::opcode(instruction) == spv::OpFMod || spirv::opcode(instruction) == spv::OpSMod;
-  });
+  spirv::for_each_instruction(module, [&](spirv::Words one) { found = found || condition(one); });
   return found;
 }
 
@@ -218,17 +221,15 @@ void drop_gather_bias(SpirvModule& module) {
 }
 
 void split_gathers(SpirvModule& module) {
+  if (!has_any(module, has_four_offsets)) return;
   std::map<std::uint32_t, spirv::Words> composites;             // constants, by id
   std::map<std::uint32_t, std::uint32_t> component_of_vectors;  // types
-  bool any = false;
   const SpirvModule& read_only = module;
   spirv::for_each_instruction(read_only, [&](spirv::Words one) {
     if (spirv::opcode(one) == spv::OpTypeVector) component_of_vectors[one[1]] = one[2];
     if (spirv::opcode(one) == spv::OpConstantComposite && one.size() == 7)
       composites[one[2]] = one.subspan(3);
-    any = any || has_four_offsets(one);
   });
-  if (!any) return;
   ModuleRewrite rewrite(read_only);
   spirv::for_each_instruction(read_only, [&](spirv::Words one) {
     const auto offsets = has_four_offsets(one) ? composites.find(one[gather_mask + 1]) : composites.end();
@@ -245,7 +246,7 @@ void split_gathers(SpirvModule& module) {
 }
 
 void truncate_remainders(SpirvModule& module) {
-  if (!has_remainders(module)) return;
+  if (!has_any(module, is_remainder)) return;
   SpirvModule result(module.begin(), module.begin() + spirv::header_words);
   spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     if (spirv::opcode(instruction) == spv::OpSMod && instruction.size() == 5) {

@@ -5,6 +5,7 @@
 
 #include <glslang/SPIRV/GLSL.std.450.h>
 
+#include "hlsl/name_set.h"
 #include "hlsl/tokens.h"
 #include "shaders/debug_lines.h"
 #include "shaders/spirv_module.h"
@@ -120,9 +121,10 @@ class WrittenImages {
     spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
     std::vector<Found> found;
     for (const auto& [variable, format] : formats_) {
-      const bool has_format = in_es_.contains(format);
+      const bool has_format = is_in_es(format);
       const bool both = read_.contains(variable) && written_.contains(variable);
-      if (!has_format || (both && !whole_.contains(format))) found.push_back({names_[variable], has_format});
+      if (!has_format || (both && !has_one_component(format)))
+        found.push_back({names_[variable], has_format});
     }
     return found;
   }
@@ -134,7 +136,8 @@ class WrittenImages {
         names_[words[1]] = spirv::literal_text(words.subspan(2));
         break;
       case spv::OpTypeImage:
-        if (words[7] == 2 && words[3] != spv::DimBuffer) types_[words[1]] = words[8];
+        if (words[7] == 2 && words[3] != spv::DimBuffer)
+          types_[words[1]] = static_cast<spv::ImageFormat>(words[8]);
         break;
       case spv::OpTypePointer:
         if (const auto type = types_.find(words[3]); type != types_.end()) types_[words[1]] = type->second;
@@ -156,16 +159,23 @@ class WrittenImages {
     }
   }
 
-  const std::set<std::uint32_t> whole_{spv::ImageFormatR32f, spv::ImageFormatR32i, spv::ImageFormatR32ui};
-  const std::set<std::uint32_t> in_es_{
-      spv::ImageFormatR32f,    spv::ImageFormatR32i,   spv::ImageFormatR32ui,      spv::ImageFormatRgba32f,
-      spv::ImageFormatRgba16f, spv::ImageFormatRgba8,  spv::ImageFormatRgba8Snorm, spv::ImageFormatRgba32i,
-      spv::ImageFormatRgba16i, spv::ImageFormatRgba8i, spv::ImageFormatRgba32ui,   spv::ImageFormatRgba16ui,
-      spv::ImageFormatRgba8ui, spv::ImageFormatUnknown};
+  static bool has_one_component(spv::ImageFormat format) {
+    return hlsl::is_one_of(format, {spv::ImageFormatR32f, spv::ImageFormatR32i, spv::ImageFormatR32ui});
+  }
+
+  static bool is_in_es(spv::ImageFormat format) {
+    return has_one_component(format) ||
+           hlsl::is_one_of(format,
+                           {spv::ImageFormatRgba32f, spv::ImageFormatRgba16f, spv::ImageFormatRgba8,
+                            spv::ImageFormatRgba8Snorm, spv::ImageFormatRgba32i, spv::ImageFormatRgba16i,
+                            spv::ImageFormatRgba8i, spv::ImageFormatRgba32ui, spv::ImageFormatRgba16ui,
+                            spv::ImageFormatRgba8ui, spv::ImageFormatUnknown});
+  }
+
   std::map<std::uint32_t, std::string> names_;
-  std::map<std::uint32_t, std::uint32_t> types_;      // formats of images and of pointers to them
-  std::map<std::uint32_t, std::uint32_t> formats_;    // by variable
-  std::map<std::uint32_t, std::uint32_t> variables_;  // of the images that were loaded
+  std::map<std::uint32_t, spv::ImageFormat> types_;    // formats of images and of pointers to them
+  std::map<std::uint32_t, spv::ImageFormat> formats_;  // by variable
+  std::map<std::uint32_t, std::uint32_t> variables_;   // of the images that were loaded
   std::set<std::uint32_t> read_;
   std::set<std::uint32_t> written_;
 };

@@ -81,8 +81,7 @@ class Paste {
       // The condition of a guard goes, its #define stays.
       const bool of_guard = guarded && item != nullptr;
       if (of_guard && (item == &source.items.front() || item == &source.items.back())) continue;
-      if (item != nullptr && item->step == Step::skipped && lines[i].find("once") != std::string::npos)
-        continue;
+      if (item != nullptr && item->once) continue;
       const std::string where = file.string() + ":" + std::to_string(i + 1);
       if (item != nullptr && item->step == Step::problem && lines[i].find("include") != std::string::npos)
         throw InputError(where, "an #include of a macro cannot be pasted", "write the file's name");

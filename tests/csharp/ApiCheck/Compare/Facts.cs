@@ -9,7 +9,7 @@ namespace Penumbra.ApiCheck.Compare;
 public sealed record Fact(string What, object? Value, string Shown);
 
 /// <summary>
-/// What is compared of a type or member, in an order in which those of two symbols of one kind stand at the same places.
+/// The facts of a type or member that are compared. Those of two symbols of one kind stand at the same places.
 /// </summary>
 public static class Facts
 {
@@ -25,7 +25,7 @@ public static class Facts
     {
         yield return new("", Access.Outside(member), Names.Of(member.DeclaredAccessibility));
         yield return Yes(member.IsStatic, "static", "an instance's");
-        // What is abstract must be overridden; what is virtual here must be open to it there.
+        // Abstract members must be overridden; a member that is virtual here must be open to overriding there.
         if (member.ContainingType.TypeKind != TypeKind.Interface)
         {
             yield return Yes(member.IsAbstract, "abstract", "not abstract");
