@@ -1,4 +1,4 @@
-// calls_of_textures.hlsl:5:20: error: a method that compares takes a SamplerComparisonState: declare its sampler so, or read with Sample
+// calls_of_textures.hlsl:5:20: error: expected: SamplerComparisonState
 Texture2D<float4> _Map; SamplerState sampler_Map;
 float4 Main(float4 p : SV_Position) : SV_Target
 {

@@ -1,4 +1,4 @@
-// overloads.hlsl:5:36: error: several overloads of 'F' fit these arguments: cast the arguments to the types of one
+// overloads.hlsl:5:36: error: ambiguous best function under implicit type conversion 'F'
 // Unity's compilers would take the overload for uint.
 int F(int a, int b) { return a; }
 uint F(uint a, uint b) { return a; }

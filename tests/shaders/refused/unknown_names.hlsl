@@ -1,10 +1,10 @@
-// unknown_names.hlsl:18:16: error: 'Later' is declared only in line 34: move it before its first use, or declare it there
-// unknown_names.hlsl:20:16: error: no function 'Sooner' takes these arguments; there is Sooner(float x)
-// unknown_names.hlsl:22:15: error: unknown function 'fract'; HLSL has 'frac'
-// unknown_names.hlsl:24:15: error: unknown function 'mod'; HLSL has 'fmod'
-// unknown_names.hlsl:26:16: error: mul takes two arguments
-// unknown_names.hlsl:28:26: error: '+=' cannot assign this value: its type cannot be converted to the variable's, or the variable is a bool
-// unknown_names.hlsl:30:5: error: unknown type 'vec4'; HLSL has 'float4'
+// unknown_names.hlsl:18:16: error: no matching overloaded function found 'Later'
+// unknown_names.hlsl:20:16: error: no matching overloaded function found 'Sooner'
+// unknown_names.hlsl:22:15: error: no matching overloaded function found 'fract'
+// unknown_names.hlsl:24:15: error: no matching overloaded function found 'mod'
+// unknown_names.hlsl:26:16: error: expected: mul arguments
+// unknown_names.hlsl:28:26: error: could not create assignment
+// unknown_names.hlsl:30:5: error: unknown variable 'vec4'
 // compile: -D ERROR=0
 // compile: -D ERROR=1
 // compile: -D ERROR=2

@@ -1,4 +1,4 @@
-// cbuffer_member_without_semicolon.hlsl:4:22: error: expected ';'
+// cbuffer_member_without_semicolon.hlsl:4:22: error: expected ','
 cbuffer UnityPerMaterial
 {
     float4 _BaseColor

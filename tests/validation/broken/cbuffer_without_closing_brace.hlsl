@@ -1,4 +1,4 @@
-// cbuffer_without_closing_brace.hlsl:3:1: error: '{' is never closed
+// cbuffer_without_closing_brace.hlsl:11: error: expected 'member name'
 cbuffer UnityPerMaterial
 {
     float4 _BaseColor;

@@ -1,4 +1,4 @@
-// cut_off_file.hlsl:3:1: error: '{' is never closed
+// cut_off_file.hlsl:5: error: unknown variable 'int'
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {
     float shade = uv.x *

@@ -1,4 +1,4 @@
-// duplicate_parameter.hlsl:2:29: error: 'a' is already declared
+// duplicate_parameter.hlsl:2:29: error: redefinition 'a'
 float Sum(float a, float a) { return a; }
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {

@@ -1,4 +1,4 @@
-// invalid_number.hlsl:4:22: error: '1.5.5' is not a number
+// invalid_number.hlsl:4: error: expected ';'
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {
     return uv.xyxy * 1.5.5;

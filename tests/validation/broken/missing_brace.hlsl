@@ -1,4 +1,4 @@
-// missing_brace.hlsl:5:5: error: '{' is never closed
+// missing_brace.hlsl:9: error: expected 'declaration'
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {
     if (uv.x > 0.5)

@@ -1,4 +1,4 @@
-// mutual_recursion.hlsl:3:7: error: 'Even' calls 'Odd', which leads back to it: HLSL has no recursion
+// mutual_recursion.hlsl:4:7: error: link: ERROR: Linking fragment stage: Recursion detected: Even(f1; calling Odd(f1;
 float Odd(float x);
 float Even(float x) { return x < 1.0 ? 1.0 : Odd(x - 1.0); }
 float Odd(float x) { return x < 1.0 ? 0.0 : Even(x - 1.0); }

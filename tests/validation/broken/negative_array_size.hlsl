@@ -1,4 +1,4 @@
-// negative_array_size.hlsl:4:16: error: an array's size must be positive
+// negative_array_size.hlsl:5:9: error: '[': array index out of range '0'
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {
     float taps[-2];

@@ -1,4 +1,4 @@
-// recursion_of_functions.hlsl:2:7: error: 'Fade' calls itself: HLSL has no recursion
+// recursion_of_functions.hlsl:2:7: error: link: ERROR: Linking fragment stage: Recursion detected: Fade(f1; calling Fade(f1;
 float Fade(float x)
 {
     return x < 0.1 ? x : Fade(x * 0.5);

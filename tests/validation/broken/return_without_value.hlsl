@@ -1,4 +1,4 @@
-// return_without_value.hlsl:3:1: error: function 'Shade' must return a value
+// return_without_value.hlsl:3:1: error: function does not return a value: Shade
 float Shade(float x)
 {
     return;

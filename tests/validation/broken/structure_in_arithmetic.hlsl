@@ -1,4 +1,4 @@
-// structure_in_arithmetic.hlsl:7:20: error: '*' cannot combine these two types
+// structure_in_arithmetic.hlsl:7:20: error: Could not perform requested binary operation
 struct Surface { float3 normal; };
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {

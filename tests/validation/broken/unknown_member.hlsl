@@ -1,4 +1,4 @@
-// unknown_member.hlsl:7:20: error: the structure has no member 'albedo'
+// unknown_member.hlsl:7:20: error: no such field in structure 'albedo'
 struct Surface { float3 normal; };
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
 {

@@ -1,4 +1,4 @@
-// value_returned_from_void.hlsl:5:5: error: a void function returns no value
+// value_returned_from_void.hlsl:5:5: error: void function cannot return a value 'return'
 void Shade(out float4 colour)
 {
     colour = 1.0;

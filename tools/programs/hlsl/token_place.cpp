@@ -133,12 +133,6 @@ bool TokenPlaces::declares(std::size_t index, std::string_view name) const {
          tokens_[index - 1].kind == Token::Kind::identifier && tokens_[index - 1].spelling != "return";
 }
 
-std::size_t TokenPlaces::first_declaration(std::string_view name) const {
-  for (std::size_t i = 1; i + 1 < size(); ++i)
-    if (declares(i, name)) return i;
-  return size();
-}
-
 std::size_t TokenPlaces::function(std::string_view name) const {
   std::size_t declared = size();
   for (std::size_t i = 1; i + 1 < size(); ++i) {

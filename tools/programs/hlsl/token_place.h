@@ -26,18 +26,16 @@ class TokenPlaces {
   std::size_t size() const { return tokens_.size(); }
   const Token& operator[](std::size_t index) const { return tokens_[index]; }
 
+  bool same_line(std::size_t a, std::size_t b) const;
   TokenPlace at(std::size_t index, const SourceFiles& sources) const;
   TokenPlace after(std::size_t index, const SourceFiles& sources) const;  // the column right after it
 
   // Returns the index of the function's name in its definition, or else in its first declaration; size() if
   // there is none.
   std::size_t function(std::string_view name) const;
-  // Returns the index of the function's name where it is first declared; size() if it is not.
-  std::size_t first_declaration(std::string_view name) const;
 
  private:
   std::string file_of(const Token& token) const;
-  bool same_line(std::size_t a, std::size_t b) const;
   bool declares(std::size_t index, std::string_view name) const;
 
   std::vector<Token> tokens_;

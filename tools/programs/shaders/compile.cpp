@@ -17,7 +17,6 @@
 #include "shaders/matrix_operations.h"
 #include "shaders/module_corrections.h"
 #include "shaders/parse_failure.h"
-#include "shaders/parse_log.h"
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
@@ -51,13 +50,6 @@ hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
-// The texts "INTERNAL ERROR" and "UNIMPLEMENTED" also occur with a success status.
-bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
-  const std::vector<LogLine> lines = parse_log(log, sources);
-  return std::any_of(lines.begin(), lines.end(),
-                     [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
-}
-
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
            CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
@@ -65,7 +57,7 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
                                    nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
-  if (parsed && !tells_an_error(log, sources)) return true;
+  if (parsed && !has_error(log, sources)) return true;
   result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
   return false;
 }
@@ -74,7 +66,7 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
           CompileResult& result) {
   const bool linked = program.link(messages_of(source.request)) && program.mapIO();
   const std::string log = program.getInfoLog();
-  if (linked && !tells_an_error(log, sources)) return true;
+  if (linked && !has_error(log, sources)) return true;
   result.diagnostics.push_back(link_error(failure_of(source, log, source.text),
                                           {source.request.entry, source.request.entry_place}, sources));
   return false;
