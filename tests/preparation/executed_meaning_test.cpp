@@ -270,27 +270,7 @@ TEST(ExecutedConstants, WithoutStaticAreUniforms) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(11, 7, 13));
 }
 
-TEST(ExecutedConstants, OfWhatIsWrittenLaterAreAnError) {
-  const std::string before =
-      "cbuffer C { float u; }; float Twice(float x) { return 2 * x; }\n"
-      "static const float s = Twice(u); float Other() { return s; }\n";
-  const auto run = [&](const std::string& statements) {
-    return run_prepared(
-        {before + "[numthreads(1, 1, 1)] void Main() {" + statements + "}", {0}, {{"C", {3}}}, 1});
-  };
-  EXPECT_THAT(run("Out[0] = Other();"), ElementsAre(6));
-  EXPECT_THAT([&] { run("u = 100; Out[0] = Other();"); },
-              ThrowsMessage<std::runtime_error>(
-                  HasSubstr(":3:20: error: not supported here: 's' is initialised from 'u'")));
-  EXPECT_THAT(
-      [] {
-        outputs("Set(g); Out[0] = s;", {0}, 1,
-                "static float g = 3; float F() { return g; } static const float s = F(); void Set(out float "
-                "x) { x = 4; }\n");
-      },
-      ThrowsMessage<std::runtime_error>(
-          HasSubstr("'s' is initialised from 'g', which the shader writes to")));
-  // A constant that needs no function is worked out when the shader starts.
+TEST(ExecutedConstants, AreWorkedOutWhenTheShaderStarts) {
   EXPECT_THAT(
       run_prepared(
           {"cbuffer C { float u; }; static const float s = u * 2; [numthreads(1, 1, 1)] void Main() { "

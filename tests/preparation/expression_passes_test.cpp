@@ -74,17 +74,6 @@ TEST(UniformWrites, ReadsLocalsMembersAndStaticsStay) {
     expect_untouched<copy_written_uniforms>(text);
 }
 
-TEST(PartialTexelWrites, WholeTexelsAndOtherBuffersStay) {
-  for (const char* text : {"RWTexture2D<float4> t; void f() { t[i] = v; t[i] += v; }",
-                           "RWStructuredBuffer<float4> t; void f() { t[i].x = 1; }",
-                           "RWTexture2D<float4> t; void f() { a = t[i].x; }"})
-    expect_untouched<write_whole_texels>(text);
-  EXPECT_EQ(spaced_after<write_whole_texels>("RWTexture2D<unorm float4> t; void f() { t[i].x = 1; }"),
-            spaced("RWTexture2D<unorm float4> t; void f() { { float4 penumbra_texel = t[i]; penumbra_texel.x "
-                   "= 1; t[i] = "
-                   "penumbra_texel; } }"));
-}
-
 TEST(Declarators, AreReadWithTheirTypeAndSize) {
   const TokenText text("row_major static const float4x4 a, b[2][3] = { 1 }, c : register(c1);", "m");
   const std::vector<Declarator> list = declarators(text, 0, text.size() - 1);
@@ -113,7 +102,6 @@ TEST(ExpressionPasses, AnyTokensAreRead) {
     TokenText tokens(text, "m");
     write_out_matrix_swizzles(tokens);
     copy_written_uniforms(tokens);
-    write_whole_texels(tokens);
     EXPECT_LT(tokens.size(), 20000u);
   }
 }

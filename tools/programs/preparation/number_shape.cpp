@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "preparation/declarators.h"
+
 namespace penumbra::preparation {
 
 namespace {

@@ -8,7 +8,6 @@ namespace penumbra::preparation {
 
 void pack_matrices(TokenText& text);
 void make_constants_uniforms(TokenText& text);
-void drop_uniform_of_parameters(TokenText& text);
 void drop_texture_precision(TokenText& text);
 void name_precision_matrices(TokenText& text);
 void put_static_first(TokenText& text);
@@ -20,21 +19,15 @@ void hoist_cbuffer_resources(TokenText& text);
 void place_cbuffer_members(TokenText& text);
 void separate_dx9_samplers(TokenText& text);
 void resolve_buffer_aliases(TokenText& text);
-void cast_zero_to_structs(TokenText& text);
-void copy_cast_structs(TokenText& text);
-void separate_texture_reads(TokenText& text);
 void return_from_empty_functions(TokenText& text);
 void merge_precision_overloads(TokenText& text);
-void narrow_arguments(TokenText& text);
 void drop_stray_semicolons(TokenText& text);
 void drop_statement_attributes(TokenText& text);
-void write_whole_texels(TokenText& text);
 void widen_matrix_casts(TokenText& text);
 void write_out_matrix_swizzles(TokenText& text);
 void write_out_matrix_operators(TokenText& text);
 void define_intrinsics(TokenText& text);
 void hide_constant_operands(TokenText& text);
-void work_out_static_initialisers(TokenText& text);
 void copy_written_uniforms(TokenText& text);
 
 }  // namespace penumbra::preparation

@@ -7,9 +7,8 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 30> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 23> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
-                                             {"uniform-parameters", drop_uniform_of_parameters},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"storage-order", put_static_first},
@@ -21,21 +20,15 @@ std::span<const Pass> passes() {
                                              {"cbuffer-offsets", place_cbuffer_members},
                                              {"dx9-samplers", separate_dx9_samplers},
                                              {"buffer-aliases", resolve_buffer_aliases},
-                                             {"array-casts", cast_zero_to_structs},
-                                             {"struct-casts", copy_cast_structs},
-                                             {"texture-reads", separate_texture_reads},
                                              {"missing-returns", return_from_empty_functions},
                                              {"precision-overloads", merge_precision_overloads},
-                                             {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"statement-attributes", drop_statement_attributes},
-                                             {"partial-texel-writes", write_whole_texels},
                                              {"matrix-casts", widen_matrix_casts},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"matrix-operators", write_out_matrix_operators},
                                              {"intrinsic-definitions", define_intrinsics},
                                              {"constant-operands", hide_constant_operands},
-                                             {"static-initialisers", work_out_static_initialisers},
                                              {"uniform-writes", copy_written_uniforms}}};
   return all;
 }
@@ -47,7 +40,6 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
   std::vector<SemanticPlace> semantics;
   if (entry) {
     text.set_entry(entry->name);
-    check_semicolons(text);
     semantics = read_entry_semantics(text, *entry);
   }
   for (const Pass& pass : passes()) pass.run(text);

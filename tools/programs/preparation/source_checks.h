@@ -19,10 +19,6 @@ struct EntryPoint {
   bool rasterized = true;
 };
 
-// Reports `float a = 1 float b = 2;`, a declaration of a scalar that begins before the previous statement
-// ends, and `int i = 3 j = 4;`, `float a b;`, a name or number where only an operator, ',' or ';' may follow.
-void check_semicolons(TokenText& text);
-
 // Returns the places of the entry point's semantics; none if there is no entry point of that name, or
 // several. Reports clip and cull distances that glslang crashes on. Without DXC, Direct3D 9's names of system
 // values are replaced (semantic_names.h), because glslang takes them for names of the user's own. The

@@ -379,13 +379,4 @@ ValueTypes::ValueTypes(const TokenText& text) : declarations_(text.declarations(
   ValueTypesReader(text, *this).run();
 }
 
-std::vector<std::size_t> ValueTypes::members_with_bases(std::string_view name) const {
-  constexpr int deepest = 16;
-  std::vector<std::size_t> all;
-  const StructType* type = find_struct(name);
-  for (int depth = 0; depth < deepest && type != nullptr; ++depth, type = find_struct(type->base))
-    all.insert(all.begin(), type->members.begin(), type->members.end());
-  return all;
-}
-
 }  // namespace penumbra::preparation

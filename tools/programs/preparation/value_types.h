@@ -48,8 +48,6 @@ class ValueTypes {
     const auto known = structs_.find(name);
     return known == structs_.end() ? nullptr : &known->second;
   }
-  // Returns a struct's members as indices into declared(), those of its bases first.
-  std::vector<std::size_t> members_with_bases(std::string_view name) const;
   const std::vector<FunctionType>& functions() const { return functions_; }  // including those of structs
 
  private:
