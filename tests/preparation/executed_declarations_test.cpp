@@ -171,6 +171,25 @@ void Set(out float x) { x = 50; }
                        {10, 21, 19, 50});
 }
 
+TEST(ExecutedNarrowerParameters, TakeTheFirstComponents) {
+  expect_only_prepared({R"(float One(float x) { return x * 2; }
+float Two(float2 v, float3 w) { return v.x * 10 + v.y + w.z * 100; }
+float Wide(float x) { return x; }
+float Wide(float4 x) { return x.w; }
+void Set(float2 v, out float3 w) { w = v.xyx; }
+)" + kMain + R"({
+    float4 v = float4(1, 2, 3, In[0]);
+    float4x4 m = { v, v * 2, v * 3, v * 4 };
+    float3 w;
+    Set(v, w);
+    Out[0] = One(v); Out[1] = Two(v, v); Out[2] = Wide(v); Out[3] = w.z; Out[4] = One(mul(m, float4(1, 0, 0, 1)));
+    Out[5] = One(v.w); Out[6] = Two(saturate(v), abs(exp2(v))); })",
+                        {7},
+                        {},
+                        7},
+                       {2, 312, 7, 1, 16, 14, 811});
+}
+
 TEST(ExecutedTypeSemantics, MayBeCalledLikeATypeInHlsl) {
   expect_only_prepared({"struct V { float3 a : float3; float4x4 m : float4x4; };\n" + kMain +
                             "{ V v = (V)0; v.a = In[0]; Out[0] = v.a.y > 1 ? v.a.z : v.m[0][0]; }",

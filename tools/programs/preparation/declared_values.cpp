@@ -57,6 +57,10 @@ bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string
   return text.has(value.first, value.type_at, modifier);
 }
 
+bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter) {
+  return has_modifier(text, parameter, "out") || has_modifier(text, parameter, "inout");
+}
+
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end) {
   if (!text.is(at, "<")) return at;
   int depth = 0;

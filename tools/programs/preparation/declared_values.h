@@ -47,6 +47,8 @@ bool is_modifier(std::string_view word);  // true for const, static, in, row_maj
 // those behind the body of a struct, have none of their own.
 bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier);
 
+bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter);  // true for out and inout
+
 // Returns one past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
 

@@ -21,6 +21,7 @@ void separate_dx9_samplers(TokenText& text);
 void resolve_buffer_aliases(TokenText& text);
 void return_from_empty_functions(TokenText& text);
 void merge_precision_overloads(TokenText& text);
+void narrow_arguments(TokenText& text);
 void drop_stray_semicolons(TokenText& text);
 void drop_statement_attributes(TokenText& text);
 void widen_matrix_casts(TokenText& text);

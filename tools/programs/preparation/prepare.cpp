@@ -7,7 +7,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 23> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 24> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
@@ -22,6 +22,7 @@ std::span<const Pass> passes() {
                                              {"buffer-aliases", resolve_buffer_aliases},
                                              {"missing-returns", return_from_empty_functions},
                                              {"precision-overloads", merge_precision_overloads},
+                                             {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"statement-attributes", drop_statement_attributes},
                                              {"matrix-casts", widen_matrix_casts},
