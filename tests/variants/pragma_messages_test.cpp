@@ -40,6 +40,10 @@ TEST(PragmaMessages, NameThePlaceAndTheRemedy) {
       {"#pragma kernel ;", "a.shader:1:16: error: ';' cannot be the name of a function"},
       {"#pragma kernel K A =", "a.shader:1:20: error: '=' is not NAME or NAME=VALUE, without blanks"},
       {"#pragma multi_compile", "a.shader:1:1: warning: '#pragma multi_compile' names no keyword"},
+      {"#pragma multi_compile _ A\n#pragma shader_feature _ B A",
+       "a.shader:2:1: warning: 'A' stands in two keyword sets, here and at a.shader:1:1: Unity builds "
+       "variants "
+       "for both; declare it once"},
       {"#pragma multi_compile A,B",
        "a.shader:1:23: error: 'A,B' is not a keyword; keywords are separated by spaces, without commas"},
       {"#pragma multi_compile _ 3D",

@@ -215,6 +215,12 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
       request.targets, {variants::find_graphics_api(options.api), options.mobile, found.unity_version});
   source.narrowing = variants::read_narrowing(
       {options.stripping, {options.urp_assets.begin(), options.urp_assets.end()}, options.keywords});
+  if (!options.used_by.empty()) {
+    if (source.narrowing.materials)
+      throw InputError("--used-by", "--stripping lists materials, too", "use one of the two");
+    source.used = variants::read_used_variants(options.used_by);
+  }
+  if (!options.project.empty()) source.build_settings = variants::read_build_settings(options.project);
   source.roots = found.roots;
   source.defines = request.defines;
   source.lint = request.lint;

@@ -58,6 +58,11 @@ void add_narrowing(CLI::App& command, ValidateOptions& options) {
                   "JSON with the keywords and settings that the project uses; other variants are stripped")
       ->type_name("FILE")
       ->default_str("none");
+  one_each(command.add_option("--used-by", options.used_by,
+                              "Materials, ShaderVariantCollections, folders of them, or the log of a player: "
+                              "other variants of .shader files are stripped"))
+      ->type_name("PATH[,...]")
+      ->default_str("none");
   one_each(command.add_option("--urp-asset", options.urp_assets,
                               "UniversalRenderPipelineAsset or UniversalRendererData that the project uses; "
                               "give every quality level and renderer"))
@@ -139,10 +144,11 @@ void add_validate_options(CLI::App& command, ValidateOptions& options) {
 }
 
 void refuse_idle_options(const CLI::App& command, const ValidateOptions& options) {
-  refuse_idle(command,
-              {"--only", "--skip", "--entry", "--stage", "--keywords", "--keyword-set", "--stripping",
-               "--urp-asset", "--limit", "--sample", "--unity-version", "--mobile", "--cginc-root", "--api"},
-              options.places.empty() && options.project.empty(), "without shader files or --project");
+  refuse_idle(
+      command,
+      {"--only", "--skip", "--entry", "--stage", "--keywords", "--keyword-set", "--stripping", "--used-by",
+       "--urp-asset", "--limit", "--sample", "--unity-version", "--mobile", "--cginc-root", "--api"},
+      options.places.empty() && options.project.empty(), "without shader files or --project");
   refuse_idle(command, {"--minimize", "--sample", "--shard", "--keep", "--root", "--verbose"}, options.list,
               "with --count");
   refuse_idle(command, {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose"},

@@ -32,6 +32,7 @@ struct ValidateOptions {
   std::vector<std::string> keywords;
   std::vector<std::string> keyword_sets;
   std::string stripping;
+  std::vector<std::string> used_by;
   std::vector<std::string> urp_assets;
   std::uint64_t limit = 20'000;
   std::uint64_t sample = 0;

@@ -11,6 +11,7 @@
 #include "shaderlab/compute.h"
 #include "shaderlab/parse.h"
 #include "shaderlab/programs.h"
+#include "variants/unity_asset.h"
 
 namespace penumbra::validation {
 
@@ -81,6 +82,12 @@ std::optional<hlsl::Diagnostic> missing_stage(const SourceProgram& program) {
                           "this program has no " + stage +
                               " stage, and Unity leaves such a pass out: add #pragma " + stage + " NAME",
                           {}};
+}
+
+// Returns the guid by which materials name the shader; empty without a .meta file.
+std::string guid_of(const fs::path& shader) {
+  const hlsl::SourceRead meta = hlsl::read_source(shader.string() + ".meta");
+  return meta.problem.empty() ? variants::guid_in(meta.text) : std::string();
 }
 
 bool is_stripped(const shaderlab::Program& program, const std::vector<std::string>& passes) {
@@ -200,6 +207,7 @@ void ShaderSources::leave_unchecked(const SourceProgram& program, const std::str
 }
 
 void ShaderSources::add_shader(const project::ShaderFile& file, const std::string& text) {
+  const std::string guid = options_.used ? guid_of(file.path) : std::string();
   shaderlab::ParsedShader parsed = shaderlab::parse_shader(text, file.path.string());
   const shaderlab::Shader& shader = parsed.shader;
   say(file.path.string(), shader.name.text, {}, std::move(parsed.diagnostics));
@@ -223,6 +231,16 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.includes_hlsl_support = found.implicit_includes;
     program.text = found.implicit_includes ? with_implicit_includes(found.text) : found.text;
     if (const std::string* mode = shaderlab::effective_tag(found, "LightMode")) program.light_mode = *mode;
+    program.narrowing = options_.narrowing;
+    if (options_.used) {
+      std::optional<variants::Narrowing> used =
+          options_.used->narrow(options_.narrowing, program.shader, guid, program.pass);
+      if (!used) {
+        leave_unchecked(program, "the log of --used-by names no variant of this pass");
+        continue;
+      }
+      program.narrowing = std::move(*used);
+    }
     if (found.language == shaderlab::Language::glsl) {
       leave_unchecked(program, "a GLSLPROGRAM is for OpenGL only and is not compiled here");
     } else if (found.is_surface_shader) {
@@ -244,6 +262,7 @@ void ShaderSources::add_compute(const project::ShaderFile& file, const std::stri
   SourceProgram program;
   program.file = file.path.string();
   program.text = text;
+  program.narrowing = options_.narrowing;
   add_program(program);
 }
 
@@ -253,6 +272,7 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
   program.text = text;
   program.entries = options_.entries;
   program.keyword_sets = options_.keyword_sets;
+  program.narrowing = options_.narrowing;
   add_program(program);
 }
 
@@ -270,6 +290,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     built.vulkan = platform.vulkan;
     built.pragmas = variants::read_pragmas({built.file, *built.text, variants::pragma_defines(built.platform),
                                             finder(options_.roots, built.file)});
+    variants::apply_overrides(options_.build_settings.overrides, built.pragmas);
     const bool broken = hlsl::has_errors(built.pragmas.diagnostics);
     const bool first = !std::exchange(said, true);
     if (first) say(built.file, built.shader, built.pass, built.pragmas.diagnostics);
@@ -288,7 +309,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     if (const std::optional<hlsl::Diagnostic> missing = missing_stage(built))
       if (!std::exchange(lacks_stage, true)) say(built.file, built.shader, built.pass, {*missing});
     built.space = std::make_shared<variants::KeywordSpace>(
-        built.pragmas, variants::on_api(options_.narrowing, built.platform.api));
+        built.pragmas, variants::on_api(built.narrowing, built.platform.api));
     if (const std::string uniforms = uniforms_of(built.space->dynamic_keywords()); !uniforms.empty())
       built.text = uniforms + *built.text;
     built.number = static_cast<int>(programs_.size());
@@ -335,12 +356,12 @@ variants::Plan ShaderSources::plan() const {
 }
 
 variants::Plan ShaderSources::plan(const std::vector<variants::Clause>& more) const {
-  variants::Narrowing narrowing = options_.narrowing;
-  narrowing.clauses.insert(narrowing.clauses.end(), more.begin(), more.end());
   Spaces spaces;
-  for (const SourceProgram* program : counted())
-    spaces.push_back(std::make_shared<variants::KeywordSpace>(
-        program->pragmas, variants::on_api(narrowing, program->platform.api)));
+  for (const SourceProgram* program : counted()) {
+    variants::Narrowing narrowing = variants::on_api(program->narrowing, program->platform.api);
+    narrowing.clauses.insert(narrowing.clauses.end(), more.begin(), more.end());
+    spaces.push_back(std::make_shared<variants::KeywordSpace>(program->pragmas, narrowing));
+  }
   return variants::plan(planned(spaces));
 }
 
@@ -362,8 +383,10 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.entry = entry;
   unit.compile.stage = stage;
   unit.compile.entry_place = place_of_entry(program.pragmas, entry, stage);
+  const auto compiler = options_.build_settings.dxc.find(program.platform.api);
   unit.compile.dxc =
-      variants::compiles_with_dxc(program.pragmas, variants::renderer_name(program.platform.api));
+      variants::compiles_with_dxc(program.pragmas, variants::renderer_name(program.platform.api)) ||
+      (compiler != options_.build_settings.dxc.end() && compiler->second);
   unit.compile.rasterized =
       std::none_of(program.entries.begin(), program.entries.end(), [](const auto& named) {
         return named.second == hlsl::Stage::hull || named.second == hlsl::Stage::geometry;
@@ -377,7 +400,8 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.lint.shader_target = program.pragmas.targets.empty() ? 0 : target;
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
     unit.compile.defines.emplace_back(name, value);
-  unit.compile.defines.insert(unit.compile.defines.end(), options_.defines.begin(), options_.defines.end());
+  for (const auto* defines : {&options_.build_settings.defines, &options_.defines})
+    unit.compile.defines.insert(unit.compile.defines.end(), defines->begin(), defines->end());
   // With instancing_options procedural:NAME, the instancing library calls NAME by this macro.
   if (!program.pragmas.procedural_function.empty())
     unit.compile.defines.emplace_back("UNITY_INSTANCING_PROCEDURAL_FUNC",
@@ -415,7 +439,7 @@ std::vector<CompileUnit> ShaderSources::units() const {
 }
 
 std::vector<ProgramToLint> ShaderSources::to_lint() const {
-  const bool all_variants = options_.sample == 0 && options_.narrowing.clauses.empty();
+  const bool all_variants = options_.sample == 0 && options_.narrowing.clauses.empty() && !options_.used;
   std::vector<ProgramToLint> programs;
   std::set<std::tuple<std::string, std::string, int, std::string>> known;
   for (const SourceProgram& program : programs_) {

@@ -17,16 +17,20 @@
 #include "validation/program_lint.h"
 #include "validation/report.h"
 #include "validation/unit.h"
+#include "variants/build_settings.h"
 #include "variants/keyword_space.h"
 #include "variants/plan.h"
 #include "variants/platform_defines.h"
 #include "variants/pragmas.h"
+#include "variants/used_variants.h"
 
 namespace penumbra::validation {
 
 struct SourceOptions {
   std::vector<PlatformTargets> platforms;
   variants::Narrowing narrowing;
+  std::optional<variants::UsedVariants> used;  // narrows the variants of .shader files further
+  variants::BuildSettings build_settings;      // the project's
   project::IncludeRoots roots;
   std::vector<std::pair<std::string, std::string>> defines;  // defined for every variant
   // The entry points that the user gives for .hlsl files. Keyword pragmas of the file apply.
@@ -49,8 +53,9 @@ struct SourceProgram {
   bool is_pass = false;              // a pass of a .shader, which must have a vertex and a fragment stage
   bool scriptable_pipeline = false;  // as in ProgramToLint
   std::vector<lint::NamedPlace> properties;  // as in ProgramToLint
-  hlsl::SharedText text;                     // lines and columns are the file's own
-  std::string light_mode;                    // as in variants::Platform, and the next
+  variants::Narrowing narrowing;
+  hlsl::SharedText text;   // lines and columns are the file's own
+  std::string light_mode;  // as in variants::Platform, and the next
   bool includes_hlsl_support = false;
   std::vector<std::string> targets;
   variants::Platform platform;

@@ -45,6 +45,7 @@ class StageSet {
   void add(StageSet other) { bits_ |= other.bits_; }
   bool has(hlsl::Stage stage) const { return (bits_ & bit(stage)) != 0; }
   bool empty() const { return bits_ == 0; }
+  bool meets(StageSet other) const { return (bits_ & other.bits_) != 0; }
   bool operator==(const StageSet&) const = default;
 
  private:

@@ -142,16 +142,21 @@ class Numbering {
   Keywords names_;
 };
 
-// Joins all shader_feature sets into one: an alternative for each distinct material.
-JoinedSet material_set(const std::vector<KeywordSet>& sets, const std::vector<Keywords>& materials,
+bool is_by_material(const KeywordSet& set, const Narrowing& narrowing) {
+  return narrowing.materials &&
+         (narrowing.materials_decide_all || set.kind == KeywordSet::Kind::shader_feature);
+}
+
+// Joins the sets that materials decide into one: an alternative for each distinct material.
+JoinedSet material_set(const std::vector<KeywordSet>& sets, const Narrowing& narrowing,
                        Numbering& numbering) {
   JoinedSet joined;
-  std::vector<Keywords> wanted = materials;
+  std::vector<Keywords> wanted = *narrowing.materials;
   if (wanted.empty()) wanted.emplace_back();
   for (const Keywords& material : wanted) {
     Keywords on;
     for (const KeywordSet& set : sets) {
-      if (set.kind != KeywordSet::Kind::shader_feature) continue;
+      if (!is_by_material(set, narrowing)) continue;
       if (set.alternatives.empty()) return joined;
       const Keywords& used = used_by(material, set);
       on.insert(on.end(), used.begin(), used.end());
@@ -250,7 +255,7 @@ KeywordSpace::KeywordSpace(const Pragmas& pragmas, const Narrowing& narrowing)
   std::vector<std::size_t> joined_of_set;
   std::optional<std::size_t> of_materials;
   for (const KeywordSet& set : sets_) {
-    const bool by_material = narrowing.materials && set.kind == KeywordSet::Kind::shader_feature;
+    const bool by_material = is_by_material(set, narrowing);
     if (by_material && of_materials) {
       joined_of_set.push_back(*of_materials);
       continue;
@@ -258,7 +263,7 @@ KeywordSpace::KeywordSpace(const Pragmas& pragmas, const Narrowing& narrowing)
     joined_of_set.push_back(joined.size());
     if (by_material) {
       of_materials = joined.size();
-      joined.push_back(material_set(sets_, *narrowing.materials, numbering));
+      joined.push_back(material_set(sets_, narrowing, numbering));
     } else {
       joined.emplace_back();
       for (const Keywords& alternative : set.alternatives)

@@ -39,6 +39,7 @@ struct Narrowing {
   Keywords stereo_modes;                           // see stereo_set() in pragma_names.h; empty for no XR
   std::string tiers_for;                           // renderer for which hardware_tier_variants count
   std::vector<std::string> unused_passes{};        // names or LightMode tags: none of their variants is built
+  bool materials_decide_all = false;               // `materials` decides the sets of multi_compile, too
 };
 
 // Adapts a narrowing to a graphics API: OpenGL ES draws both eyes by multiview instead of instancing (Unity

@@ -361,6 +361,25 @@ void PragmaParser::finish() {
     std::erase_if(set.alternatives,
                   [&](const Keywords& alternative) { return !kept.insert(alternative).second; });
   }
+  warn_of_shared_keywords();
+}
+
+// Sets for different stages may share keywords: each stage then sees one of them.
+void PragmaParser::warn_of_shared_keywords() {
+  std::map<std::string, std::vector<const KeywordSet*>> sets_with;
+  for (const KeywordSet& set : pragmas_.keyword_sets) {
+    if (built_in_sets(set.pragma)) continue;
+    for (const std::string& keyword : keywords_of(set)) {
+      std::vector<const KeywordSet*>& others = sets_with[keyword];
+      const auto shared = std::find_if(others.begin(), others.end(), [&](const KeywordSet* other) {
+        return other->stages.meets(set.stages) && text_of(other->place) != text_of(set.place);
+      });
+      if (shared != others.end())
+        warn(set.place, "'" + keyword + "' stands in two keyword sets, here and at " +
+                            text_of((*shared)->place) + ": Unity builds variants for both; declare it once");
+      others.push_back(&set);
+    }
+  }
 }
 
 }  // namespace penumbra::variants

@@ -43,6 +43,7 @@ class PragmaParser {
   void read_instancing_options(const Line& line);
   void add_built_in(const Line& line);
   void add_dynamic(const Line& line, bool local);
+  void warn_of_shared_keywords();
   KeywordSet set_of(const Line& line);
   bool is_keyword(const preprocessing::Word& word, const Line& line);
 

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <charconv>
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
+#include "variants/unity_asset.h"
 #include "variants/urp_settings.h"
 
 namespace penumbra::variants {
@@ -13,20 +13,6 @@ struct Line {
   std::string_view name;
   std::string_view value;
 };
-
-// Reads "  m_Name: value", a field of the one object that such an asset holds. Returns false for any other
-// line.
-bool take_field(std::string_view text, Line& line) {
-  if (text.substr(0, 4) != "  m_") return false;
-  text.remove_prefix(2);
-  const std::size_t colon = text.find(": ");
-  if (colon == std::string_view::npos) return false;
-  line.name = text.substr(0, colon);
-  line.value = text.substr(colon + 2);
-  while (!line.value.empty() && (line.value.back() == '\r' || line.value.back() == ' '))
-    line.value.remove_suffix(1);
-  return true;
-}
 
 int number_of(const Line& line, int highest) {
   int value = -1;
@@ -86,19 +72,13 @@ bool read_field(const Line& line, UrpSettings& settings, bool& no_main_light) {
 }  // namespace
 
 UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
-  if (text.find('\0') != std::string_view::npos)
-    throw InputError(name, "is a binary asset",
-                     "set Project Settings > Editor > Asset Serialization to Force Text");
   UrpSettings settings;
   bool known = false;
   bool no_main_light = false;
-  int number = 1;
-  for (std::size_t at = 0; at < text.size(); ++number) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    Line line{name + ":" + std::to_string(number), {}, {}};
-    if (take_field(text.substr(at, end - at), line)) known |= read_field(line, settings, no_main_light);
-    at = end + 1;
-  }
+  for (const AssetField& field : asset_fields(text, name))
+    if (field.indent == 2 && field.name.starts_with("m_") && !field.value.empty())
+      known |= read_field({name + ":" + std::to_string(field.line), field.name, field.value}, settings,
+                          no_main_light);
   if (!known)
     throw InputError(name, "contains no setting of the Universal Render Pipeline",
                      "use a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");

@@ -1,0 +1,139 @@
+#include "variants/build_settings.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "hlsl/identifier.h"
+#include "hlsl/source_text.h"
+#include "input/input_error.h"
+#include "variants/unity_asset.h"
+
+namespace penumbra::variants {
+namespace {
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& file) : file_(file), fields_(asset_fields(text, file)) {}
+
+  BuildSettings run() {
+    auto at = std::find_if(fields_.begin(), fields_.end(), [](const AssetField& field) {
+      return field.indent == 2 && field.name == "m_ShaderBuildSettings";
+    });
+    if (at == fields_.end()) return {};
+    for (++at; at != fields_.end() && at->indent > 2; ++at) {
+      if (at->indent == 4 && !at->begins_item) list_ = at->name;
+      if (list_ == "keywordDeclarationOverrides") read_override(*at);
+      if (list_ == "defines") read_define(*at);
+      if (list_ == "compilerSettings") read_compiler(*at);
+    }
+    return std::move(settings_);
+  }
+
+ private:
+  [[noreturn]] void fail(const AssetField& field, const std::string& problem) const {
+    throw InputError(file_ + ":" + std::to_string(field.line), problem);
+  }
+
+  int number(const AssetField& field) const {
+    int value = -1;
+    const char* const end = field.value.data() + field.value.size();
+    const auto [stop, error] = std::from_chars(field.value.data(), end, value);
+    if (error != std::errc() || stop != end || value < 0)
+      fail(field,
+           "'" + std::string(field.name) + "' must be a number, found '" + std::string(field.value) + "'");
+    return value;
+  }
+
+  void read_override(const AssetField& field) {
+    std::vector<KeywordOverride>& overrides = settings_.overrides;
+    if (field.begins_item && field.name == "keywords") overrides.emplace_back();
+    if (overrides.empty()) return;
+    KeywordOverride& last = overrides.back();
+    if (field.name == "name") {
+      if (!hlsl::is_identifier(field.value))
+        fail(field, "'" + std::string(field.value) + "' is not a keyword");
+      last.keywords.emplace_back(is_empty_keyword(std::string(field.value)) ? "_" : field.value);
+    } else if (field.name == "keepInBuild" && number(field) == 0 && !last.keywords.empty()) {
+      last.dropped.push_back(last.keywords.back());
+    } else if (field.name == "variantGenerationMode") {
+      constexpr int modes = 4;
+      if (number(field) >= modes) fail(field, "this variantGenerationMode is not known here");
+      last.mode = static_cast<KeywordOverride::Mode>(number(field));
+    }
+  }
+
+  void read_define(const AssetField& field) {
+    if (!field.begins_item) return;
+    const std::size_t blank = field.value.find(' ');
+    const std::string_view name = field.value.substr(0, blank);
+    if (blank == std::string_view::npos || !hlsl::is_identifier(name))
+      fail(field, "'" + std::string(field.value) + "' is not a name and a number");
+    settings_.defines.emplace_back(name, field.value.substr(field.value.find_first_not_of(' ', blank)));
+  }
+
+  void read_compiler(const AssetField& field) {
+    if (field.name == "graphicsAPI") {
+      static const std::map<int, GraphicsApi> apis{
+          {2, GraphicsApi::d3d11},   {11, GraphicsApi::gles3},  {16, GraphicsApi::metal},
+          {17, GraphicsApi::glcore}, {21, GraphicsApi::vulkan}, {22, GraphicsApi::nintendo_switch}};
+      const auto known = apis.find(number(field));  // of UnityEngine.Rendering.GraphicsDeviceType
+      api_ = known == apis.end() ? std::nullopt : std::optional(known->second);
+    } else if (field.name == "compilerToolchainOverride" && api_ && number(field) != 0) {
+      settings_.dxc[*api_] = number(field) == 2;
+    }
+  }
+
+  const std::string& file_;
+  std::vector<AssetField> fields_;
+  std::string_view list_;
+  std::optional<GraphicsApi> api_;
+  BuildSettings settings_;
+};
+
+std::set<std::string> names_of(const KeywordSet& set) {
+  std::set<std::string> names;
+  for (const Keywords& alternative : set.alternatives)
+    if (alternative.empty()) names.insert("_");
+  for (const std::string& keyword : keywords_of(set)) names.insert(keyword);
+  return names;
+}
+
+void change(const KeywordOverride& override, KeywordSet& set) {
+  std::erase_if(set.alternatives, [&](const Keywords& alternative) {
+    return contains(override.dropped, alternative.empty() ? "_" : alternative.front());
+  });
+  if (override.mode == KeywordOverride::Mode::shader_feature) set.kind = KeywordSet::Kind::shader_feature;
+  if (override.mode == KeywordOverride::Mode::multi_compile) set.kind = KeywordSet::Kind::multi_compile;
+}
+
+}  // namespace
+
+BuildSettings parse_build_settings(std::string_view text, const std::string& file) {
+  return Reader(text, file).run();
+}
+
+BuildSettings read_build_settings(const std::filesystem::path& project) {
+  const std::filesystem::path file = project / "ProjectSettings" / "GraphicsSettings.asset";
+  if (!std::filesystem::exists(file)) return {};
+  const hlsl::SourceRead read = hlsl::read_source(file);
+  if (!read.problem.empty()) throw InputError(file.string(), "cannot be read: " + read.problem);
+  return parse_build_settings(read.text, file.string());
+}
+
+void apply_overrides(const std::vector<KeywordOverride>& overrides, Pragmas& pragmas) {
+  for (const KeywordOverride& override : overrides) {
+    const std::set<std::string> wanted(override.keywords.begin(), override.keywords.end());
+    for (KeywordSet& set : pragmas.keyword_sets) {
+      if (names_of(set) != wanted) continue;
+      change(override, set);
+      if (override.mode != KeywordOverride::Mode::dynamic_branch) continue;
+      for (const std::string& keyword : keywords_of(set))
+        pragmas.dynamic_keywords.push_back({keyword, set.local, set.place});
+      set.alternatives.clear();
+    }
+    std::erase_if(pragmas.keyword_sets, [&](const KeywordSet& set) { return set.alternatives.empty(); });
+  }
+}
+
+}  // namespace penumbra::variants

@@ -1,0 +1,43 @@
+// ShaderBuildSettings of Unity 6000.3 and later, in ProjectSettings/GraphicsSettings.asset: they change the
+// keyword sets that shaders declare, define constants and choose the compiler of a graphics API.
+//
+// Source: Unity Scripting API, UnityEditor.Shaders.ShaderBuildSettings; the fields' names are those of its
+// serialised members (UnityCsReference, ShaderBuildSettings.cs). A build profile may have settings of its
+// own, which take the place of these in the editor; they are not read.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "variants/platform_defines.h"
+#include "variants/pragmas.h"
+
+namespace penumbra::variants {
+
+struct KeywordOverride {
+  enum class Mode { as_declared, shader_feature, multi_compile, dynamic_branch };
+  Mode mode = Mode::as_declared;
+  Keywords keywords;  // of the set that it is for, in any order; "_" for the empty keyword
+  Keywords dropped;   // those of them that are not kept in builds
+};
+
+struct BuildSettings {
+  std::vector<KeywordOverride> overrides;
+  std::vector<std::pair<std::string, std::string>> defines;
+  std::map<GraphicsApi, bool> dxc;  // true for DXC, false for FXC; Unity's choice for others
+};
+
+// Returns nothing set for a file without such settings. Throws InputError with the line of a wrong value.
+BuildSettings parse_build_settings(std::string_view text, const std::string& file);
+
+// Returns nothing set for a project without ProjectSettings/GraphicsSettings.asset.
+BuildSettings read_build_settings(const std::filesystem::path& project);
+
+// Changes the sets that have exactly the keywords of an override.
+void apply_overrides(const std::vector<KeywordOverride>& overrides, Pragmas& pragmas);
+
+}  // namespace penumbra::variants
