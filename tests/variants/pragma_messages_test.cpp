@@ -18,6 +18,12 @@ struct Case {
   const char* message;
 };
 
+TEST(PragmaMessages, KeywordsOfTwoStagesMayStandInTwoSets) {
+  EXPECT_THAT(
+      messages_of(pragmas_of("#pragma shader_feature_vertex _ A\n#pragma shader_feature_fragment _ A B\n")),
+      IsEmpty());
+}
+
 TEST(PragmaMessages, NameThePlaceAndTheRemedy) {
   const Case cases[] = {
       {"#pragma", "a.shader:1:1: warning: '#pragma' without a name after it has no effect"},
