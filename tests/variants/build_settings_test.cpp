@@ -28,9 +28,15 @@ std::string overriding(const std::string& keywords, int mode) {
   return settings(block + "      variantGenerationMode: " + std::to_string(mode) + "\n");
 }
 
+BuildSettings read(const std::string& text) {
+  BuildSettings all;
+  parse_build_settings(text, "s", all);
+  return all;
+}
+
 Pragmas changed(const std::string& program, const std::string& keywords, int mode) {
   Pragmas pragmas = pragmas_of(program);
-  apply_overrides(parse_build_settings(overriding(keywords, mode), "s").overrides, pragmas);
+  apply_overrides(read(overriding(keywords, mode)).overrides, pragmas);
   return pragmas;
 }
 
@@ -53,24 +59,42 @@ TEST(BuildSettings, ChangeTheKindOfASet) {
 }
 
 TEST(BuildSettings, DefineConstantsAndChooseCompilers) {
-  const BuildSettings read = parse_build_settings(
-      settings(
-          "    keywordDeclarationOverrides: []\n    defines:\n    - QUALITY 2\n    - STEP  0.5h\n    "
-          "numInternalDefines: 0\n    compilerSettings:\n    - graphicsAPI: 21\n      "
-          "compilerToolchainOverride: 2\n    - graphicsAPI: 2\n      compilerToolchainOverride: 1\n    - "
-          "graphicsAPI: 16\n      compilerToolchainOverride: 0\n"),
-      "s");
-  EXPECT_THAT(read.overrides, IsEmpty());
-  EXPECT_THAT(read.defines, ElementsAre(Pair("QUALITY", "2"), Pair("STEP", "0.5h")));
-  EXPECT_THAT(read.dxc, ElementsAre(Pair(GraphicsApi::d3d11, false), Pair(GraphicsApi::vulkan, true)));
-  EXPECT_THAT(parse_build_settings("GraphicsSettings:\n  m_Fog: 1\n", "s").defines, IsEmpty());
+  const BuildSettings all = read(settings(
+      "    keywordDeclarationOverrides: []\n    defines:\n    - QUALITY 2\n    - STEP  0.5h\n    "
+      "numInternalDefines: 0\n    compilerSettings:\n    - graphicsAPI: 21\n      "
+      "compilerToolchainOverride: 2\n    - graphicsAPI: 2\n      compilerToolchainOverride: 1\n    - "
+      "graphicsAPI: 16\n      compilerToolchainOverride: 0\n"));
+  EXPECT_THAT(all.overrides, IsEmpty());
+  EXPECT_THAT(all.defines, ElementsAre(Pair("QUALITY", "2"), Pair("STEP", "0.5h")));
+  EXPECT_THAT(all.dxc, ElementsAre(Pair(GraphicsApi::d3d11, false), Pair(GraphicsApi::vulkan, true)));
+  EXPECT_THAT(read("GraphicsSettings:\n  m_Fog: 1\n").defines, IsEmpty());
+}
+
+TEST(BuildSettings, NameTheColourSpaceAndTheEncodingOfLightmaps) {
+  const std::string player =
+      "PlayerSettings:\n  m_ActiveColorSpace: 0\n  m_BuildTargetGroupLightmapEncodingQuality:\n  - "
+      "m_BuildTarget: "
+      "Standalone\n    m_EncodingQuality: 1\n  - m_BuildTarget: iPhone\n    m_EncodingQuality: 2\n";
+  const auto names = [&](const std::string& text, bool mobile) {
+    Platform platform;
+    platform.mobile = mobile;
+    apply_settings(read(text), platform);
+    std::string found;
+    for (const auto& [name, value] : pragma_defines(platform))
+      if (name.starts_with("UNITY_LIGHTMAP_") || name == "UNITY_COLORSPACE_GAMMA") found += name + " ";
+    return found;
+  };
+  EXPECT_EQ(names(player, false), "UNITY_COLORSPACE_GAMMA UNITY_LIGHTMAP_RGBM_ENCODING ");
+  EXPECT_EQ(names(player, true), "UNITY_COLORSPACE_GAMMA UNITY_LIGHTMAP_FULL_HDR ");
+  EXPECT_EQ(names("  m_ActiveColorSpace: 1\n", false), "UNITY_LIGHTMAP_FULL_HDR ");
+  EXPECT_EQ(names("", true), "UNITY_LIGHTMAP_DLDR_ENCODING ");
 }
 
 TEST(BuildSettings, WrongValuesAreNamedWithTheirLine) {
-  const auto read = [](const std::string& block) { parse_build_settings(settings(block), "s"); };
-  expect_input_error([&] { read("    defines:\n    - QUALITY\n"); }, HasSubstr("s:7"));
-  expect_input_error([&] { parse_build_settings(overriding("A+", 4), "s"); }, HasSubstr("s:10"));
-  expect_input_error([&] { parse_build_settings(overriding("1+", 0), "s"); }, HasSubstr("is not a keyword"));
+  expect_input_error([] { read(settings("    defines:\n    - QUALITY\n")); }, HasSubstr("s:7"));
+  expect_input_error([] { read(overriding("A+", 4)); }, HasSubstr("s:10"));
+  expect_input_error([] { read(overriding("1+", 0)); }, HasSubstr("is not a keyword"));
+  expect_input_error([] { read("  m_ActiveColorSpace: x\n"); }, HasSubstr("s:1"));
 }
 
 }  // namespace

@@ -221,6 +221,8 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
     source.used = variants::read_used_variants(options.used_by);
   }
   if (!options.project.empty()) source.build_settings = variants::read_build_settings(options.project);
+  for (validation::PlatformTargets& platform : source.platforms)
+    variants::apply_settings(source.build_settings, platform.platform);
   source.roots = found.roots;
   source.defines = request.defines;
   source.lint = request.lint;

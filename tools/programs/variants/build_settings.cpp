@@ -14,20 +14,33 @@ namespace {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : file_(file), fields_(asset_fields(text, file)) {}
+  Reader(std::string_view text, const std::string& file, BuildSettings& settings)
+      : file_(file), fields_(asset_fields(text, file)), settings_(settings) {}
 
-  BuildSettings run() {
+  void read_player() {
+    std::string_view target;
+    for (const AssetField& field : fields_) {
+      if (field.name == "m_ActiveColorSpace") settings_.gamma = number(field, 1) == 0;
+      if (field.name == "m_BuildTarget") target = field.value;
+      if (field.name != "m_EncodingQuality") continue;
+      const auto encoding = static_cast<LightmapEncoding>(number(field, 2));
+      if (target == "Standalone") settings_.desktop_lightmaps = encoding;
+      if (target == "Android" || (target == "iPhone" && !settings_.mobile_lightmaps))
+        settings_.mobile_lightmaps = encoding;
+    }
+  }
+
+  void read_graphics() {
     auto at = std::find_if(fields_.begin(), fields_.end(), [](const AssetField& field) {
       return field.indent == 2 && field.name == "m_ShaderBuildSettings";
     });
-    if (at == fields_.end()) return {};
+    if (at == fields_.end()) return;
     for (++at; at != fields_.end() && at->indent > 2; ++at) {
       if (at->indent == 4 && !at->begins_item) list_ = at->name;
       if (list_ == "keywordDeclarationOverrides") read_override(*at);
       if (list_ == "defines") read_define(*at);
       if (list_ == "compilerSettings") read_compiler(*at);
     }
-    return std::move(settings_);
   }
 
  private:
@@ -35,13 +48,13 @@ class Reader {
     throw InputError(file_ + ":" + std::to_string(field.line), problem);
   }
 
-  int number(const AssetField& field) const {
+  int number(const AssetField& field, int highest) const {
     int value = -1;
     const char* const end = field.value.data() + field.value.size();
     const auto [stop, error] = std::from_chars(field.value.data(), end, value);
-    if (error != std::errc() || stop != end || value < 0)
-      fail(field,
-           "'" + std::string(field.name) + "' must be a number, found '" + std::string(field.value) + "'");
+    if (error != std::errc() || stop != end || value < 0 || value > highest)
+      fail(field, "'" + std::string(field.name) + "' must be an integer from 0 to " +
+                      std::to_string(highest) + ", found '" + std::string(field.value) + "'");
     return value;
   }
 
@@ -54,12 +67,10 @@ class Reader {
       if (!hlsl::is_identifier(field.value))
         fail(field, "'" + std::string(field.value) + "' is not a keyword");
       last.keywords.emplace_back(is_empty_keyword(std::string(field.value)) ? "_" : field.value);
-    } else if (field.name == "keepInBuild" && number(field) == 0 && !last.keywords.empty()) {
+    } else if (field.name == "keepInBuild" && number(field, 1) == 0 && !last.keywords.empty()) {
       last.dropped.push_back(last.keywords.back());
     } else if (field.name == "variantGenerationMode") {
-      constexpr int modes = 4;
-      if (number(field) >= modes) fail(field, "this variantGenerationMode is not known here");
-      last.mode = static_cast<KeywordOverride::Mode>(number(field));
+      last.mode = static_cast<KeywordOverride::Mode>(number(field, 3));
     }
   }
 
@@ -77,10 +88,10 @@ class Reader {
       static const std::map<int, GraphicsApi> apis{
           {2, GraphicsApi::d3d11},   {11, GraphicsApi::gles3},  {16, GraphicsApi::metal},
           {17, GraphicsApi::glcore}, {21, GraphicsApi::vulkan}, {22, GraphicsApi::nintendo_switch}};
-      const auto known = apis.find(number(field));  // of UnityEngine.Rendering.GraphicsDeviceType
+      const auto known = apis.find(number(field, 1000));  // of UnityEngine.Rendering.GraphicsDeviceType
       api_ = known == apis.end() ? std::nullopt : std::optional(known->second);
-    } else if (field.name == "compilerToolchainOverride" && api_ && number(field) != 0) {
-      settings_.dxc[*api_] = number(field) == 2;
+    } else if (field.name == "compilerToolchainOverride" && api_ && number(field, 2) != 0) {
+      settings_.dxc[*api_] = number(field, 2) == 2;
     }
   }
 
@@ -88,7 +99,7 @@ class Reader {
   std::vector<AssetField> fields_;
   std::string_view list_;
   std::optional<GraphicsApi> api_;
-  BuildSettings settings_;
+  BuildSettings& settings_;
 };
 
 std::set<std::string> names_of(const KeywordSet& set) {
@@ -109,16 +120,27 @@ void change(const KeywordOverride& override, KeywordSet& set) {
 
 }  // namespace
 
-BuildSettings parse_build_settings(std::string_view text, const std::string& file) {
-  return Reader(text, file).run();
+void parse_build_settings(std::string_view text, const std::string& file, BuildSettings& settings) {
+  Reader reader(text, file, settings);
+  reader.read_player();
+  reader.read_graphics();
 }
 
 BuildSettings read_build_settings(const std::filesystem::path& project) {
-  const std::filesystem::path file = project / "ProjectSettings" / "GraphicsSettings.asset";
-  if (!std::filesystem::exists(file)) return {};
-  const hlsl::SourceRead read = hlsl::read_source(file);
-  if (!read.problem.empty()) throw InputError(file.string(), "cannot be read: " + read.problem);
-  return parse_build_settings(read.text, file.string());
+  BuildSettings settings;
+  for (const char* name : {"ProjectSettings.asset", "GraphicsSettings.asset"}) {
+    const std::filesystem::path file = project / "ProjectSettings" / name;
+    if (!std::filesystem::exists(file)) continue;
+    const hlsl::SourceRead read = hlsl::read_source(file);
+    if (!read.problem.empty()) throw InputError(file.string(), "cannot be read: " + read.problem);
+    parse_build_settings(read.text, file.string(), settings);
+  }
+  return settings;
+}
+
+void apply_settings(const BuildSettings& settings, Platform& platform) {
+  platform.gamma = settings.gamma;
+  platform.lightmaps = platform.mobile ? settings.mobile_lightmaps : settings.desktop_lightmaps;
 }
 
 void apply_overrides(const std::vector<KeywordOverride>& overrides, Pragmas& pragmas) {

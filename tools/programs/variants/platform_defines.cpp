@@ -37,10 +37,11 @@ constexpr const char* desktop_settings[] = {"UNITY_PBS_USE_BRDF1",
                                             "UNITY_SPECCUBE_BOX_PROJECTION",
                                             "UNITY_ENABLE_DETAIL_NORMALMAP",
                                             "UNITY_LIGHT_PROBE_PROXY_VOLUME",
-                                            "UNITY_LIGHTMAP_FULL_HDR",
                                             "UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS"};
 constexpr const char* mobile_settings[] = {"UNITY_PBS_USE_BRDF2", "UNITY_NO_DXT5nm", "UNITY_NO_RGBM",
-                                           "UNITY_NO_SCREENSPACE_SHADOWS", "UNITY_LIGHTMAP_DLDR_ENCODING"};
+                                           "UNITY_NO_SCREENSPACE_SHADOWS"};
+constexpr const char* lightmap_encodings[] = {"UNITY_LIGHTMAP_DLDR_ENCODING", "UNITY_LIGHTMAP_RGBM_ENCODING",
+                                              "UNITY_LIGHTMAP_FULL_HDR"};
 
 constexpr std::string_view light_modes[] = {"FORWARDBASE",  "FORWARDADD",   "DEFERRED", "PREPASSBASE",
                                             "PREPASSFINAL", "SHADOWCASTER", "META",     "MOTIONVECTORS"};
@@ -58,6 +59,9 @@ void add_settings(const Platform& platform, std::map<std::string, std::string>& 
     for (const char* name : mobile_settings) defines[name] = "1";
   else
     for (const char* name : desktop_settings) defines[name] = "1";
+  if (platform.gamma) defines["UNITY_COLORSPACE_GAMMA"] = "1";
+  const LightmapEncoding usual = platform.mobile ? LightmapEncoding::dldr : LightmapEncoding::full_hdr;
+  defines[lightmap_encodings[static_cast<int>(platform.lightmaps.value_or(usual))]] = "1";
   const std::string mode = in_capitals(platform.light_mode);
   if (std::find(std::begin(light_modes), std::end(light_modes), mode) != std::end(light_modes))
     defines["UNITY_PASS_" + mode] = "1";

@@ -20,8 +20,9 @@
 //                                "Built-in macros", and UnityCG.cginc of the built-in shaders
 //   the settings of a platform   1, as "Platform defines:" in Unity's error messages names them: those of
 //                                desktops in one of Unity 6 for d3d11, those of mobile devices in one of
-//                                2021.3 for Android. They are the editor's defaults, in linear colour
-//                                space:
+//                                2021.3 for Android. They are the editor's defaults; a project may have
+//                                UNITY_COLORSPACE_GAMMA and another encoding of lightmaps,
+//                                UNITY_LIGHTMAP_RGBM_ENCODING among them (ProjectSettings.asset):
 //                                  both     UNITY_ENABLE_REFLECTION_BUFFERS
 //                                  desktop, UNITY_PBS_USE_BRDF1, UNITY_SPECCUBE_BLENDING,
 //                                  console  UNITY_SPECCUBE_BOX_PROJECTION, UNITY_ENABLE_DETAIL_NORMALMAP,
@@ -50,6 +51,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "hlsl/stage.h"
@@ -71,13 +73,18 @@ std::optional<GraphicsApi> find_graphics_api(std::string_view renderer);
 // keywords").
 bool keeps_stage_keywords(GraphicsApi api);
 
+// In the order of ProjectSettings.asset: low, normal and high quality.
+enum class LightmapEncoding { dldr, rgbm, full_hdr };
+
 struct Platform {
   GraphicsApi api = GraphicsApi::vulkan;
   bool mobile = false;
   int unity_version = 202230;
   // For CGPROGRAM, HLSLSupport.cginc is included first and detects the compiler itself.
   bool includes_hlsl_support = false;
-  std::string light_mode{};  // value of the pass's tag LightMode; empty without one
+  std::string light_mode{};                     // value of the pass's tag LightMode; empty without one
+  bool gamma = false;                           // colour space gamma
+  std::optional<LightmapEncoding> lightmaps{};  // the platform's default if absent
 };
 
 // Returns UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch,
