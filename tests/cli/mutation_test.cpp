@@ -179,7 +179,7 @@ TEST_P(Mutants, EveryFileHasItsAnswer) {
     if (file.ends_with(".hlsl")) command.arguments.push_back(file);
   command.timeout = std::chrono::minutes(25);
   const platform::ChildResult result = platform::run_child(command);
-  ASSERT_EQ(result.exit_code, 1) << result.errors;
+  ASSERT_THAT(result.exit_code, testing::AnyOf(1, 70)) << result.errors;
   const nlohmann::json report = nlohmann::json::parse(read("report.json"));
   int crashes = 0;
   for (const nlohmann::json& variant : report["variants"]) {

@@ -315,6 +315,7 @@ TEST_F(Isolation, ACrashWhileCompilingFailsTheUnit) {
   const UnitResult result = run_with("crash@spirv").results[1];
   EXPECT_THAT(statuses(result), ElementsAre(failed, unreached, unreached));
   EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler crashed with SIGABRT");
+  EXPECT_EQ(result.targets[0].diagnostics.at(0).rule, compiler_crash);
   EXPECT_EQ(result.targets[0].diagnostics.at(0).file, files_.path("C.hlsl").string());
 }
 
@@ -371,6 +372,13 @@ TEST_F(Isolation, AnEaterOfMemoryEndsAtItsLimit) {
   EXPECT_EQ(result.targets[2].diagnostics.at(0).message,
             "the compiler took more than 768 MiB of memory; simplify the shader, or raise --time-limit and "
             "--memory-limit");
+  EXPECT_EQ(result.targets[2].diagnostics.at(0).rule, compiler_limit);
+}
+
+TEST_F(Isolation, AMistakeOfTheProgramIsToldAsSuch) {
+  const UnitResult result = run_with("throw@spirv").results[1];
+  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler failed: a mistake");
+  EXPECT_EQ(result.targets[0].diagnostics.at(0).rule, compiler_crash);
 }
 
 TEST_F(Isolation, AWorkerThatIsKilledEveryTimeFailsItsUnit) {

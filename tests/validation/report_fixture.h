@@ -61,6 +61,7 @@ inline ValidationReport mixed_report() {
   report.records.push_back(emitted);
   VariantRecord crash = water({"_CRASH"});
   crash = failed(crash, error_at("Assets/Water.shader", 0, 0, "glslang crashed (signal 11)"));
+  crash.diagnostics[0].rule = compiler_crash;
   crash.reproduction = "build/crashes/1a2b.hlsl";
   report.records.push_back(crash);
   VariantRecord lint = water({"_LINT"});

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -31,6 +32,7 @@ bool takes_a_byte(const std::string& pipe) {
 
 void misbehave(const std::string& how) {
   if (how == "crash") std::abort();
+  if (how == "throw") throw std::logic_error("a mistake");
   if (how == "kill") std::raise(SIGKILL);
   if (how.starts_with("kill-once:") && takes_a_byte(how.substr(10))) std::raise(SIGKILL);
   if (how.starts_with("crash-counted:") && takes_a_byte(how.substr(14))) std::abort();

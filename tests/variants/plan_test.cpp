@@ -50,7 +50,9 @@ TEST(Refusal, NamesWhatMultipliesMostAndHowToPinIt) {
             "Unlit   vertex 6\nwhat multiplies the number most, and how many variants are left without it\n  "
             "8 left   --keywords '-SHADOWS -SHADOWS_SOFT'\n  12 left   --keywords '+FAST'\n  18 left   "
             "--keywords '-COOKIES'\nnarrow the keywords (+NAME always, -NAME never, A|B only these), pass a "
-            "stripping file with what the project uses (URP settings, materials), or raise the limit\n");
+            "stripping file with what the project uses (URP settings, materials), compile only some variants "
+            "of each entry "
+            "point with --sample 3, or raise the limit\n");
 }
 
 TEST(Refusal, WhatItPromisesHolds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include "cli/known_names.h"
@@ -167,6 +168,8 @@ void write_report(const ReportOptions& options, const validation::ValidationRepo
   write_output(options.output,
                validation::format_report(report, *validation::find_report_form(options.form), style));
   if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
+  if (const std::string crashes = validation::crash_text(report); !crashes.empty())
+    throw std::runtime_error(crashes);
 }
 
 std::vector<std::string> parse_keyword_set(const std::string& text) {

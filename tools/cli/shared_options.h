@@ -67,7 +67,8 @@ struct ReportOptions {
 // Adds --format, --output, --root and --verbose.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
-// Sets the exit code to findings if a variant failed.
+// Sets the exit code to findings if a variant failed. Throws after writing if a compiler crashed on one: a
+// script must not take a failure of the tools for an error of a shader.
 void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
 
 // Arguments that subcommands over shader files share: keyword sets, macros, package roots.

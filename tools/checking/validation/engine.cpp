@@ -47,6 +47,7 @@ class UnitRun final : public platform::WorkSource {
   struct Failure {
     std::string message;
     std::string reproduction;
+    bool limited = false;  // by a limit of time or memory
   };
   // The state of one unit so far.
   struct State {
@@ -273,7 +274,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   std::string message = failure.problem;
   if (failure.limited) message += "; " + failure.remedy;  // a crash keeps the text that it failed on
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
-  states_[place].failures[target] = {std::move(message), {}};
+  states_[place].failures[target] = {std::move(message), {}, failure.limited};
   if (has_no_text) {  // A second attempt would end in the same way, and take as long.
     states_[place].failures[target].reproduction =
         write_reproduction(keep_folder(), unit(place), {target, outcome.failure, {}});
@@ -399,13 +400,14 @@ void UnitRun::add_failure(const CompileUnit& unit, const State& state, std::stri
   const auto failure = state.failures.find(std::string(target));
   if (failure == state.failures.end()) return;
   const bool lint = target == note_lint;  // the compiler reported nothing
+  const char* rule = failure->second.limited ? compiler_limit : compiler_crash;
   result.diagnostics.push_back({unit.file,
                                 0,
                                 0,
                                 lint ? hlsl::Severity::warning : hlsl::Severity::error,
                                 failure->second.message,
                                 {},
-                                lint ? "not-checked" : ""});
+                                lint ? "not-checked" : rule});
   result.reproduction = failure->second.reproduction;
 }
 

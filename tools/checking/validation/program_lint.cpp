@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hlsl/source_text.h"
+#include "input/mistake.h"
 #include "lint/suppression.h"
 #include "validation/kept_answers.h"
 #include "validation/unit_lint.h"
@@ -143,13 +144,15 @@ std::vector<VariantRecord> program_findings(const std::vector<ProgramToLint>& pr
   }
   Findings findings(order);
   std::set<SubShaderKey> compared;
-  for (const ProgramToLint& program : programs) {
+  const auto lint = [&](const ProgramToLint& program) {
     if (const auto found = of_program.find(program_of(program)); found != of_program.end())
       findings.add(program, keyword_findings(program, found->second));
     const auto found = of_sub_shader.find(sub_shader_of(program));
     if (found != of_sub_shader.end() && compared.insert(found->first).second)
       findings.add(program, buffer_findings(program, found->second));
-  }
+  };
+  for (const ProgramToLint& program : programs)
+    with_place(program.file + (program.pass.empty() ? "" : ", pass " + program.pass), [&] { lint(program); });
   return findings.take();
 }
 

@@ -28,6 +28,13 @@ bool refused(const VariantRecord& record) {
          });
 }
 
+// A compiler that crashed or reached a limit has given no verdict on the variant.
+bool gave_no_verdict(const VariantRecord& record) {
+  return std::any_of(record.diagnostics.begin(), record.diagnostics.end(), [](const hlsl::Diagnostic& said) {
+    return said.rule == compiler_crash || said.rule == compiler_limit;
+  });
+}
+
 }  // namespace
 
 bool is_from_bytecode(const std::vector<hlsl::Diagnostic>& said) {
@@ -108,8 +115,7 @@ FrontEnds front_ends(const ValidationReport& report) {
     const VariantRecord& record = report.records[i];
     if (record.target == whole_source) continue;
     if (record.status == VariantStatus::unchecked && !is_from_bytecode(record.diagnostics)) continue;
-    // A compiler that reached a limit or crashed has given no verdict on the variant.
-    if (!record.reproduction.empty()) continue;
+    if (gave_no_verdict(record)) continue;
     Verdicts& of_variant = verdicts[variants.of_record(i)];
     if (record.target == fxc_target)
       of_variant.fxc = !failed(record);

@@ -27,6 +27,11 @@ inline constexpr const char* whole_source = "source";
 inline constexpr const char* from_bytecode = "from-bytecode";
 bool is_from_bytecode(const std::vector<hlsl::Diagnostic>& said);
 
+// The rules of errors about a compiler that crashed, which is a failure of this program and not of the
+// shader, and about one that reached a limit of time or memory.
+inline constexpr const char* compiler_crash = "compiler-crash";
+inline constexpr const char* compiler_limit = "compiler-limit";
+
 // The result of one entry point of one file with one keyword set for one target.
 struct VariantRecord {
   std::string technique;  // the technique's name; empty for a user's file
@@ -96,6 +101,9 @@ std::string report_json(const ValidationReport& report);
 std::string report_sarif(const ValidationReport& report, const ReportStyle& style = {});
 std::string report_junit(const ValidationReport& report, const ReportStyle& style = {});
 std::string report_github(const ValidationReport& report, const ReportStyle& style = {});
+
+// Returns what crashed, and on which file, program, variant and target; empty where nothing did.
+std::string crash_text(const ValidationReport& report);
 
 // A count of the variants that only one of the two compilers refuses: FXC, which decides in Unity, or
 // glslang, from whose SPIR-V all targets but d3d11 are made.

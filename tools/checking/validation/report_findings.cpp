@@ -48,7 +48,6 @@ bool worth_telling(const hlsl::Diagnostic& diagnostic, const VariantRecord& reco
 
 std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
   if (!diagnostic.rule.empty()) return diagnostic.rule;
-  if (!record.reproduction.empty() && diagnostic.severity == hlsl::Severity::error) return "compiler-crash";
   if (diagnostic.message.starts_with("SPIR-V ")) return "spirv";
   if (diagnostic.line > 0 && !in_emitted_text(diagnostic, record)) return "hlsl";
   return is_spirv_target(record.target) ? "hlsl" : "target-" + record.target;
@@ -316,6 +315,21 @@ std::vector<std::string> targets_of(const Finding& finding, const ValidationRepo
   for (const std::size_t record : finding.records)
     if (known.insert(report.records[record].target).second) targets.push_back(report.records[record].target);
   return targets;
+}
+
+std::string crash_text(const ValidationReport& report) {
+  std::vector<std::string> crashes;
+  const Variants variants(report);
+  for (const Finding& finding : findings(report)) {
+    if (finding.rule != compiler_crash) continue;
+    const VariantRecord& first = report.records[finding.records.front()];
+    std::string text = finding.diagnostic.file + ": " + finding.diagnostic.message + ": " +
+                       program_titles(finding, report, variants) + ", with " + keyword_list(first.keywords) +
+                       ", for " + joined(targets_of(finding, report), ", ");
+    if (!first.reproduction.empty()) text += "; its text is in " + first.reproduction;
+    crashes.push_back(visible(text));
+  }
+  return shortened(crashes, "\n  ", 4);
 }
 
 std::string totals_line(const ValidationReport& report, const Variants& variants) {

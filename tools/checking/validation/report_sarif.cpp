@@ -25,7 +25,9 @@ std::string describe(const std::string& rule, const ValidationReport& report) {
   if (const auto known = report.rules.find(rule); known != report.rules.end()) return known->second;
   if (rule == "hlsl") return "The HLSL compiler rejects the source or warns about it";
   if (rule == "spirv") return "The compiled module is not valid SPIR-V";
-  if (rule == "compiler-crash") return "A compiler crashes, hangs or runs out of memory on the source";
+  if (rule == compiler_crash)
+    return "A compiler crashes on the source: a failure of penumbra, not of the shader";
+  if (rule == compiler_limit) return "A compiler reaches its limit of time or memory on the source";
   const std::string target = "target-";
   if (rule.starts_with(target)) return "The shader cannot be compiled for " + rule.substr(target.size());
   return "Finds what Unity's own compilers reject or what costs speed: " + rule;

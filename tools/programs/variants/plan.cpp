@@ -152,7 +152,8 @@ std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t l
   }
   return text +
          "narrow the keywords (+NAME always, -NAME never, A|B only these), pass a stripping file with what "
-         "the project uses (URP settings, materials), or raise the limit\n";
+         "the project uses (URP settings, materials), compile only some variants of each entry point with "
+         "--sample 3, or raise the limit\n";
 }
 
 }  // namespace penumbra::variants
