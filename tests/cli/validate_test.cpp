@@ -145,6 +145,26 @@ TEST_F(Validate, AProjectWithoutShadersIsRefused) {
                    HasSubstr("has no shader file to validate"));
 }
 
+TEST_F(Validate, AFileInAProjectsAssetsHasTheProjectsPackages) {
+  write("Game/Packages/com.me.tint/package.json", R"({"name": "com.me.tint", "version": "1.0.0"})");
+  write("Game/Packages/com.me.tint/Tint.hlsl", "float4 Tint() { return UNITY_VERSION; }\n");
+  std::filesystem::create_directories(path("Game/ProjectSettings"));
+  const std::string text =
+      "#include \"Packages/com.me.tint/Tint.hlsl\"\nfloat4 Main() : SV_Target { return Tint(); }\n";
+  std::vector<std::string> validate{"validate", write("Game/Assets/Deep/Main.hlsl", text).string(),
+                                    "--no-cache", "--target", "spirv"};
+  const auto inside = run(validate);
+  EXPECT_EQ(inside.exit_code, 0) << inside.output;
+  EXPECT_THAT(inside.errors, HasSubstrs("the Unity project " + path("Game").string(), "--no-project"));
+  validate.emplace_back("--no-project");
+  EXPECT_EQ(run(validate).exit_code, 1) << "there is no such package";
+  validate.back() = write("Other.hlsl", text).string();
+  EXPECT_EQ(run(validate).exit_code, 1) << "not all files are in the project";
+  const auto beside =
+      run({"validate", write("Game/Main.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  EXPECT_THAT(beside.errors, Not(HasSubstr("the Unity project"))) << "Unity does not import it";
+}
+
 TEST_F(Validate, APatternThatMatchesNothingIsRefused) {
   expect_bad_input({"validate", path("").string(), "--count", "--only", "zzz/**"},
                    HasSubstr("--only 'zzz/**' matches no shader file"));

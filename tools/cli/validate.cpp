@@ -12,10 +12,12 @@
 #include "cli/validate_options.h"
 #include "fxc/fxc.h"
 #include "input/input_error.h"
+#include "input/mistake.h"
 #include "input/nearest_name.h"
 #include "input/visible_text.h"
 #include "lint/rule.h"
 #include "platform/data_directory.h"
+#include "project/include_bounds.h"
 #include "project/package_version.h"
 #include "project/shader_files.h"
 #include "project/unity_project.h"
@@ -94,6 +96,15 @@ std::vector<project::PackageRoot> given_roots(const ValidateOptions& options) {
   std::vector<project::PackageRoot> roots;
   for (const std::string& root : options.package_roots) roots.push_back(parse_package_root(root));
   return roots;
+}
+
+// Returns the Unity project in which all of the places are; empty without one.
+fs::path project_of(const std::vector<std::string>& places) {
+  const fs::path first = places.empty() ? fs::path() : project::project_of(places.front());
+  const bool same = std::all_of(places.begin(), places.end(), [&](const std::string& place) {
+    return project::project_of(place) == first;
+  });
+  return same ? first : fs::path();
 }
 
 // Lines go to standard error, like progress.
@@ -230,7 +241,8 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   source.entries = {{options.entry, *hlsl::find_stage(options.stage)}};
   for (const std::string& set : options.keyword_sets) source.keyword_sets.push_back(parse_keyword_set(set));
   validation::ShaderSources sources(std::move(source));
-  for (const project::ShaderFile& file : files.files) sources.add(file);
+  for (const project::ShaderFile& file : files.files)
+    with_place(file.path.string(), [&] { sources.add(file); });
 
   for (const hlsl::Diagnostic& problem : found.said)
     if (problem.severity != hlsl::Severity::note)
@@ -276,13 +288,17 @@ void check_outputs(const ValidateOptions& options, const Context& context) {
   check_output_folder(options.keep);
 }
 
-void run_validate(const CLI::App& command, const ValidateOptions& options, Context& context) {
+void run_validate(const CLI::App& command, ValidateOptions options, Context& context) {
   const bool sources_given = !options.places.empty() || !options.project.empty();
   if (options.require_sources && !sources_given)
     throw InputError("--require-sources", "there is nothing to validate",
                      "name files, or a project with --project");
   check_outputs(options, context);
   refuse_idle_options(command, options);
+  if (options.project.empty() && !options.no_project) options.project = project_of(options.places).string();
+  if (command.get_option("--project")->count() == 0 && !options.project.empty())
+    say(context, "note: this belongs to the Unity project " + visible(options.project) +
+                     ", whose packages and settings hold; --no-project leaves it out");
   if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);

@@ -15,7 +15,10 @@ void add_what(CLI::App& command, ValidateOptions& options) {
                   ".shader, .compute and .hlsl files, or folders of .shader and .compute files")
       ->type_name("FILE")
       ->default_str("the library's techniques, unless --project is given");
-  add_project(command, options.project);
+  CLI::Option* project = add_project(command, options.project)
+                             ->default_str("that of the files, where they are in its Assets/ or Packages/");
+  command.add_flag("--no-project", options.no_project, "Files in a Unity project's folders are on their own")
+      ->excludes(project);
   as_list(command.add_option("--only", options.only,
                              "Pattern of files to include, for example 'Assets/Water/**'"))
       ->type_name("PATTERN")

@@ -15,6 +15,7 @@ struct ValidateOptions {
   // These options choose what is validated.
   std::vector<std::string> places;
   std::string project;
+  bool no_project = false;
   std::vector<std::string> only;
   std::vector<std::string> skip;
   std::string techniques;

@@ -67,6 +67,16 @@ fs::path own_tree(const fs::path& file) {
   return no_file_owns(tree) ? absolute : tree;
 }
 
+fs::path project_of(const fs::path& file) {
+  std::error_code error;
+  fs::path absolute = fs::absolute(file, error).lexically_normal();
+  if (!absolute.has_filename()) absolute = absolute.parent_path();  // "Assets/"
+  const fs::path project = nearest_above(absolute, is_unity_project);
+  if (project.empty()) return {};
+  const fs::path first = *absolute.lexically_relative(project).begin();
+  return first == "Assets" || first == "Packages" ? project : fs::path();
+}
+
 void IncludeBounds::add(const fs::path& root) {
   if (!root.empty()) roots_.push_back(without_links(root));
 }

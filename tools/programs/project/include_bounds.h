@@ -13,6 +13,10 @@ namespace penumbra::project {
 // folder, it is the file alone.
 std::filesystem::path own_tree(const std::filesystem::path& file);
 
+// Returns the nearest Unity project above the file or folder, if it is in that project's Assets or Packages,
+// where Unity imports it; else empty.
+std::filesystem::path project_of(const std::filesystem::path& file);
+
 // Returns whether it is the disk's root or the user's home folder. What is below those belongs to no single
 // file of theirs, and holds credentials: includes are read from such a folder only if the user names it.
 bool no_file_owns(const std::filesystem::path& folder);
