@@ -163,7 +163,7 @@ TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
   EXPECT_EQ(result.exit_code, 1) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("::error file=Assets/Broken.hlsl,line=3,col=22,title=penumbra%3A "
                                        "hlsl::unknown variable 'glow'%0A"));
-  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("variants"), 4);
+  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("results"), 4);
   EXPECT_EQ(read_json("penumbra-reports/penumbra.sarif").at("runs").at(0).at("results").size(), 1u);
   // Each target is made from a source of its own, so the mistake is in both.
   EXPECT_THAT(read("penumbra-reports/penumbra.xml"), HasSubstr("failures=\"2\""));
@@ -305,7 +305,7 @@ TEST_F(GithubRun, ReportsOfAllShardsAreJoined) {
   }
   const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"merge", shards}});
   EXPECT_EQ(result.exit_code, 1) << result.errors;
-  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("variants"), 10);
+  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("results"), 10);
   EXPECT_THAT(result.output, HasSubstr("::error file=Assets/Broken.hlsl,line=3"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/program.h"
 #include "fxc/at_hand.h"
+#include "validate_report.h"
 
 namespace penumbra {
 namespace {
@@ -59,7 +60,7 @@ TEST_F(ValidateFxc, VariantsOfAnApiAreCountedOnceAndTheirKeywordsAreLooked) {
       run_with_fxc({"validate", file, "--target", "hlsl50,d3d11,spirv", "--count", "--format", "json"});
   EXPECT_EQ(counted.exit_code, 0) << counted.errors;
   const nlohmann::json counts = nlohmann::json::parse(counted.output);
-  EXPECT_EQ(counts["variants"], 8);
+  EXPECT_EQ(counts["results"], 12);
   EXPECT_EQ(counts["programs"].size(), 2U);
   for (const char* targets : {"spirv", "hlsl50,d3d11,spirv"})
     EXPECT_THAT(run_with_fxc({"validate", file, "--target", targets, "--no-cache"}).output,
@@ -83,7 +84,7 @@ TEST_F(ValidateFxc, WhatTakesFxcTooLongIsNotCountedAsRefused) {
   EXPECT_EQ(result.exit_code, 1) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("took more than 2 s of CPU time in FXC"));
   const nlohmann::json report = nlohmann::json::parse(result.output);
-  for (const nlohmann::json& record : report["variants"])
+  for (const nlohmann::json& record : results_of(report))
     EXPECT_EQ(record["status"], record["target"] == "d3d11" ? "failed" : "unchecked") << record;
 }
 
@@ -170,11 +171,11 @@ TEST_F(ValidateFxc, WhatGlslangAloneRefusesIsCheckedForEveryTargetFromFxcsByteco
       "{\n    float1 v; v.x = r[id.x]; o[id.x] = v.x;\n}\n");
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_EQ(report["summary"]["unreached"], 0);
-  for (const nlohmann::json& record : report["variants"]) {
+  for (const nlohmann::json& record : results_of(report)) {
     EXPECT_EQ(record["status"], "passed") << record;
     if (record["target"] == "d3d11") continue;
-    ASSERT_EQ(record["diagnostics"].size(), 1U) << record;
-    EXPECT_EQ(record["diagnostics"][0]["rule"], "from-bytecode");
+    ASSERT_EQ(record["messages"].size(), 1U) << record;
+    EXPECT_EQ(record["messages"][0]["rule"], "from-bytecode");
   }
 }
 
@@ -183,9 +184,9 @@ TEST_F(ValidateFxc, ACrashOfGlslangLeavesTheVerdictToFxc) {
   const nlohmann::json report = report_of(
       "float Get(StructuredBuffer<float> b, uint i) { return b[i]; }\n"
       "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID) { o[id.x] = Get(o, id.x); }\n");
-  for (const nlohmann::json& record : report["variants"]) {
+  for (const nlohmann::json& record : results_of(report)) {
     ASSERT_EQ(record["status"], "failed") << record;
-    EXPECT_THAT(record["diagnostics"][0]["message"].get<std::string>(), HasSubstr("X3017")) << record;
+    EXPECT_THAT(record["messages"][0]["message"].get<std::string>(), HasSubstr("X3017")) << record;
   }
 }
 
@@ -199,7 +200,7 @@ TEST_F(ValidateFxc, AnErrorInWhatIsMadeFromBytecodeIsUncheckedAndAnAbsentStageIs
         run_with_fxc({"validate", file, "--stage", stage, "--no-cache", "--no-lint", "--format", "json"});
     const nlohmann::json report = nlohmann::json::parse(result.output);
     std::map<std::string, std::string> found;
-    for (const nlohmann::json& record : report["variants"]) found[record["target"]] = record["status"];
+    for (const nlohmann::json& record : results_of(report)) found[record["target"]] = record["status"];
     return found;
   };
   const auto vertex = statuses(
@@ -248,7 +249,7 @@ TEST_F(ValidateFxc, BytecodeWithMinimumPrecisionIsTranslated) {
       {"validate", file, "--target", "spirv,d3d11", "--no-cache", "--no-lint", "--format", "json"});
   EXPECT_EQ(result.exit_code, 0) << result.output;
   const nlohmann::json report = nlohmann::json::parse(result.output);
-  for (const nlohmann::json& record : report["variants"]) EXPECT_EQ(record["status"], "passed") << record;
+  for (const nlohmann::json& record : results_of(report)) EXPECT_EQ(record["status"], "passed") << record;
 }
 
 // Unity gives such a text to DXC, so FXC's verdict says nothing about it.
@@ -257,7 +258,7 @@ TEST_F(ValidateFxc, FxcIsNotAskedAfterUseDxc) {
   const nlohmann::json report = report_of(
       "#pragma use_dxc\n[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
       "{\n    float1 v; v.x = r[id.x]; o[id.x] = v.x;\n}\n");
-  for (const nlohmann::json& record : report["variants"])
+  for (const nlohmann::json& record : results_of(report))
     if (record["target"] == "spirv") {
       EXPECT_EQ(record["status"], "failed") << record;
     }
@@ -281,11 +282,11 @@ TEST_P(MistakesThatFxcRefuses, AreErrorsAtTheirLine) {
       std::string(
           "groupshared float big[4];\n[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID) {\n") +
       GetParam().body + "\n}\n");
-  for (const nlohmann::json& record : report["variants"]) {
+  for (const nlohmann::json& record : results_of(report)) {
     if (record["target"] != "d3d11") continue;
     ASSERT_EQ(record["status"], "failed") << record;
-    EXPECT_EQ(record["diagnostics"][0]["line"], 5) << record;
-    EXPECT_THAT(record["diagnostics"][0]["message"].get<std::string>(), HasSubstr(GetParam().code)) << record;
+    EXPECT_EQ(record["messages"][0]["line"], 5) << record;
+    EXPECT_THAT(record["messages"][0]["message"].get<std::string>(), HasSubstr(GetParam().code)) << record;
   }
 }
 
@@ -309,7 +310,7 @@ TEST_F(ValidateFxc, WhatNeitherGlslangNorTheBytecodeBringsToATargetIsUnchecked) 
       "[numthreads(8, 1, 1)] void Main(uint3 id : SV_DispatchThreadID)\n"
       "{\n    float1 v; uint n, s; r.GetDimensions(n, s); v.x = n; o[id.x] = v.x;\n}\n");
   EXPECT_EQ(report["summary"]["failed"], 0);
-  for (const nlohmann::json& record : report["variants"])
+  for (const nlohmann::json& record : results_of(report))
     EXPECT_EQ(record["status"], record["target"] == "d3d11" ? "passed" : "unchecked") << record;
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/hostile_shaders.h"
 #include "cli/program.h"
+#include "validate_report.h"
 
 namespace penumbra {
 namespace {
@@ -72,10 +73,12 @@ class Validate : public ProgramTest {
 TEST_F(Validate, CompilesEveryVariantOfEveryStageForEveryTarget) {
   const nlohmann::json json = report({"--target", "spirv,hlsl50"});
   // The vertex stage has _ and WARM, the fragment stage those with and without BRIGHT; each for two targets.
-  EXPECT_EQ(json["summary"]["variants"], (2 + 4) * 2);
+  EXPECT_EQ(json["summary"]["results"], (2 + 4) * 2);
+  EXPECT_EQ(json["summary"]["variants"], 2 + 4);
+  EXPECT_EQ(json["variants"].size(), 6U);
   EXPECT_EQ(json["summary"]["failed"], 0);
   std::set<std::string> passes;
-  for (const nlohmann::json& record : json["variants"])
+  for (const nlohmann::json& record : results_of(json))
     if (record.contains("pass")) passes.insert(record["pass"]);
   EXPECT_EQ(passes, std::set<std::string>{"Colour"});
 }
@@ -110,7 +113,7 @@ TEST_F(Validate, CountsShowNamesWithoutTheirControls) {
   count.insert(count.end(), {"--format", "json"});
   const auto json = run(count);
   EXPECT_EQ(json.exit_code, 0) << json.errors;
-  EXPECT_EQ(nlohmann::json::parse(json.output)["variants"], 5);
+  EXPECT_EQ(nlohmann::json::parse(json.output)["results"], 5);
 }
 
 TEST_F(Validate, KeywordsNarrowAndAreCounted) {
@@ -120,9 +123,9 @@ TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   expect_bad_input(command({"--target", "spirv", "--limit", "5"}),
                    HasSubstrs("--limit", "--keywords", "WARM", "--sample 3"));
   EXPECT_EQ(report({"--target", "spirv", "--sample", "1"})["summary"]["variants"], 2);
-  EXPECT_THAT(
-      run(command({"--target", "spirv", "--sample", "1"})).errors,
-      HasSubstr("6 variants in 1 program of 1 file, of which --sample takes at most 1 of each entry point"));
+  EXPECT_THAT(run(command({"--target", "spirv", "--sample", "1"})).errors,
+              HasSubstr("6 results of 1 program in 1 file for 1 target; --sample takes at most 1 variant of "
+                        "each entry point"));
 }
 
 TEST_F(Validate, AKeywordThatNoProgramDeclaresIsRefusedWithTheNearest) {
@@ -172,14 +175,14 @@ TEST_F(Validate, APatternThatMatchesNothingIsRefused) {
 
 TEST_F(Validate, WhatAKeywordAddsIsCounted) {
   const auto text = run(command({"--target", "spirv", "--count", "--what-if=-WARM"}));
-  EXPECT_THAT(text.output, HasSubstrs("vertex 2 (1)   fragment 4 (2)", "in all 6 (3 with -WARM)"));
+  EXPECT_THAT(text.output, HasSubstrs("vertex 2 (1)   fragment 4 (2)", "in all 6 results (3 with -WARM)"));
   const auto list = run(command({"--api", "d3d11", "--count", "--what-if=-WARM", "--format", "json"}));
   const auto json = nlohmann::json::parse(list.output);
   EXPECT_EQ(json["programs"][0]["api"], "d3d11");
   EXPECT_EQ(json["programs"][0]["stages"][1],
             (nlohmann::json{{"stage", "fragment"}, {"variants", 4}, {"what_if", 2}}));
-  EXPECT_EQ(json["variants"], 6);
-  EXPECT_EQ(json["what_if"], 3);
+  EXPECT_EQ(json["results"], 6 * 5) << "for each of the targets";
+  EXPECT_EQ(json["what_if"], 3 * 5);
   EXPECT_EQ(json["condition"], "-WARM");
   const auto plain =
       nlohmann::json::parse(run(command({"--api", "d3d11", "--count", "--format", "json"})).output);
@@ -215,6 +218,61 @@ TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
   EXPECT_THAT(listed({"--urp-asset", asset}), HasSubstrs("Forward   vertex 4", "0.1"));
   EXPECT_THAT(listed({"--urp-asset", asset, "--urp-asset", renderer}),
               AllOf(HasSubstr("Forward   vertex 4"), Not(HasSubstr("0.1"))));
+}
+
+TEST_F(Validate, WarningsFailWhereTheyAreToldTo) {
+  const std::string file =
+      write("Bent.hlsl", "float _Base;\nfloat4 Main() : SV_Target { return pow(_Base, 1.5); }\n").string();
+  const std::string report = path("bent.json").string();
+  EXPECT_EQ(
+      run({"validate", file, "--no-cache", "--target", "spirv", "--format", "json", "-o", report}).exit_code,
+      0);
+  EXPECT_EQ(run({"validate", file, "--no-cache", "--target", "spirv", "--werror"}).exit_code, 1);
+  EXPECT_EQ(run({"merge", report, "--werror"}).exit_code, 1);
+  const auto known =
+      run({"validate", file, "--no-cache", "--target", "spirv", "--werror", "--baseline", report});
+  EXPECT_EQ(known.exit_code, 0) << known.output;
+  EXPECT_THAT(known.errors, HasSubstr("1 finding compared, 0 findings not in the baseline, 0 only there"));
+}
+
+TEST_F(Validate, OnlyWhatABaselineLacksFails) {
+  set_factor("undefined_factor");
+  const std::string baseline = path("report.json").string();
+  report({"--target", "spirv"});
+  std::rename(baseline.c_str(), path("baseline.json").c_str());
+  const std::vector<std::string> again{"--target", "spirv", "--baseline", path("baseline.json").string()};
+  write("Library.hlsl", "\n\n" + read("Library.hlsl"));
+  const auto known = run(command(again));
+  EXPECT_EQ(known.exit_code, 0) << known.output;
+  EXPECT_THAT(known.output, testing::StartsWith("passed: 1 finding of the baseline\n"));
+  set_factor("another_factor");
+  const auto other = run(command(again));
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.errors, HasSubstrs("not in the baseline: ", "another_factor", "only in the baseline: ",
+                                       "undefined_factor", "1 finding not in the baseline, 1 only there"));
+  expect_bad_input(command({"--baseline", path("Two.shader").string()}), HasSubstr("Two.shader:1:1"));
+}
+
+TEST_F(Validate, MessagesInPackagesAreNotesUnlessAskedFor) {
+  write("Game/Packages/com.me.tint/package.json", R"({"name": "com.me.tint", "version": "1.0.0"})");
+  write("Game/Packages/com.me.tint/Tint.hlsl", "float _Base;\nfloat4 Tint() { return pow(_Base, 1.5); }\n");
+  write("Game/Packages/com.me.tint/Broken.compute",
+        "#pragma kernel K\n[numthreads(1, 1, 1)] void K() { no; }\n");
+  write("Game/Assets/K.compute",
+        "#pragma kernel K\n#include \"Packages/com.me.tint/Tint.hlsl\"\nRWBuffer<float4> Out;\n"
+        "[numthreads(1, 1, 1)] void K() { Out[0] = Tint(); }\n");
+  const std::vector<std::string> project{
+      "validate", "--project", path("Game").string(), "--no-cache", "--target", "spirv", "--werror"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = project;
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  EXPECT_EQ(with({}).exit_code, 0) << with({}).output;
+  EXPECT_THAT(with({}).output, HasSubstrs("passed\n", "2 notes, of which 2 in packages", "1 failed"));
+  EXPECT_EQ(with({"--packages"}).exit_code, 1);
+  EXPECT_THAT(with({"--packages"}).output, testing::StartsWith("failed: 1 error, 1 warning\n"));
+  EXPECT_EQ(with({path("Game/Packages/com.me.tint").string()}).exit_code, 1) << "the package is named";
 }
 
 TEST_F(Validate, ASecondRunIsFromTheCacheUntilAnIncludeChanges) {
@@ -317,14 +375,14 @@ TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
   const auto elsewhere = shader("#pragma fragment F\n#pragma only_renderers metal\n");
   EXPECT_EQ(elsewhere.exit_code, 0);
   EXPECT_THAT(elsewhere.output,
-              HasSubstr("unchecked: 1 variant: only_renderers or exclude_renderers leave out"));
+              HasSubstr("unchecked: 1 program: only_renderers or exclude_renderers leave out"));
 }
 
 TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
   write("Library.hlsl",
         "#if defined(SHADER_API_D3D11)\n#error only d3d11\n#endif\nfloat4 Tint(float x) { return x; }\n");
   const nlohmann::json json = report({"--target", "spirv,hlsl50"});
-  for (const nlohmann::json& record : json["variants"])
+  for (const nlohmann::json& record : results_of(json))
     EXPECT_EQ(record["status"] == "failed", record["target"] == "hlsl50") << record.dump();
   EXPECT_EQ(report({"--target", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
 }

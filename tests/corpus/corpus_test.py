@@ -24,7 +24,7 @@ run = script("run")
 def record(status, target="spirv", place="0.0", message="", file="/r/A.shader"):
     diagnostics = [{"file": "/r/Inc/B.hlsl", "line": 7, "severity": "error", "message": message}] if message else []
     return {"file": file, "shader": "S", "pass": place, "status": status, "target": target, "keywords": [],
-            "diagnostics": diagnostics}
+            "messages": diagnostics}
 
 
 def sum_up(*records):
@@ -61,8 +61,8 @@ class FrontEnds(unittest.TestCase):
             [of("passed", "spirv", []), of("passed", "d3d11", []),
              of("passed", "spirv", ["A"]), of("failed", "d3d11", ["A"], "X3004: undeclared identifier 'a'"),
              of("passed", "spirv", ["B"]), of("failed", "d3d11", ["B"], "X3004: undeclared identifier 'b'"),
-             {**of("passed", "spirv", ["C"]), "diagnostics": [self.note("no \"c\"")]}, of("passed", "d3d11", ["C"]),
-             {**of("unchecked", "spirv", ["F"]), "diagnostics": [self.note("no \"f\"")]}, of("passed", "d3d11", ["F"]),
+             {**of("passed", "spirv", ["C"]), "messages": [self.note("no \"c\"")]}, of("passed", "d3d11", ["C"]),
+             {**of("unchecked", "spirv", ["F"]), "messages": [self.note("no \"f\"")]}, of("passed", "d3d11", ["F"]),
              of("failed", "spirv", ["D"], "no"), of("failed", "d3d11", ["D"], "no"),
              of("failed", "spirv", ["E"], "cannot find 'E'"), of("passed", "d3d11", ["E"])], [(Path("/r"), "")])
 
@@ -84,7 +84,7 @@ class FrontEnds(unittest.TestCase):
 class Judged(unittest.TestCase):
     def test_of_the_blocks_that_fxc_accepts_those_that_reach_all_targets_count(self):
         def note(status, target, place):
-            return {**record(status, target, place), "diagnostics": [
+            return {**record(status, target, place), "messages": [
                 {"file": "/r/B.hlsl", "line": 7, "severity": "note", "rule": "from-bytecode", "message": "no"}]}
 
         result = run.sum_up_judged(

@@ -12,7 +12,9 @@ void write_forms(const validation::ValidationReport& report) {
   validation::ReportStyle style;
   style.root = "/srv/project";
   style.folder = "/srv/project/Assets";
-  require_harmless(validation::report_text(report, {false, true, {}, {}}));
+  validation::ReportStyle whole;
+  whole.verbose = true;
+  require_harmless(validation::report_text(report, whole));
   const std::string sarif = validation::report_sarif(report, style);
   require(nlohmann::json::accept(sarif), "SARIF is JSON");
   for (const char c : validation::report_junit(report, style))

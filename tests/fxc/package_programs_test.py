@@ -9,11 +9,15 @@ import json
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tests"))
+from validate_report import results  # noqa: E402
+
 PROGRAM = os.environ["PENUMBRA_PROGRAM"]
 URP = [Path(folder) for folder in os.environ.get("PENUMBRA_URP_PACKAGES", "").split(os.pathsep) if folder]
 STAND_INS = {"Shaders": ROOT / "tools/programs/shaders/unity", "Samples~": ROOT / "tests/samples/unity"}
@@ -74,7 +78,7 @@ class PackagePrograms(unittest.TestCase):
              stripping, "--limit", "100000", "--sample", str(most), "--format", "json", "-o", report,
              "--cache", self.scratch / "cache"], env=self.environment, capture_output=True, text=True)
         self.assertIn(result.returncode, (0, 1), result.stderr)
-        return json.loads(report.read_text())["variants"]
+        return results(json.loads(report.read_text()))
 
     def check(self, folder, least, most=0):
         for packages in [STAND_INS[folder], *URP]:
@@ -88,7 +92,7 @@ class PackagePrograms(unittest.TestCase):
                     self.assertEqual(unchecked, [])
                     # URP's files have warnings of their own.
                     said = {f"{message['file']}:{message.get('line', 0)}: {message['severity']}: {message['message']}"
-                            for variant in variants for message in variant.get("diagnostics", ())
+                            for variant in variants for message in variant["messages"]
                             if message["severity"] == "error" or packages not in URP or not str(message["file"]).startswith(str(packages))}
                     self.assertEqual(said, set())
 

@@ -11,6 +11,7 @@
 
 #include "cli/program.h"
 #include "fxc/at_hand.h"
+#include "validate_report.h"
 
 namespace penumbra {
 namespace {
@@ -45,8 +46,8 @@ class SampleShaders : public ProgramTest {
 // temporaries, and only where it has not compiled the same text before.
 std::set<std::string> findings(const nlohmann::json& report) {
   std::set<std::string> messages;
-  for (const nlohmann::json& variant : report["variants"]) {
-    for (const nlohmann::json& message : variant.value("diagnostics", nlohmann::json::array())) {
+  for (const nlohmann::json& variant : results_of(report)) {
+    for (const nlohmann::json& message : variant.value("messages", nlohmann::json::array())) {
       if (message.at("severity") == "error" || message.contains("rule")) messages.insert(message.dump());
     }
   }
@@ -55,7 +56,7 @@ std::set<std::string> findings(const nlohmann::json& report) {
 
 std::set<std::string> passes(const nlohmann::json& report) {
   std::set<std::string> names;
-  for (const nlohmann::json& variant : report["variants"]) {
+  for (const nlohmann::json& variant : results_of(report)) {
     if (variant.contains("pass")) names.insert(variant["pass"]);
   }
   return names;
@@ -64,7 +65,7 @@ std::set<std::string> passes(const nlohmann::json& report) {
 TEST_F(SampleShaders, TheCustomPipelinesCompileForEveryTarget) {
   const nlohmann::json report = validate(kSunLit);
   EXPECT_EQ(passes(report), (std::set<std::string>{"SunLit", "ShadowCaster"}));
-  EXPECT_EQ(report["summary"]["variants"], 2 * 2 * 5);
+  EXPECT_EQ(report["summary"]["results"], 2 * 2 * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -77,7 +78,7 @@ TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
   EXPECT_EQ(passes(report),
             (std::set<std::string>{"ForwardLit", "ShadowCaster", "DepthOnly", "DepthNormals"}));
   const int forward = 1 + 6 * 4 * 2 * 2 * 2, caster = 2 + 1, depth = 1 + 1, normals = 1 + 2;
-  EXPECT_EQ(report["summary"]["variants"], (forward + caster + depth + normals) * 5);
+  EXPECT_EQ(report["summary"]["results"], (forward + caster + depth + normals) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -88,7 +89,7 @@ TEST_F(SampleShaders, PlanarAndBlobShadowsCompileForEveryTarget) {
         validate(kSource + "/Samples~/PlanarAndBlobShadows/Shaders/" + name + ".shader",
                  {"--keywords=-INSTANCING_ON"});
     EXPECT_EQ(passes(report), std::set<std::string>{name});
-    EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+    EXPECT_EQ(report["summary"]["results"], 2 * 5);
     EXPECT_EQ(report["summary"]["failed"], 0);
     EXPECT_THAT(findings(report), IsEmpty());
   }
@@ -100,7 +101,7 @@ TEST_F(SampleShaders, TheShadowVolumesCompileForEveryTarget) {
         validate(kSource + "/Samples~/ShadowVolumes/Shaders/ShadowVolume" + name + ".shader",
                  {"--keywords=-INSTANCING_ON"});  // the stand-ins do not tell it apart
     EXPECT_EQ(passes(report), (std::set<std::string>{"ShadowVolume" + name}));
-    EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+    EXPECT_EQ(report["summary"]["results"], 2 * 5);
     EXPECT_EQ(report["summary"]["failed"], 0);
     EXPECT_THAT(findings(report), IsEmpty());
   }
@@ -225,7 +226,7 @@ ENDHLSL
 TEST_F(SampleShaders, ThePagesCompilesWithAndWithoutAShadowMap) {
   write("Page.shader", urp_shader());
   const nlohmann::json report = validate(path("Page.shader").string());
-  EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
+  EXPECT_EQ(report["summary"]["results"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -233,7 +234,7 @@ TEST_F(SampleShaders, ThePagesCompilesWithAndWithoutAShadowMap) {
 TEST_F(SampleShaders, FunctionsThatReadBakesCompileForEveryTarget) {
   write("Bakes.shader", bakes_shader());
   const nlohmann::json report = validate(path("Bakes.shader").string());
-  EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+  EXPECT_EQ(report["summary"]["results"], 2 * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -241,7 +242,7 @@ TEST_F(SampleShaders, FunctionsThatReadBakesCompileForEveryTarget) {
 TEST_F(SampleShaders, PlanarShadowOfThePageCompilesForEveryTarget) {
   write("Planar.shader", planar_shader());
   const nlohmann::json report = validate(path("Planar.shader").string());
-  EXPECT_EQ(report["summary"]["variants"], 2 * 5);
+  EXPECT_EQ(report["summary"]["results"], 2 * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -249,7 +250,7 @@ TEST_F(SampleShaders, PlanarShadowOfThePageCompilesForEveryTarget) {
 TEST_F(SampleShaders, FogOfThePageCompilesForEveryTarget) {
   write("Volumetric.shader", volumetric_shader());
   const nlohmann::json report = validate(path("Volumetric.shader").string());
-  EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
+  EXPECT_EQ(report["summary"]["results"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
@@ -262,10 +263,10 @@ TEST_F(SampleShaders, UnitysCompilerWarnsOfNothingInThePagesExamples) {
   write("Planar.shader", planar_shader());
   write("Volumetric.shader", volumetric_shader());
   const nlohmann::json report = validate(path("").string(), {"--target", "d3d11"});
-  EXPECT_EQ(report["summary"]["variants"], 5 + 2 + 2 + 5);
+  EXPECT_EQ(report["summary"]["results"], 5 + 2 + 2 + 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
-  for (const nlohmann::json& variant : report["variants"])
-    EXPECT_THAT(variant.value("diagnostics", nlohmann::json::array()), IsEmpty());
+  for (const nlohmann::json& variant : results_of(report))
+    EXPECT_THAT(variant.value("messages", nlohmann::json::array()), IsEmpty());
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ ValidationReport full_report() {
   report.shard = 2;
   report.shards = 3;
   report.fingerprint = "f00d";
+  report.packages = {"Packages/com.y"};
   return report;
 }
 
@@ -67,9 +68,9 @@ TEST(ReportJson, ReadsBackWhatItWrote) {
   EXPECT_EQ(a.diagnostics.at(0).source_line, "x\ty");
   EXPECT_EQ(a.diagnostics.at(0).rule, "rule");
   EXPECT_EQ(std::tie(again.unique, again.seconds, again.checks, again.rules, again.shard, again.shards,
-                     again.fingerprint),
+                     again.fingerprint, again.packages),
             std::tie(report.unique, report.seconds, report.checks, report.rules, report.shard, report.shards,
-                     report.fingerprint));
+                     report.fingerprint, report.packages));
 }
 
 TEST(ReportJson, OtherFilesAreRefusedAtTheirPlace) {
@@ -81,12 +82,33 @@ TEST(ReportJson, OtherFilesAreRefusedAtTheirPlace) {
     return refusal(text.replace(text.find(part), part.size(), instead));
   };
   EXPECT_THAT(with("\"fragment\"", "\"fragmint\""), AllOf(HasSubstr("report.json:"), HasSubstr("fragmint")));
-  EXPECT_THAT(with("\"status\": \"failed\"", "\"status\": \"broken\""), HasSubstr("unknown status 'broken'"));
-  EXPECT_THAT(with("\"failed\": 1", "\"failed\": 0"), HasSubstr("is not what the records count: 1"));
+  EXPECT_THAT(with("\"status\":\"failed\"", "\"status\":\"broken\""), HasSubstr("unknown status 'broken'"));
+  EXPECT_THAT(with("\"failed\": 1", "\"failed\": 0"), HasSubstr("is not what the results count: 1"));
   for (const char* index : {"\"index\": 4", "\"index\": 0", "\"index\": -5"})
     EXPECT_THAT(with("\"index\": 2", index), HasSubstr("from 1 to their count")) << index;
-  EXPECT_THAT(with("\"line\": 2", "\"line\": -2"), HasSubstr("must not be negative"));
+  EXPECT_THAT(with("\"line\":2", "\"line\":-2"), HasSubstr("must not be negative"));
   EXPECT_THAT(with("\"module\"", "\"modul\""), HasSubstr("unknown key 'modul'"));
+  for (const char* index : {"[1]", "[-1]", "[0.5]", "0"})
+    EXPECT_THAT(with("\"messages\":[0]", std::string("\"messages\":") + index),
+                HasSubstr("'messages' must be an array of whole numbers from 0 to below 1"))
+        << index;
+}
+
+TEST(ReportJson, HoldsEachMessageOnceAndFilesAsAWholeBesideVariants) {
+  ValidationReport report;
+  for (const char* target : {"spirv", "msl23"})
+    for (const std::vector<std::string>& set : subsets({"A", "B"}))
+      report.records.push_back(failed(water(set, target), error_at("a.hlsl", 1, 1, "only once")));
+  VariantRecord file = failed(water({}, whole_source), error_at("b.shader", 1, 1, "unreadable"));
+  file.entry.clear();
+  report.records.push_back(file);
+  const nlohmann::json json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json.at("messages").size(), 2U);
+  EXPECT_EQ(json.at("variants").size(), 4U);
+  EXPECT_EQ(json.at("variants")[0].at("results").size(), 2U);
+  EXPECT_EQ(json.at("sources").size(), 1U);
+  EXPECT_EQ(json.at("summary").at("variants"), 4);
+  EXPECT_EQ(json.at("summary").at("results"), 9);
 }
 
 // The whole run of 24 variants for two targets.

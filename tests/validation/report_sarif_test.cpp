@@ -38,7 +38,7 @@ ValidationReport report_of(const hlsl::Diagnostic& diagnostic) {
 
 TEST(Sarif, IndicesPointAtTheirRulesAndFiles) {
   const json run = log_of(mixed_report());
-  EXPECT_EQ(run.at("results").size(), 6u);
+  EXPECT_EQ(run.at("results").size(), 5u) << "a note about a decision is no alert";
   for (const json& result : run.at("results")) {
     EXPECT_EQ(run.at("tool").at("driver").at("rules").at(result.at("ruleIndex").get<std::size_t>()).at("id"),
               result.at("ruleId"));

@@ -29,7 +29,7 @@ bool has(const std::vector<std::string>& set, const std::string& keyword) {
 }
 
 std::string first_line_after_headline(const std::string& text) {
-  const std::size_t start = text.find('\n') + 1;
+  const std::size_t start = text.find('\n', text.find('\n') + 1) + 1;
   return text.substr(start, text.find('\n', start) - start);
 }
 
@@ -37,11 +37,11 @@ TEST(ReportText, OneCauseOfManyVariantsIsOneMessage) {
   const std::string text =
       report_text(report_of({"A", "B", "C", "D", "E", "F", "G"}, [](const auto&) { return true; }));
   EXPECT_THAT(text,
-              StartsWith("Water.hlsl:3:9: error: unknown variable 'x'\n"
+              StartsWith("failed: 1 error\nWater.hlsl:3:9: error: unknown variable 'x'\n"
                          "  pass ForwardLit of Custom/Water, fragment entry Frag, in all 128 variants\n"));
   EXPECT_THAT(text,
               EndsWith("128 variants for 1 target: 128 results (0 unique, 0 cached), 128 failed, 0.0 s\n"));
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
 TEST(ReportText, TheKeywordsThatDecideAreFound) {
@@ -105,7 +105,7 @@ TEST(ReportText, TargetsOfOneCauseAreFolded) {
               : water({}, name));
   }
   EXPECT_THAT(report_text(report),
-              StartsWith("Assets/Water.shader: error: the generated text is rejected: bad\n"
+              StartsWith("failed: 1 error\nAssets/Water.shader: error: the generated text is rejected: bad\n"
                          "  pass ForwardLit of Custom/Water, fragment entry Frag, "
                          "for essl310, glsl450\n"));
 }
@@ -145,9 +145,9 @@ TEST(ReportText, ReasonsForWhatWasNotJudgedAreSaidOnce) {
     report.records.back().reason = "needs UnityCG.cginc";
   }
   const std::string text = report_text(report);
-  EXPECT_THAT(text, StartsWith("unchecked: 4 variants: needs UnityCG.cginc\n"));
+  EXPECT_THAT(text, StartsWith("passed\nunchecked: 4 variants: needs UnityCG.cginc\n"));
   EXPECT_THAT(text, EndsWith("0 failed, 4 unchecked, 0.0 s\n"));
-  EXPECT_EQ(text.find("UnityCG", 40), std::string::npos);
+  EXPECT_EQ(text.find("UnityCG", 50), std::string::npos);
 }
 
 TEST(ReportText, ACrashNamesTheFileThatReproducesIt) {
@@ -164,7 +164,8 @@ TEST(ReportText, AFailureWithoutAMessageIsStillSaid) {
   ValidationReport report;
   report.records.push_back(water({}));
   report.records.back().status = VariantStatus::failed;
-  EXPECT_THAT(report_text(report), StartsWith("Assets/Water.shader: error: failed without a message\n"));
+  EXPECT_THAT(report_text(report),
+              StartsWith("failed: 1 error\nAssets/Water.shader: error: failed without a message\n"));
 }
 
 TEST(ReportText, ColourIsOnlyThereWhenAskedFor) {
@@ -186,8 +187,8 @@ TEST(ReportText, AVeryLongLineIsShownAroundItsColumn) {
   report.records.push_back(failed(water({}), far));
   const std::string text = report_text(report);
   EXPECT_LT(text.size(), 1000u);
-  EXPECT_THAT(text, StartsWith("a.hlsl:1:50001: error: no such thing\n    ...--"));
-  const std::size_t excerpt = text.find('\n') + 1;
+  EXPECT_THAT(text, StartsWith("failed: 1 error\na.hlsl:1:50001: error: no such thing\n    ...--"));
+  const std::size_t excerpt = text.find('\n', text.find('\n') + 1) + 1;
   const std::size_t caret_line = text.find('\n', excerpt) + 1;
   EXPECT_EQ(text.find('^', caret_line) - caret_line, text.find("HERE") - excerpt);
 }
@@ -220,6 +221,68 @@ TEST(ReportText, NoTextOfAMergedReportReachesTheTerminalAsItIs) {
     EXPECT_EQ(text.find('\x7F'), std::string::npos);
     EXPECT_EQ(text.find("\n::error::a"), std::string::npos);
   }
+}
+
+TEST(ReportText, TheVerdictStandsFirst) {
+  EXPECT_THAT(report_text(mixed_report()), StartsWith("failed: 4 errors, 1 warning\n"));
+  ValidationReport report;
+  report.records.push_back(water({}));
+  EXPECT_THAT(report_text(report), StartsWith("passed\n"));
+  report.records[0].diagnostics.push_back(cause);
+  report.records[0].diagnostics[0].severity = hlsl::Severity::warning;
+  EXPECT_THAT(report_text(report), StartsWith("passed: 1 warning\n"));
+  ReportStyle strict;
+  strict.werror = true;
+  EXPECT_THAT(report_text(report, strict), StartsWith("failed: 1 warning\n"));
+  EXPECT_TRUE(fails(report, strict));
+  EXPECT_FALSE(fails(report, {}));
+}
+
+// Other graphics APIs have another type for `half`.
+TEST(ReportText, AMessageThatDiffersInPrecisionIsOne) {
+  ValidationReport report;
+  for (const char* name : {"half", "min16float"})
+    report.records.push_back(
+        failed(water({}, name), error_at("a.hlsl", 1, 1, std::string("no F(") + name + "3)")));
+  const std::string text = report_text(report);
+  EXPECT_THAT(text, HasSubstr("a.hlsl:1:1: error: no F(half3)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("F(min16float3)")));
+  EXPECT_THAT(text, HasSubstr("for half, min16float\n"));
+}
+
+TEST(ReportText, WarningsInPackagesAreNotes) {
+  ValidationReport report;
+  report.packages = {"/cache/com.x", "Packages/com.y"};
+  hlsl::Diagnostic warning = error_at("/cache/com.x/a.hlsl", 1, 1, "of a package");
+  warning.severity = hlsl::Severity::warning;
+  report.records.push_back(water({}));
+  report.records[0].diagnostics = {warning};
+  ReportStyle strict;
+  strict.werror = true;
+  EXPECT_FALSE(fails(report, strict));
+  EXPECT_THAT(report_text(report), HasSubstr("passed\n1 note, of which 1 in packages; --verbose shows it\n"));
+  EXPECT_THAT(report_sarif(report), Not(HasSubstr("of a package")));
+  EXPECT_THAT(report_github(report), Not(HasSubstr("of a package")));
+  strict.verbose = true;
+  EXPECT_THAT(report_text(report, strict), HasSubstr("/cache/com.x/a.hlsl:1:1: note: of a package\n"));
+  EXPECT_THAT(report_sarif(report, strict), HasSubstr("of a package"));
+  report.records[0].diagnostics[0].file = "/cache/com.xy/a.hlsl";
+  EXPECT_THAT(report_text(report), HasSubstr("/cache/com.xy/a.hlsl:1:1: warning: of a package\n"));
+}
+
+// The user's shader does not compile, wherever the line is that a compiler names.
+TEST(ReportText, AnErrorInAPackageFailsUnlessItsProgramIsAPackagesToo) {
+  ValidationReport report;
+  report.packages = {"Packages/com.y"};
+  report.records.push_back(failed(water({}), error_at("Packages/com.y/a.hlsl", 1, 1, "no")));
+  EXPECT_TRUE(fails(report, {}));
+  EXPECT_THAT(report_junit(report), HasSubstr("failures=\"1\""));
+  report.records[0].file = "Packages/com.y/A.shader";
+  EXPECT_FALSE(fails(report, {}));
+  EXPECT_THAT(report_text(report), HasSubstr("1 failed"));
+  EXPECT_THAT(report_junit(report), HasSubstr("failures=\"0\""));
+  report.packages.clear();
+  EXPECT_TRUE(fails(report, {}));
 }
 
 // There are as many findings as variants and keywords: the time of each must not grow with all others' pairs.

@@ -9,6 +9,7 @@
 
 #include "input/input_error.h"
 #include "shaders/shader_files.h"
+#include "validate_report.h"
 
 namespace penumbra::validation {
 
@@ -224,18 +225,20 @@ TEST(Validate, JsonHasTheDesignsMembers) {
   const ShaderFiles files;
   files.write("f.hlsl", "#error no\n");
   const nlohmann::json report = nlohmann::json::parse(report_json(validate(file_request(files))));
-  for (const char* key : {"variants", "unique", "failed", "cached", "seconds"})
+  for (const char* key : {"variants", "results", "unique", "failed", "cached", "seconds"})
     EXPECT_TRUE(report.at("summary").at(key).is_number()) << key;
-  EXPECT_EQ(report.at("summary").at("variants"), 5);
+  EXPECT_EQ(report.at("summary").at("variants"), 1);
+  EXPECT_EQ(report.at("summary").at("results"), 5);
   EXPECT_EQ(report.at("summary").at("failed"), 1);
-  ASSERT_EQ(report.at("variants").size(), 5U);
-  const nlohmann::json& record = report.at("variants").at(0);
+  ASSERT_EQ(report.at("variants").size(), 1U);
+  ASSERT_EQ(report.at("messages").size(), 1U) << "each message once";
+  const nlohmann::json record = results_of(report).at(0);
   EXPECT_EQ(record.at("entry"), "Main");
   EXPECT_EQ(record.at("stage"), "fragment");
   EXPECT_EQ(record.at("target"), "spirv");
   EXPECT_EQ(record.at("status"), "failed");
   EXPECT_TRUE(record.at("keywords").is_array());
-  const nlohmann::json& diagnostic = record.at("diagnostics").at(0);
+  const nlohmann::json& diagnostic = record.at("messages").at(0);
   EXPECT_EQ(diagnostic.at("line"), 1);
   EXPECT_EQ(diagnostic.at("severity"), "error");
   for (const char* key : {"file", "column", "message"}) EXPECT_TRUE(diagnostic.contains(key)) << key;

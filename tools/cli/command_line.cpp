@@ -180,7 +180,7 @@ constexpr const char* kExitCodes =
     "file is outdated\n"
     "  2    usage or input error: correct the command line or the file\n"
     "  3    environment error: no Vulkan device, a missing package, too little memory\n"
-    "  70   a bug in penumbra; please report it\n"
+    "  70   a bug in penumbra, or a compiler that crashed; please report it\n"
     "  130  interrupted, by Ctrl-C for example; finished work is kept\n"
     "  143  ended by SIGTERM, by a time limit for example; finished work is kept\n"
     "Progress goes to standard error: a bar on a terminal, otherwise a line every 10 s; --quiet turns it "

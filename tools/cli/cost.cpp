@@ -256,11 +256,7 @@ void add_what(CLI::App& command, CostOptions& options) {
 }
 
 void add_comparison(CLI::App& command, CostOptions& options) {
-  command
-      .add_option("--baseline", options.baseline,
-                  "Compare with the JSON of an earlier run; exit code 1 if a figure is worse")
-      ->type_name("FILE")
-      ->default_str("none");
+  add_baseline(command, options.baseline, "a figure is worse");
   command.add_option("--tolerance", options.tolerance, "By how many per cent a figure may be worse")
       ->type_name("PERCENT")
       ->check(within(0, 1000));

@@ -19,9 +19,11 @@ struct MergeOptions {
 void run_merge(const MergeOptions& options, Context& context) {
   check_output_file(options.report.output);
   refuse_input_as_output("--output", options.report.output, options.files);
+  refuse_input_as_output("--output", options.report.output, {options.report.baseline});
   std::vector<validation::NamedReport> reports;
   for (const std::string& file : options.files) reports.push_back({file, validation::read_report_json(file)});
-  write_report(options.report, validation::merge_reports(std::move(reports)), context);
+  write_report(options.report, validation::merge_reports(std::move(reports)), read_baseline(options.report),
+               context);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cli/shared_options.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -11,6 +12,8 @@
 #include "input/input_error.h"
 #include "platform/terminal.h"
 #include "techniques/generated_files.h"
+#include "validation/report_baseline.h"
+#include "validation/report_merge.h"
 
 namespace penumbra::cli {
 
@@ -154,20 +157,40 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
                   "Folder to which file names in sarif, junit and github are relative")
       ->type_name("FOLDER")
       ->default_str("the current one");
-  command.add_flag("--verbose", options.verbose, "Show every note in the text report");
+  add_baseline(command, options.baseline, "there is an error that it lacks");
+  command.add_flag("--verbose", options.verbose,
+                   "Show every note, and what the baseline has, in text, sarif and github");
+  command.add_flag("--werror", options.werror, "Exit code 1 for warnings, too");
+}
+
+std::optional<validation::ValidationReport> read_baseline(const ReportOptions& options) {
+  if (options.baseline.empty()) return std::nullopt;
+  return validation::read_report_json(options.baseline);
+}
+
+CLI::Option* add_baseline(CLI::App& command, std::string& file, const std::string& findings) {
+  return command
+      .add_option("--baseline", file, "Compare with the JSON of an earlier run; exit code 1 if " + findings)
+      ->type_name("FILE")
+      ->default_str("none");
 }
 
 void write_report(const ReportOptions& options, const validation::ValidationReport& report,
-                  Context& context) {
+                  const std::optional<validation::ValidationReport>& baseline, Context& context) {
   validation::ReportStyle style;
   const bool to_stdout = options.output.empty() || options.output == "-";
   style.colour = to_stdout && platform::colour_wanted_on_stdout();
   style.verbose = options.verbose;
+  style.werror = options.werror;
   style.folder = std::filesystem::current_path();
   style.root = std::filesystem::absolute(options.root.empty() ? "." : options.root);
+  if (baseline) style.known = validation::known_findings(*baseline, style);
   write_output(options.output,
                validation::format_report(report, *validation::find_report_form(options.form), style));
-  if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
+  if (validation::fails(report, style)) context.exit_code = findings;
+  if (baseline && (!context.quiet || context.exit_code != success))
+    std::fprintf(stderr, "%s",
+                 comparison_text(validation::compare_with_baseline(report, *baseline, style)).c_str());
   if (const std::string crashes = validation::crash_text(report); !crashes.empty())
     throw std::runtime_error(crashes);
 }

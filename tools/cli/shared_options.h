@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -61,15 +62,24 @@ struct ReportOptions {
   std::string form = "text";
   std::string output;
   std::string root;
+  std::string baseline;
   bool verbose = false;
+  bool werror = false;
 };
 
-// Adds --format, --output, --root and --verbose.
+// Adds --format, --output, --root, --baseline, --verbose and --werror.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
-// Sets the exit code to findings if a variant failed. Throws after writing if a compiler crashed on one: a
+// Sets the exit code to findings if the run fails. Throws after writing if a compiler crashed on a variant: a
 // script must not take a failure of the tools for an error of a shader.
-void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
+// The report is compared with the baseline, if there is one.
+void write_report(const ReportOptions& options, const validation::ValidationReport& report,
+                  const std::optional<validation::ValidationReport>& baseline, Context& context);
+
+// Returns the report that --baseline names, if it is given; throws InputError if it is none.
+std::optional<validation::ValidationReport> read_baseline(const ReportOptions& options);
+
+CLI::Option* add_baseline(CLI::App& command, std::string& file, const std::string& findings);
 
 // Arguments that subcommands over shader files share: keyword sets, macros, package roots.
 std::vector<std::string> parse_keyword_set(const std::string& text);        // "A,B"

@@ -151,6 +151,33 @@ Found look_around(const ValidateOptions& options) {
   return found;
 }
 
+bool is_below(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+// Returns the folders of packages, and the editor's includes, that are not the user's own: no named file and
+// no Assets folder is in one, and none is in those.
+std::vector<std::string> package_folders(const project::IncludeRoots& roots, const ValidateOptions& options) {
+  const auto whole = [](const fs::path& path) {
+    const fs::path normal = fs::absolute(path).lexically_normal();
+    return normal.has_filename() ? normal : normal.parent_path();
+  };
+  std::vector<fs::path> own(options.places.begin(), options.places.end());
+  if (!options.project.empty()) own.push_back(fs::path(options.project) / "Assets");
+  std::vector<fs::path> folders;
+  if (!roots.cginc.empty()) folders.push_back(roots.cginc);
+  for (const project::PackageRoot& root : roots.packages) folders.push_back(root.directory);
+  std::vector<std::string> packages;
+  for (const fs::path& folder : folders) {
+    const bool is_own = std::any_of(own.begin(), own.end(), [&](const fs::path& mine) {
+      return is_below(whole(folder), whole(mine)) || is_below(whole(mine), whole(folder));
+    });
+    const fs::path normal = folder.lexically_normal();
+    if (!is_own) packages.push_back((normal.has_filename() ? normal : normal.parent_path()).string());
+  }
+  return packages;
+}
+
 void explain(const ValidateOptions& options, const validation::ShaderSources& sources,
              const validation::EngineOptions& engine, Context& context) {
   for (const validation::VariantRecord& record : sources.records())
@@ -255,12 +282,12 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   const auto counted = [](std::size_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
   };
-  const std::string total = variants::text_of(plan.total);
-  say(context, total + (total == "1" ? " variant in " : " variants in ") +
-                   counted(plan.programs.size(), "program") + " of " + counted(files.files.size(), "file") +
-                   (options.sample == 0 ? std::string()
-                                        : ", of which --sample takes at most " +
-                                              std::to_string(options.sample) + " of each entry point"));
+  say(context,
+      variants::results_text(plan.results) + " of " + counted(sources.program_count(), "program") + " in " +
+          counted(files.files.size(), "file") + " for " + counted(request.targets.size(), "target") +
+          (options.sample == 0
+               ? std::string()
+               : "; --sample takes at most " + counted(options.sample, "variant") + " of each entry point"));
   if (options.list) return list(options, sources, plan, context);
   const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
   if (!refusal.empty()) {
@@ -271,6 +298,7 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   request.units = sources.units();
   request.records = sources.records();
   request.programs = sources.to_lint();
+  if (!options.packages) request.packages = package_folders(found.roots, options);
 }
 
 void check_list(const ValidateOptions& options, bool sources_given) {
@@ -283,7 +311,7 @@ void check_list(const ValidateOptions& options, bool sources_given) {
 void check_outputs(const ValidateOptions& options, const Context& context) {
   check_output_file(options.report.output);
   refuse_report_over_source("--output", options.report.output);
-  refuse_input_as_output("--output", options.report.output, {options.techniques});
+  refuse_input_as_output("--output", options.report.output, {options.techniques, options.report.baseline});
   if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
 }
@@ -300,6 +328,7 @@ void run_validate(const CLI::App& command, ValidateOptions options, Context& con
     say(context, "note: this belongs to the Unity project " + visible(options.project) +
                      ", whose packages and settings hold; --no-project leaves it out");
   if (!options.fxc.empty()) fxc::choose_fxc(options.fxc);
+  const std::optional<validation::ValidationReport> baseline = read_baseline(options.report);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
@@ -328,7 +357,7 @@ void run_validate(const CLI::App& command, ValidateOptions options, Context& con
     };
     report = validation::validate(request);
   }
-  write_report(options.report, report, context);
+  write_report(options.report, report, baseline, context);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ void add_narrowing(CLI::App& command, ValidateOptions& options) {
                               "give every quality level and renderer"))
       ->type_name("FILE")
       ->default_str("none");
-  command.add_option("--limit", options.limit, "Stop with an error if there are more variants than this")
+  command.add_option("--limit", options.limit, "Stop with an error if there are more results than this")
       ->type_name("N")
       ->check(within(0, 1e9));
   command
@@ -111,6 +111,8 @@ void add_checks(CLI::App& command, ValidateOptions& options) {
       ->default_str("none");
   command.add_flag("--minimize", options.minimise,
                    "Find the smallest set of keywords that causes each error");
+  command.add_flag("--packages", options.packages,
+                   "Messages in packages are as severe as those in files of your own; else they are notes");
   command.add_flag("--no-lint", options.no_lint, "Only compile, without the lint rules of docs/lint.md");
   takes(command,
         as_list(command.add_option("--disable-rule", options.disabled_rules, "Lint rules to disable"))
@@ -152,13 +154,17 @@ void refuse_idle_options(const CLI::App& command, const ValidateOptions& options
       {"--only", "--skip", "--entry", "--stage", "--keywords", "--keyword-set", "--stripping", "--used-by",
        "--urp-asset", "--limit", "--sample", "--unity-version", "--mobile", "--cginc-root", "--api"},
       options.places.empty() && options.project.empty(), "without shader files or --project");
-  refuse_idle(command, {"--minimize", "--sample", "--shard", "--keep", "--root", "--verbose"}, options.list,
-              "with --count");
-  refuse_idle(command, {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose"},
+  refuse_idle(command,
+              {"--minimize", "--sample", "--shard", "--keep", "--root", "--verbose", "--werror", "--baseline",
+               "--packages"},
+              options.list, "with --count");
+  refuse_idle(command,
+              {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose", "--werror",
+               "--baseline", "--packages"},
               options.explain.has_value(), "with --explain");
   const std::string& form = options.report.form;
   refuse_idle(command, {"--root"}, form == "text" || form == "json", "with --format " + form);
-  refuse_idle(command, {"--verbose"}, form != "text", "with --format " + form);
+  refuse_idle(command, {"--verbose"}, form == "json" || form == "junit", "with --format " + form);
   refuse_idle(command, {"--disable-rule"}, options.no_lint, "with --no-lint");
   refuse_idle(command, {"--cache"}, options.no_cache, "with --no-cache");
 }

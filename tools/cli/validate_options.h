@@ -45,6 +45,7 @@ struct ValidateOptions {
   std::vector<std::string> disabled_rules;
   std::optional<std::string> explain;
   bool minimise = false;
+  bool packages = false;
   // These options say how the run works and what it writes.
   int jobs = 0;  // 0 means all cores
   std::string shard;

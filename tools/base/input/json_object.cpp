@@ -82,6 +82,17 @@ std::vector<double> JsonObject::numbers(const std::string& key, std::size_t coun
   return result;
 }
 
+std::vector<std::size_t> JsonObject::indices(const std::string& key, std::size_t end) {
+  const nlohmann::json* value = find(key);
+  if (value == nullptr) return {};
+  const auto is_index = [end](const nlohmann::json& element) {
+    return element.is_number_unsigned() && element.get<std::uint64_t>() < end;
+  };
+  if (!value->is_array() || !std::all_of(value->begin(), value->end(), is_index))
+    fail(key, "'" + key + "' must be an array of whole numbers from 0 to below " + std::to_string(end));
+  return value->get<std::vector<std::size_t>>();
+}
+
 std::vector<std::string> JsonObject::texts(const std::string& key) {
   const nlohmann::json* value = find(key);
   if (value == nullptr) return {};

@@ -66,7 +66,9 @@ class JsonObject {
   bool boolean(const std::string& key, bool fallback);
   std::string text(const std::string& key, const std::string& fallback);
   std::vector<double> numbers(const std::string& key, std::size_t count);  // exactly `count` finite numbers
-  std::vector<std::string> texts(const std::string& key);   // array of strings; empty if absent
+  std::vector<std::string> texts(const std::string& key);  // array of strings; empty if absent
+  // An array of numbers from 0 to below `end`; empty if absent.
+  std::vector<std::size_t> indices(const std::string& key, std::size_t end);
   JsonObject object(const std::string& key);                // an empty object if absent
   std::vector<JsonObject> objects(const std::string& key);  // array of objects; empty if absent
   std::vector<std::string> keys() const;                    // all keys, not in file order

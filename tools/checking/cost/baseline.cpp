@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cost/families.h"
+#include "input/baseline_text.h"
 #include "input/input_error.h"
 #include "input/visible_text.h"
 
@@ -146,15 +147,10 @@ std::string comparison_text(const BaselineComparison& comparison) {
   std::string text;
   for (const BaselineChange& change : comparison.worse) text += change_text("worse", change);
   for (const BaselineChange& change : comparison.better) text += change_text("better", change);
-  for (const std::string& row : comparison.unknown) text += "not in the baseline: " + visible(row) + "\n";
-  for (const std::string& row : comparison.gone) text += "only in the baseline: " + visible(row) + "\n";
-  const auto counted = [](std::size_t count, const char* thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-  };
-  return text + counted(comparison.compared, "row") + " compared, " +
-         counted(comparison.worse.size(), "figure") + " worse, " + std::to_string(comparison.better.size()) +
-         " better, " + counted(comparison.unknown.size(), "row") + " not in the baseline, " +
-         std::to_string(comparison.gone.size()) + " only there\n";
+  return text + baseline_lines(comparison.unknown, comparison.gone) + counted(comparison.compared, "row") +
+         " compared, " + counted(comparison.worse.size(), "figure") + " worse, " +
+         std::to_string(comparison.better.size()) + " better, " +
+         baseline_counts("row", comparison.unknown.size(), comparison.gone.size()) + "\n";
 }
 
 }  // namespace penumbra::cost

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,9 @@ struct ValidationReport {
   unsigned shard = 1;                         // this report is shard `shard` of `shards`, from 1
   unsigned shards = 1;                        // 1: the whole run
   std::string fingerprint;  // hash of the request without its shard: only reports that share it can be merged
+  // Folders of packages that are not the user's own: a warning in one is a note, and so is an error of a
+  // program in one. Their names are the beginnings of the names of files.
+  std::vector<std::string> packages;
 
   std::size_t count(VariantStatus status) const;
 };
@@ -87,12 +91,19 @@ std::optional<ReportForm> find_report_form(std::string_view name);
 
 struct ReportStyle {
   bool colour = false;   // text: ANSI colours
-  bool verbose = false;  // text: every note
+  bool verbose = false;  // text, sarif and github: every note, and what the baseline has
+  bool werror = false;   // warnings fail
+  // The findings of a baseline (finding_keys()), which do not fail; without a value there is no baseline.
+  std::optional<std::set<std::string>> known;
   // In sarif, junit and github, files below `root` are named relative to it, and relative names start from
   // `folder`. Both are absolute, or empty: then names are not changed.
   std::filesystem::path root;
   std::filesystem::path folder;
 };
+
+// Returns whether the run fails: by an error, or, with `werror`, by a warning, of a file of the user's own
+// that the baseline does not have.
+bool fails(const ValidationReport& report, const ReportStyle& style);
 
 std::string format_report(const ValidationReport& report, ReportForm form, const ReportStyle& style = {});
 

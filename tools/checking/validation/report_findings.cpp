@@ -53,11 +53,46 @@ std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& rec
   return is_spirv_target(record.target) ? "hlsl" : "target-" + record.target;
 }
 
+std::string of_any_precision(std::string message) {
+  for (const std::string_view name : {"min16float", "min10float"})
+    for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))
+      message.replace(at, name.size(), "half");
+  return message;
+}
+
+// Both names are lexically normal, or not at all below each other.
+bool is_in(const std::string& file, const std::vector<std::string>& folders) {
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+    return file.starts_with(folder) && (file.size() == folder.size() || file[folder.size()] == '/');
+  });
+}
+
+// FNV-1a with 64 bits and 16 digits is stable across machines and versions of this program.
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3U;
+  constexpr char digits[] = "0123456789abcdef";
+  std::string hex(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4U) hex[i] = digits[hash & 15U];
+  return hex;
+}
+
+void leave_to_package(Finding& finding, const ValidationReport& report) {
+  const bool of_package =
+      std::all_of(finding.records.begin(), finding.records.end(),
+                  [&](std::size_t record) { return is_in(report.records[record].file, report.packages); });
+  const bool error = finding.diagnostic.severity == hlsl::Severity::error;
+  if (!of_package && (error || !is_in(finding.diagnostic.file, report.packages))) return;
+  finding.in_package = true;
+  finding.diagnostic.severity = hlsl::Severity::note;
+}
+
 class Folder {
  public:
   void add(const hlsl::Diagnostic& diagnostic, const VariantRecord& record, std::size_t index) {
     hlsl::Diagnostic told = as_told(diagnostic, record);
-    const Key key{told.file, told.line, told.column, told.severity, told.message, told.rule};
+    const Key key{told.file, told.line, told.column, told.severity, of_any_precision(told.message),
+                  told.rule};
     const auto [at, is_new] = index_.try_emplace(key, findings_.size());
     if (is_new) findings_.push_back({std::move(told), rule_of(diagnostic, record), {}});
     std::vector<std::size_t>& records = findings_[at->second].records;
@@ -213,7 +248,7 @@ hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& recor
   return diagnostic;
 }
 
-std::vector<Finding> findings(const ValidationReport& report) {
+std::vector<Finding> findings(const ValidationReport& report, const ReportStyle& style) {
   Folder folder;
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
@@ -230,7 +265,52 @@ std::vector<Finding> findings(const ValidationReport& report) {
     if (record.status == VariantStatus::failed && !has_error)
       folder.add({record.file, 0, 0, hlsl::Severity::error, "failed without a message", {}}, record, i);
   }
-  return folder.take();
+  std::vector<Finding> all = folder.take();
+  if (!report.packages.empty())
+    for (Finding& finding : all) leave_to_package(finding, report);
+  if (!style.known) return all;
+  const std::vector<std::string> keys = finding_keys(all, style);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].known = style.known->contains(keys[i]);
+  return all;
+}
+
+std::vector<std::string> finding_keys(const std::vector<Finding>& findings, const ReportStyle& style) {
+  std::vector<std::string> keys;
+  std::map<std::string, int> met;
+  for (const Finding& finding : findings) {
+    const hlsl::Diagnostic& said = finding.diagnostic;
+    const std::string code = digest(finding.rule + '\n' + relative_file(said.file, style) + '\n' +
+                                    said.message + '\n' + said.source_line);
+    keys.push_back(code + ":" + std::to_string(++met[code]));
+  }
+  return keys;
+}
+
+bool is_shown(const Finding& finding, const ReportStyle& style) {
+  const hlsl::Diagnostic& said = finding.diagnostic;
+  const bool decision = said.severity == hlsl::Severity::note && said.rule.empty() && said.line > 0;
+  return style.verbose || (!decision && !finding.in_package && !finding.known);
+}
+
+std::string verdict_line(const std::vector<Finding>& findings, const ReportStyle& style) {
+  std::map<hlsl::Severity, std::size_t> count;
+  std::size_t known = 0;
+  for (const Finding& finding : findings) {
+    if (finding.diagnostic.severity == hlsl::Severity::note) continue;
+    ++(finding.known ? known : count[finding.diagnostic.severity]);
+  }
+  const std::size_t errors = count[hlsl::Severity::error];
+  const std::size_t warnings = count[hlsl::Severity::warning];
+  std::vector<std::string> parts;
+  if (errors != 0) parts.push_back(counted(errors, "error"));
+  if (warnings != 0) parts.push_back(counted(warnings, "warning"));
+  if (known != 0) parts.push_back(counted(known, "finding") + " of the baseline");
+  const bool failed = errors != 0 || (style.werror && warnings != 0);
+  return (failed ? "failed" : "passed") + (parts.empty() ? "" : ": " + joined(parts, ", "));
+}
+
+bool fails(const ValidationReport& report, const ReportStyle& style) {
+  return verdict_line(findings(report, style), style).starts_with("failed");
 }
 
 Variants::Variants(const ValidationReport& report) {
@@ -332,26 +412,34 @@ std::string crash_text(const ValidationReport& report) {
   return shortened(crashes, "\n  ", 4);
 }
 
-std::string totals_line(const ValidationReport& report, const Variants& variants) {
-  std::size_t cached = 0;
-  std::size_t results = 0;
+Totals totals_of(const ValidationReport& report, const Variants& variants) {
+  Totals totals;
   std::set<std::string> targets;
   std::set<std::size_t> compiled;
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
+    const bool whole = record.target == whole_source;
     // The record has only a message.
-    if (record.target == whole_source && record.status == VariantStatus::passed) continue;
-    ++results;
-    cached += record.cached ? 1 : 0;
+    if (whole && record.status == VariantStatus::passed) continue;
+    ++totals.results;
+    totals.cached += record.cached ? 1 : 0;
+    if (whole) continue;
     compiled.insert(variants.of_record(i));
-    if (record.target != whole_source) targets.insert(record.target);
+    targets.insert(record.target);
   }
+  totals.variants = compiled.size();
+  totals.targets = targets.size();
+  return totals;
+}
+
+std::string totals_line(const ValidationReport& report, const Variants& variants) {
+  const Totals totals = totals_of(report, variants);
   std::string text;
   if (report.shards > 1)
     text = "shard " + std::to_string(report.shard) + " of " + std::to_string(report.shards) + ": ";
-  text += counted(compiled.size(), "variant") + " for " + counted(targets.size(), "target") + ": " +
-          counted(results, "result") + " (" + std::to_string(report.unique) + " unique, " +
-          std::to_string(cached) + " cached), " + std::to_string(report.count(VariantStatus::failed)) +
+  text += counted(totals.variants, "variant") + " for " + counted(totals.targets, "target") + ": " +
+          counted(totals.results, "result") + " (" + std::to_string(report.unique) + " unique, " +
+          std::to_string(totals.cached) + " cached), " + std::to_string(report.count(VariantStatus::failed)) +
           " failed";
   for (const VariantStatus status :
        {VariantStatus::absent, VariantStatus::unreached, VariantStatus::unchecked})
@@ -360,10 +448,6 @@ std::string totals_line(const ValidationReport& report, const Variants& variants
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, ", %.1f s", report.seconds);
   return text + seconds;
-}
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 std::string joined(const std::vector<std::string>& parts, const char* separator) {

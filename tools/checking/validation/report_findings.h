@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/baseline_text.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {
@@ -16,14 +17,28 @@ struct Finding {
   hlsl::Diagnostic diagnostic;
   std::string rule;  // the lint rule, or the kind of a compiler's message: "hlsl", "spirv", ...
   std::vector<std::size_t> records;  // indices of the records that have it, in their order
+  bool in_package = false;           // see ValidationReport::packages: its severity is that of a note
+  bool known = false;                // the baseline has it
 };
 
 // Returns the diagnostic as reported in a finding: at a location that can be opened.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record);
 
 // Returns the findings in the order of their first record. Omits a driver's warnings about generated text; a
-// failed record without a message has a finding that says so.
-std::vector<Finding> findings(const ValidationReport& report);
+// failed record without a message has a finding that says so. Messages that differ only in how a type of less
+// than 32 bits is spelt are one: `half` is another type on each graphics API.
+std::vector<Finding> findings(const ValidationReport& report, const ReportStyle& style = {});
+
+// Returns a key for each finding that does not change when lines move. Equal findings of one file are
+// distinguished by their number.
+std::vector<std::string> finding_keys(const std::vector<Finding>& findings, const ReportStyle& style);
+
+// Returns whether a report shows it: not notes about decisions, such as which of two overloads was kept, and
+// neither what is in packages nor what the baseline has, unless all is asked for.
+bool is_shown(const Finding& finding, const ReportStyle& style);
+
+// Returns "failed: 2 errors, 1 warning", "passed".
+std::string verdict_line(const std::vector<Finding>& findings, const ReportStyle& style);
 
 // An entry point with one keyword set, for all targets: a variant from the user's point of view.
 struct Variant {
@@ -79,10 +94,18 @@ std::string fold_sentence(const KeywordFold& fold);
 // Returns the targets of the records, each once, in order.
 std::vector<std::string> targets_of(const Finding& finding, const ValidationReport& report);
 
+// Numbers of a report. A variant is an entry point with one keyword set, and a result is that of a variant
+// for a target, or of a file or program that has none.
+struct Totals {
+  std::size_t variants = 0;
+  std::size_t targets = 0;
+  std::size_t results = 0;
+  std::size_t cached = 0;
+};
+Totals totals_of(const ValidationReport& report, const Variants& variants);
+
 // Returns "240 variants for 5 targets: 1200 results (31 unique, 0 cached), 3 failed, ..., 12.3 s".
 std::string totals_line(const ValidationReport& report, const Variants& variants);
-
-std::string counted(std::size_t count, const std::string& thing);  // "1 variant", "2 variants"
 
 std::string joined(const std::vector<std::string>& parts, const char* separator);
 

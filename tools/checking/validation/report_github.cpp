@@ -57,19 +57,12 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
   return text + message_text(message) + "\n";
 }
 
-// Notes about decisions are of no interest in a pull request.
-bool is_shown(const Finding& finding) {
-  return finding.diagnostic.severity != hlsl::Severity::note || !finding.diagnostic.rule.empty();
-}
-
 }  // namespace
 
 std::string report_github(const ValidationReport& report, const ReportStyle& style) {
   const Variants variants(report);
-  std::vector<Finding> shown = findings(report);
-  shown.erase(
-      std::remove_if(shown.begin(), shown.end(), [](const Finding& finding) { return !is_shown(finding); }),
-      shown.end());
+  std::vector<Finding> shown = findings(report, style);
+  std::erase_if(shown, [&](const Finding& finding) { return !is_shown(finding, style); });
   // Errors come first: those beyond the tenth are not shown.
   std::stable_sort(shown.begin(), shown.end(), [](const Finding& a, const Finding& b) {
     return a.diagnostic.severity > b.diagnostic.severity;

@@ -1,6 +1,5 @@
-// JUnit XML as GitLab, Jenkins and GitHub's viewers read it: a testsuite per file, a testcase per variant and
-// target. If a run is too large for their pages, there is a testcase per entry point and target, which
-// combines its variants.
+// JUnit XML as GitLab, Jenkins and GitHub's viewers read it: a testsuite per file, a testcase per entry point
+// and target, for all variants. Each error is written once: other testcases that have it name the first.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -14,8 +13,6 @@
 namespace penumbra::validation {
 
 namespace {
-
-constexpr std::size_t most_cases = 5000;  // GitLab's test report page shows some thousands
 
 // Escapes control characters, and those that turn the direction of text. The noncharacters that XML 1.0
 // cannot represent (2.2) become U+FFFD; pugixml escapes the rest.
@@ -62,7 +59,7 @@ struct TextWriter final : pugi::xml_writer {
 
 struct TestCase {
   std::string name;
-  std::vector<std::size_t> records;  // one record, or all of an entry point for a target
+  std::vector<std::size_t> records;
 };
 
 struct Suite {
@@ -70,14 +67,11 @@ struct Suite {
   std::vector<TestCase> cases;
 };
 
-std::string case_name(const VariantRecord& record, bool folded) {
-  std::string name = program_title(record) + ", " + record.target;
-  if (!folded && !record.keywords.empty()) name += " [" + joined(record.keywords, " ") + "]";
-  return name;
+std::string case_name(const VariantRecord& record) {
+  return program_title(record) + ", " + record.target;
 }
 
 std::vector<Suite> suites_of(const ValidationReport& report) {
-  const bool folded = report.records.size() > most_cases;
   std::vector<Suite> suites;
   std::map<std::string, std::size_t> suite_index;
   std::map<std::pair<std::size_t, std::string>, std::size_t> case_index;
@@ -86,7 +80,7 @@ std::vector<Suite> suites_of(const ValidationReport& report) {
     const auto [suite_at, suite_is_new] = suite_index.try_emplace(record.file, suites.size());
     if (suite_is_new) suites.push_back({record.file, {}});
     Suite& suite = suites[suite_at->second];
-    const std::string name = case_name(record, folded);
+    const std::string name = case_name(record);
     const auto [case_at, case_is_new] = case_index.try_emplace({suite_at->second, name}, suite.cases.size());
     if (case_is_new) suite.cases.push_back({name, {}});
     suite.cases[case_at->second].records.push_back(i);
@@ -96,7 +90,15 @@ std::vector<Suite> suites_of(const ValidationReport& report) {
 
 class JunitReport {
  public:
-  JunitReport(const ValidationReport& report, const ReportStyle& style) : report_(report), style_(style) {}
+  JunitReport(const ValidationReport& report, const ReportStyle& style)
+      : report_(report),
+        style_(style),
+        findings_(findings(report, style)),
+        errors_of_(report.records.size()) {
+    for (std::size_t i = 0; i < findings_.size(); ++i)
+      if (findings_[i].diagnostic.severity == hlsl::Severity::error && !findings_[i].known)
+        for (const std::size_t record : findings_[i].records) errors_of_[record].push_back(i);
+  }
 
   std::string write() {
     pugi::xml_document document;
@@ -130,7 +132,7 @@ class JunitReport {
     add_attribute(element, "skipped", std::to_string(count.skipped));
   }
 
-  void add_suite(pugi::xml_node suites, const Suite& suite, Counts& total) const {
+  void add_suite(pugi::xml_node suites, const Suite& suite, Counts& total) {
     Counts count;
     const std::string file = xml_text(relative_file(suite.file, style_));
     const pugi::xml_node element = add_element(suites, "testsuite");
@@ -142,7 +144,7 @@ class JunitReport {
     total.skipped += count.skipped;
   }
 
-  void add_case(pugi::xml_node suite, const std::string& file, const TestCase& test, Counts& count) const {
+  void add_case(pugi::xml_node suite, const std::string& file, const TestCase& test, Counts& count) {
     ++count.tests;
     const pugi::xml_node element = add_element(suite, "testcase");
     add_attribute(element, "name", xml_text(test.name));
@@ -156,32 +158,31 @@ class JunitReport {
     }
   }
 
-  // Adds each message once, with the number of folded variants that have it. Returns false when none has
-  // failed.
-  bool add_failure(pugi::xml_node element, const TestCase& test) const {
-    std::vector<std::pair<const hlsl::Diagnostic*, std::size_t>> told;
-    std::map<std::string, std::size_t> index;
-    std::size_t failed = 0;
-    for (const std::size_t i : test.records) {
-      if (report_.records[i].status != VariantStatus::failed) continue;
-      ++failed;
-      for (const hlsl::Diagnostic& diagnostic : report_.records[i].diagnostics) {
-        if (diagnostic.severity != hlsl::Severity::error) continue;
-        const auto [at, is_new] = index.try_emplace(format(diagnostic), told.size());
-        if (is_new) told.emplace_back(&diagnostic, 0);
-        ++told[at->second].second;
-      }
-    }
-    if (failed == 0) return false;
-    const std::string first = told.empty() ? "failed without a message" : told.front().first->message;
+  // Returns false when the testcase has no error.
+  bool add_failure(pugi::xml_node element, const TestCase& test) {
+    std::vector<std::size_t> order;
+    std::map<std::size_t, std::size_t> variants_with;
+    for (const std::size_t record : test.records)
+      for (const std::size_t error : errors_of_[record])
+        if (++variants_with[error] == 1) order.push_back(error);
+    if (order.empty()) return false;
+    std::vector<std::string> places;
     std::string text;
-    for (const auto& [diagnostic, count] : told) {
-      text += format(*diagnostic) + "\n";
-      if (test.records.size() > 1)
-        text += "in " + std::to_string(count) + " of " + std::to_string(test.records.size()) + " variants\n";
+    for (const std::size_t error : order) {
+      hlsl::Diagnostic said = findings_[error].diagnostic;
+      const auto [first, is_new] = first_case_.try_emplace(error, test.name);
+      if (!is_new) {
+        said.message = "as in " + first->second;
+        said.source_line.clear();
+      }
+      text += format(said) + "\nin " + std::to_string(variants_with[error]) + " of " +
+              counted(test.records.size(), "variant") + "\n";
+      said.source_line.clear();
+      said.message.clear();
+      places.push_back(format(said).substr(0, format(said).rfind(": ")));
     }
     const pugi::xml_node failure = add_element(element, "failure");
-    add_attribute(failure, "message", xml_text(first));
+    add_attribute(failure, "message", xml_text(shortened(places, ", ", 3)));
     add_attribute(failure, "type", "error");
     add_text(failure, xml_text(text));
     return true;
@@ -195,14 +196,21 @@ class JunitReport {
       if (record.status == VariantStatus::passed) return {};
       if (!reason.empty()) continue;
       reason = status_name(record.status);
-      reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to generate it from"
-                                                          : ": " + record.reason;
+      if (record.status == VariantStatus::failed) {
+        reason += ": with errors of packages or of the baseline alone";
+      } else {
+        reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to generate it from"
+                                                            : ": " + record.reason;
+      }
     }
     return reason;
   }
 
   const ValidationReport& report_;
   const ReportStyle& style_;
+  std::vector<Finding> findings_;
+  std::vector<std::vector<std::size_t>> errors_of_;  // findings of each record
+  std::map<std::size_t, std::string> first_case_;    // by finding: the testcase that has its text
 };
 
 }  // namespace

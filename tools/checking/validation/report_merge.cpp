@@ -109,6 +109,7 @@ ValidationReport merge_reports(std::vector<NamedReport> reports) {
     merged.seconds += report.seconds;
     add_checks(report.checks, merged.checks);
     merged.rules.insert(report.rules.begin(), report.rules.end());
+    merged.packages = report.packages;  // those of one command
     std::move(report.minimal.begin(), report.minimal.end(), std::back_inserter(merged.minimal));
     std::move(report.records.begin(), report.records.end(), std::back_inserter(merged.records));
   }

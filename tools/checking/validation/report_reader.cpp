@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "hlsl/stage.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
 #include "validation/report.h"
+#include "validation/report_findings.h"
 #include "validation/report_merge.h"
 
 namespace penumbra::validation {
@@ -55,26 +58,31 @@ VariantStatus read_status(JsonObject& object) {
   return *status;
 }
 
-VariantRecord read_record(JsonObject object) {
-  VariantRecord record;
-  record.technique = object.text("technique", {});
-  record.file = required_text(object, "file");
-  record.shader = object.text("shader", {});
-  record.pass = object.text("pass", {});
-  record.entry = required_text(object, "entry");
-  record.stage = read_stage(object);
-  record.keywords = object.texts("keywords");
-  record.target = required_text(object, "target");
-  record.status = read_status(object);
-  for (const JsonObject& diagnostic : object.objects("diagnostics"))
-    record.diagnostics.push_back(read_diagnostic(diagnostic));
-  record.reason = object.text("reason", {});
-  record.cached = object.boolean("cached", false);
-  record.reproduction = object.text("reproduction", {});
-  record.module = object.text("module", {});
-  record.place = whole_number(object, "place");
+// Adds the records of a variant, or of a file or program as a whole.
+void read_variant(JsonObject object, const std::vector<hlsl::Diagnostic>& messages,
+                  std::vector<VariantRecord>& records) {
+  VariantRecord variant;
+  variant.technique = object.text("technique", {});
+  variant.file = required_text(object, "file");
+  variant.shader = object.text("shader", {});
+  variant.pass = object.text("pass", {});
+  variant.entry = required_text(object, "entry");
+  variant.stage = read_stage(object);
+  variant.keywords = object.texts("keywords");
+  for (JsonObject& result : object.objects("results")) {
+    VariantRecord& record = records.emplace_back(variant);
+    record.target = required_text(result, "target");
+    record.status = read_status(result);
+    for (const std::size_t message : result.indices("messages", messages.size()))
+      record.diagnostics.push_back(messages[message]);
+    record.reason = result.text("reason", {});
+    record.cached = result.boolean("cached", false);
+    record.reproduction = result.text("reproduction", {});
+    record.module = result.text("module", {});
+    record.place = whole_number(result, "place");
+    result.finish();
+  }
   object.finish();
-  return record;
 }
 
 std::map<std::string, std::string> read_texts(JsonObject object) {
@@ -85,16 +93,16 @@ std::map<std::string, std::string> read_texts(JsonObject object) {
 
 void check_count(JsonObject& summary, const std::string& key, std::size_t counted) {
   if (whole_number(summary, key) != counted)
-    summary.fail(key, "the summary's '" + key + "' is not what the records count: " + std::to_string(counted),
+    summary.fail(key, "the summary's '" + key + "' is not what the results count: " + std::to_string(counted),
                  "the file was changed or truncated; create it again");
 }
 
 void read_summary(JsonObject summary, ValidationReport& report) {
-  std::size_t cached = 0;
-  for (const VariantRecord& record : report.records) cached += record.cached ? 1 : 0;
-  check_count(summary, "variants", report.records.size());
+  const Totals totals = totals_of(report, Variants(report));
+  check_count(summary, "variants", totals.variants);
+  check_count(summary, "results", totals.results);
   check_count(summary, "failed", report.count(VariantStatus::failed));
-  check_count(summary, "cached", cached);
+  check_count(summary, "cached", totals.cached);
   check_count(summary, "absent", report.count(VariantStatus::absent));
   check_count(summary, "unreached", report.count(VariantStatus::unreached));
   check_count(summary, "unchecked", report.count(VariantStatus::unchecked));
@@ -130,13 +138,19 @@ ValidationReport read_report_json(const std::filesystem::path& file) {
     object.fail("variants", "this is not a report of penumbra validate",
                 "make one with: penumbra validate --format json -o FILE");
   ValidationReport report;
-  for (const JsonObject& record : object.objects("variants")) report.records.push_back(read_record(record));
+  std::vector<hlsl::Diagnostic> messages;
+  for (const JsonObject& message : object.objects("messages")) messages.push_back(read_diagnostic(message));
+  for (const char* kind : {"sources", "variants"})
+    for (const JsonObject& variant : object.objects(kind)) read_variant(variant, messages, report.records);
+  std::stable_sort(report.records.begin(), report.records.end(),
+                   [](const VariantRecord& a, const VariantRecord& b) { return a.place < b.place; });
   read_summary(object.object("summary"), report);
   if (object.has("front_ends")) read_front_ends(object.object("front_ends"), report);
   read_shard(object.object("shard"), report);
   report.fingerprint = object.text("fingerprint", {});
   report.checks = read_texts(object.object("checks"));
   report.rules = read_texts(object.object("rules"));
+  report.packages = object.texts("packages");
   for (JsonObject& minimal : object.objects("minimal_keywords")) {
     report.minimal.push_back({read_diagnostic(minimal.object("error")), minimal.texts("keywords")});
     minimal.finish();

@@ -33,16 +33,6 @@ std::string describe(const std::string& rule, const ValidationReport& report) {
   return "Finds what Unity's own compilers reject or what costs speed: " + rule;
 }
 
-// FNV-1a with 64 bits and 16 digits is stable across machines and versions of this program.
-std::string digest(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3U;
-  constexpr char digits[] = "0123456789abcdef";
-  std::string hex(16, '0');
-  for (std::size_t i = 16; i-- > 0; hash >>= 4U) hex[i] = digits[hash & 15U];
-  return hex;
-}
-
 class SarifLog {
  public:
   SarifLog(const ValidationReport& report, const ReportStyle& style)
@@ -50,7 +40,11 @@ class SarifLog {
 
   std::string write() {
     Json results = Json::array();
-    for (const Finding& finding : findings(report_)) results.push_back(result(finding));
+    const std::vector<Finding> all = findings(report_, style_);
+    const std::vector<std::string> keys = finding_keys(all, style_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (style_.known ? !all[i].in_package || style_.verbose : is_shown(all[i], style_))
+        results.push_back(result(all[i], keys[i]));
     Json run;
     run["tool"]["driver"] = {{"name", "penumbra"}, {"rules", rules_}};
     run["invocations"] = Json::array({invocation()});
@@ -65,7 +59,7 @@ class SarifLog {
   }
 
  private:
-  Json result(const Finding& finding) {
+  Json result(const Finding& finding, const std::string& key) {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
     const KeywordFold fold = fold_keywords(finding, variants_);
     Json json;
@@ -74,7 +68,8 @@ class SarifLog {
     json["level"] = level_of(diagnostic.severity);
     json["message"]["text"] = message(finding, fold);
     json["locations"] = Json::array({location(diagnostic)});
-    json["partialFingerprints"]["penumbraFinding/v1"] = fingerprint(finding);
+    json["partialFingerprints"]["penumbraFinding/v1"] = key;                        // 3.27.17
+    if (style_.known) json["baselineState"] = finding.known ? "unchanged" : "new";  // 3.27.24
     json["properties"] = {{"variants", fold.in},
                           {"ofVariants", fold.of},
                           {"targets", targets_of(finding, report_)},
@@ -126,15 +121,6 @@ class SarifLog {
     return at->second;
   }
 
-  // The fingerprint (3.27.17) does not change when lines move. Equal findings of one file are distinguished
-  // by their number.
-  std::string fingerprint(const Finding& finding) {
-    const hlsl::Diagnostic& diagnostic = finding.diagnostic;
-    const std::string code = digest(finding.rule + '\n' + relative_file(diagnostic.file, style_) + '\n' +
-                                    diagnostic.message + '\n' + diagnostic.source_line);
-    return code + ":" + std::to_string(++fingerprints_[code]);
-  }
-
   // Results that could not be determined concern the run (3.20), not the shader.
   Json invocation() const {
     Json json{{"executionSuccessful", true}};
@@ -157,7 +143,6 @@ class SarifLog {
   Json artifacts_ = Json::array();
   std::map<std::string, std::size_t> rule_indices_;
   std::map<std::string, std::size_t> artifact_indices_;
-  std::map<std::string, int> fingerprints_;
 };
 
 }  // namespace

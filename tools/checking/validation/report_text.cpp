@@ -1,5 +1,5 @@
-// The report for people: reasons for unchecked results, warnings, errors, and a line of totals at the end,
-// where a terminal stops scrolling.
+// The report for people: the verdict, reasons for unchecked results, warnings, errors, and a line of totals
+// at the end, where a terminal stops scrolling.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -48,33 +48,38 @@ std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& styl
 class TextReport {
  public:
   TextReport(const ValidationReport& report, const ReportStyle& style)
-      : report_(report), style_(style), variants_(report), findings_(findings(report)) {
+      : report_(report), style_(style), variants_(report), findings_(findings(report, style)) {
     for (const MinimalKeywords& one : report.minimal) minimal_.try_emplace(format(one.error), &one.keywords);
   }
 
   std::string write() {
-    std::string text = absences() + unchecked();
+    std::string text = verdict() + absences() + unchecked();
     for (const hlsl::Severity severity :
          {hlsl::Severity::note, hlsl::Severity::warning, hlsl::Severity::error})
       for (const Finding& finding : findings_)
-        if (finding.diagnostic.severity == severity) text += is_folded(finding) ? "" : block(finding);
-    return text + folded_notes() + totals();
+        if (finding.diagnostic.severity == severity && is_shown(finding, style_)) text += block(finding);
+    return text + not_shown() + totals();
   }
 
  private:
-  // Notes about decisions, such as which of two overloads was kept, are shown only on request.
-  bool is_folded(const Finding& finding) const {
-    const hlsl::Diagnostic& diagnostic = finding.diagnostic;
-    return !style_.verbose && diagnostic.severity == hlsl::Severity::note && diagnostic.rule.empty() &&
-           diagnostic.line > 0;
+  std::string verdict() const {
+    const std::string line = verdict_line(findings_, style_);
+    const char* colour = line.starts_with("failed") ? colour_of(hlsl::Severity::error) : bold;
+    return painted(line, colour, style_) + "\n";
   }
 
-  std::string folded_notes() const {
-    const auto count = std::count_if(findings_.begin(), findings_.end(),
-                                     [this](const Finding& finding) { return is_folded(finding); });
-    if (count == 0) return {};
-    return count == 1 ? "1 note; --verbose shows it\n"
-                      : std::to_string(count) + " notes; --verbose shows them\n";
+  std::string not_shown() const {
+    std::size_t notes = 0;
+    std::size_t in_packages = 0;
+    for (const Finding& finding : findings_) {
+      if (is_shown(finding, style_) || finding.known) continue;
+      ++notes;
+      in_packages += finding.in_package ? 1 : 0;
+    }
+    if (notes == 0) return {};
+    std::string text = counted(notes, "note");
+    if (in_packages != 0) text += ", of which " + std::to_string(in_packages) + " in packages";
+    return text + (notes == 1 ? "; --verbose shows it\n" : "; --verbose shows them\n");
   }
 
   std::string block(const Finding& finding) const {
@@ -141,10 +146,12 @@ class TextReport {
   }
 
   std::string unchecked() const {
-    return by_reason(
-        VariantStatus::unchecked, [](const std::string&, const std::string& reason, const Reason& who) {
-          return "unchecked: " + counted(who.variants.size(), "variant") + ": " + visible(reason);
-        });
+    return by_reason(VariantStatus::unchecked,
+                     [](const std::string&, const std::string& reason, const Reason& who) {
+                       const bool whole = who.targets.front() == whole_source;
+                       return "unchecked: " + counted(who.variants.size(), whole ? "program" : "variant") +
+                              ": " + visible(reason);
+                     });
   }
 
   std::string totals() const {

@@ -281,6 +281,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
   bool lacks_stage = false;
   bool is_for_another_api = true;
   std::set<variants::GraphicsApi> counted;
+  const int source = programs_.empty() ? 0 : programs_.back().source + 1;
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram built = program;
     built.platform = platform.platform;
@@ -313,6 +314,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     if (const std::string uniforms = uniforms_of(built.space->dynamic_keywords()); !uniforms.empty())
       built.text = uniforms + *built.text;
     built.number = static_cast<int>(programs_.size());
+    built.source = source;
     built.counted_before = !counted.insert(built.platform.api).second;
     programs_.push_back(std::move(built));
   }
@@ -325,6 +327,12 @@ std::vector<const SourceProgram*> ShaderSources::counted() const {
   for (const SourceProgram& program : programs_)
     if (!program.counted_before) list.push_back(&program);
   return list;
+}
+
+std::size_t ShaderSources::program_count() const {
+  std::set<int> sources;
+  for (const SourceProgram& program : programs_) sources.insert(program.source);
+  return sources.size();
 }
 
 ShaderSources::Spaces ShaderSources::spaces() const {
@@ -344,6 +352,11 @@ std::vector<variants::PlannedProgram> ShaderSources::planned(const Spaces& space
     if (options_.platforms.size() > 1)
       planned.name += std::string(" for ") + variants::renderer_name(program.platform.api);
     planned.space = spaces[i].get();
+    planned.targets = 0;
+    for (std::size_t number = static_cast<std::size_t>(program.number);
+         number < programs_.size() && programs_[number].source == program.source; ++number)
+      if (programs_[number].platform.api == program.platform.api)
+        planned.targets += programs_[number].targets.size();
     for (const auto& [function, stage] : program.entries) planned.stages.push_back(stage);
     planned.stages.insert(planned.stages.end(), program.kernels.size(), hlsl::Stage::compute);
     list.push_back(std::move(planned));

@@ -44,6 +44,7 @@ struct SourceOptions {
 // One program of a file for one platform.
 struct SourceProgram {
   int number = 0;  // its place among the programs
+  int source = 0;  // equal for one program of a file on all graphics APIs, which stand together
   std::string file;
   std::string shader;  // see VariantRecord
   std::string pass;
@@ -85,6 +86,7 @@ class ShaderSources {
   // be parsed.
   bool knows_keywords() const { return knows_keywords_; }
 
+  std::size_t program_count() const;  // each program once, whatever the graphics APIs
   // Returns the programs of plan(): those of one graphics API once.
   std::vector<const SourceProgram*> counted() const;
   variants::Plan plan() const;

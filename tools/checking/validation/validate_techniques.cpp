@@ -234,6 +234,7 @@ ValidationReport validate(const ValidationRequest& request) {
   report.shard = request.engine.shard.index;
   report.shards = request.engine.shard.count;
   report.fingerprint = fingerprint_of(request, units);
+  report.packages = request.packages;
   std::set<std::pair<std::string, std::string>> unique;
   for (const UnitResult& result : run.results) {
     add_records(variants[result.unit], result, request.records.size() + result.unit, report);

@@ -38,6 +38,7 @@ struct ValidationRequest {
   std::vector<CompileUnit> units;       // further units, which ShaderSources made of shader files
   std::vector<VariantRecord> records;   // further records, from before the compilation of those files
   std::vector<ProgramToLint> programs;  // the shaders of those files
+  std::vector<std::string> packages;    // see ValidationReport
   LintOrder lint;                       // for techniques and files; units have their own
   bool minimise = false;                // finds the minimal keywords of what fails
   EngineOptions engine;

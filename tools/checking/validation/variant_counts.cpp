@@ -31,9 +31,9 @@ std::string counts_json(const ShaderSources& sources, const VariantCounts& count
   for (std::size_t i = 0; i < counts.plan.programs.size(); ++i)
     json["programs"].push_back(program_json(*programs.at(i), counts.plan.programs[i],
                                             counts.what_if ? &counts.what_if->programs.at(i) : nullptr));
-  json["variants"] = counts.plan.total.value();
+  json["results"] = counts.plan.results.value();
   if (counts.what_if) {
-    json["what_if"] = counts.what_if->total.value();
+    json["what_if"] = counts.what_if->results.value();
     json["condition"] = counts.condition;
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -17,7 +17,7 @@ struct VariantCounts {
   std::string condition;                  // the condition as given: "-_FOAM"
 };
 
-// Returns {programs: [{file, shader, pass, api, stages: [{stage, variants, what_if}]}], variants, what_if,
+// Returns {programs: [{file, shader, pass, api, stages: [{stage, variants, what_if}]}], results, what_if,
 // condition}: what_if and condition if they were requested, shader and pass where there is one. A count of
 // 2^64 - 1 stands for that or more.
 std::string counts_json(const ShaderSources& sources, const VariantCounts& counts);

@@ -41,13 +41,13 @@ std::map<std::string, std::size_t> sets_by_label(const PlannedProgram& program) 
 VariantCount total_of(const PlannedProgram& program) {
   VariantCount total;
   for (const hlsl::Stage stage : program.stages) total += program.space->variants(stage).count();
-  return total;
+  return total * VariantCount(program.targets);
 }
 
 VariantCount total_without(const PlannedProgram& program, std::size_t set) {
   VariantCount total;
   for (const hlsl::Stage stage : program.stages) total += program.space->count_without(set, stage);
-  return total;
+  return total * VariantCount(program.targets);
 }
 
 std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, VariantCount total) {
@@ -94,15 +94,17 @@ std::string shortened(const std::string& text, std::size_t longest) {
 
 }  // namespace
 
+std::string results_text(VariantCount results) {
+  return text_of(results) + (results == VariantCount(1) ? " result" : " results");
+}
+
 Plan plan(const std::vector<PlannedProgram>& programs) {
   Plan result;
   for (const PlannedProgram& program : programs) {
-    ProgramPlan counted{program.name, {}, {}};
-    for (const hlsl::Stage stage : program.stages) {
+    ProgramPlan counted{program.name, {}, total_of(program)};
+    for (const hlsl::Stage stage : program.stages)
       counted.stages.push_back({stage, program.space->variants(stage).count()});
-      counted.total += counted.stages.back().variants;
-    }
-    result.total += counted.total;
+    result.results += counted.results;
     result.programs.push_back(std::move(counted));
   }
   return result;
@@ -121,31 +123,32 @@ std::string text_of(const Plan& plan, const Plan& what_if, const std::string& co
               both(program.stages[j].variants, what_if.programs.at(i).stages.at(j).variants) + ")";
     text += "\n";
   }
-  return text + "  in all " + both(plan.total, what_if.total) + " with " + condition + ")\n";
+  return text + "  in all " + results_text(plan.results) + " (" + text_of(what_if.results) + " with " +
+         condition + ")\n";
 }
 
 std::string text_of(const Plan& plan) {
   std::string text;
   for (const ProgramPlan& program : plan.programs) text += line_of(program);
-  return text + "  in all " + text_of(plan.total) + "\n";
+  return text + "  in all " + results_text(plan.results) + "\n";
 }
 
 std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit) {
   const Plan counted = plan(programs);
-  if (counted.total.value() <= limit) return {};
+  if (counted.results.value() <= limit) return {};
   std::string text =
-      text_of(counted.total) + " variants to compile; the limit is " + text_of(VariantCount(limit)) + "\n";
+      results_text(counted.results) + " to compile; the limit is " + text_of(VariantCount(limit)) + "\n";
   std::vector<const ProgramPlan*> largest;
   for (const ProgramPlan& program : counted.programs) largest.push_back(&program);
   std::stable_sort(largest.begin(), largest.end(),
-                   [](const ProgramPlan* a, const ProgramPlan* b) { return a->total > b->total; });
+                   [](const ProgramPlan* a, const ProgramPlan* b) { return a->results > b->results; });
   text += "most of them in\n";
   for (std::size_t i = 0; i < std::min(largest.size(), most_shown); ++i) text += line_of(*largest[i]);
   if (largest.size() > most_shown)
     text += "  and " + std::to_string(largest.size() - most_shown) + " more programs\n";
-  const std::vector<Saving> candidates = savings(programs, counted.total);
+  const std::vector<Saving> candidates = savings(programs, counted.results);
   if (!candidates.empty())
-    text += "what multiplies the number most, and how many variants are left without it\n";
+    text += "what multiplies the number most, and how many results are left without it\n";
   for (std::size_t i = 0; i < std::min(candidates.size(), most_shown); ++i) {
     const Saving& saving = candidates[i];
     text += "  " + text_of(saving.left) + " left   --keywords '" + shortened(saving.pin, 200) + "'\n";

@@ -11,6 +11,7 @@ struct PlannedProgram {
   std::string name;  // "Lit.shader: ForwardLit"
   const KeywordSpace* space = nullptr;
   std::vector<hlsl::Stage> stages;  // the program's stages; one compute stage for each kernel
+  std::uint64_t targets = 1;        // that each variant is compiled for
 };
 
 struct StagePlan {
@@ -21,26 +22,29 @@ struct StagePlan {
 struct ProgramPlan {
   std::string name;
   std::vector<StagePlan> stages;
-  VariantCount total;
+  VariantCount results;  // one for each variant and target
 };
 
 struct Plan {
   std::vector<ProgramPlan> programs;
-  VariantCount total;
+  VariantCount results;
 };
 
 Plan plan(const std::vector<PlannedProgram>& programs);
 
-// Returns a line "Lit.shader: ForwardLit   vertex 512   fragment 8,192" for each program, and the total.
+std::string results_text(VariantCount results);  // "1 result", "8,192 results"
+
+// Returns a line "Lit.shader: ForwardLit   vertex 512   fragment 8,192" for each program, with its variants,
+// and the number of results.
 std::string text_of(const Plan& plan);
 
 // Returns the same, with the changed count in parentheses after each: "vertex 512 (256)". `what_if` counts
 // the same programs, and `condition` in the last line names the change.
 std::string text_of(const Plan& plan, const Plan& what_if, const std::string& condition);
 
-// Returns an empty text if the total is within the limit. Otherwise it has the count, the largest programs,
-// the sets that multiply the number most, with the number left if each were fixed at its empty keyword (or
-// its first) in all programs, and advice on how to narrow them.
+// Returns an empty text if the results are within the limit. Otherwise it has their number, the largest
+// programs, the sets that multiply the number most, with the number left if each were fixed at its empty
+// keyword (or its first) in all programs, and advice on how to narrow them.
 std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit);
 
 }  // namespace penumbra::variants
