@@ -51,7 +51,8 @@ TEST_F(ValidateFxc, ErrorsAndWarningsAreAtTheirPlacesAndTheTwoCompilersAreToldAp
 // Direct3D 11 has two targets, whose variants are the same; FXC's have no module to be compared.
 TEST_F(ValidateFxc, VariantsOfAnApiAreCountedOnceAndTheirKeywordsAreLooked) {
   PENUMBRA_NEEDS_FXC();
-  const std::string file = write("Unused.hlsl",
+  std::filesystem::create_directories(path("Game/ProjectSettings"));
+  const std::string file = write("Game/Assets/Unused.hlsl",
                                  "#pragma multi_compile _ _OLD\n#pragma multi_compile _ _NEW\n"
                                  "float4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n#if defined(_NEW)\n"
                                  "    return 0;\n#endif\n    return uv.xyxy;\n}\n")

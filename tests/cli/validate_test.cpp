@@ -460,6 +460,21 @@ TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
   EXPECT_THAT(unknown.errors, HasSubstrs("unknown rule 'negative-power'", "negative-pow"));
 }
 
+TEST_F(Validate, RulesOfUnityAreForUnitysProjects) {
+  const std::string text =
+      "#pragma multi_compile _ OLD\nTexture2D _Map;\nSamplerState odd;\nfloat4 Main(float2 uv : TEXCOORD0) : "
+      "SV_Target\n{\n    return _Map.Sample(odd, uv);\n}\n";
+  const auto outside =
+      run({"validate", write("Plain.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  EXPECT_EQ(outside.exit_code, 0) << outside.output;
+  EXPECT_THAT(outside.output, testing::StartsWith("passed\nspirv"));
+  std::filesystem::create_directories(path("Game/ProjectSettings"));
+  const auto inside =
+      run({"validate", write("Game/Assets/Unitys.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  EXPECT_EQ(inside.exit_code, 1);
+  EXPECT_THAT(inside.output, HasSubstrs("[unused-keyword]", "[sampler-name]"));
+}
+
 TEST_F(Validate, APassLacksNoStageAndItsEntryPointsAreThere) {
   const std::string begin =
       "Shader \"S\" { SubShader { Pass { Name \"P\"\nHLSLPROGRAM\n#pragma vertex Vert\n";

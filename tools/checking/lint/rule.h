@@ -16,6 +16,7 @@ struct RuleInfo {
   std::string summary;                                // the description, one sentence
   std::string source;                                 // the page or section that documents it
   bool of_fxc = false;                                // replaces FXC's own message for what FXC compiles
+  bool of_unity = false;                              // about what Unity makes of a name or a pragma
 };
 
 // The rules are in the order of the documentation.

@@ -52,7 +52,7 @@ const std::vector<RuleInfo>& rules() {
        std::string("Direct3D X3577: ") + d3d_messages},
       {"sampler-name", Severity::error,
        "A sampler's name identifies neither a texture nor sampler settings to Unity.",
-       "https://docs.unity3d.com/Manual/SL-SamplerStates.html"},
+       "https://docs.unity3d.com/Manual/SL-SamplerStates.html", false, true},
       {"sampler-limit", Severity::error, "More samplers are used than Direct3D 11 has.", d3d_limits},
       {"register-limit", Severity::error,
        "More textures, buffers, constant buffer bytes or interpolators are used than Direct3D 11 or the "
@@ -60,9 +60,9 @@ const std::vector<RuleInfo>& rules() {
        std::string(d3d_limits) + " and https://docs.unity3d.com/Manual/SL-ShaderCompileTargets.html"},
       {"srp-batcher", Severity::warning,
        "Material properties outside of UnityPerMaterial, or a UnityPerMaterial that differs between passes.",
-       "https://docs.unity3d.com/Manual/SRPBatcher-Materials.html"},
+       "https://docs.unity3d.com/Manual/SRPBatcher-Materials.html", false, true},
       {"unused-keyword", Severity::warning, "A keyword is declared and changes no variant.",
-       "https://docs.unity3d.com/Manual/shader-keywords.html"},
+       "https://docs.unity3d.com/Manual/shader-keywords.html", false, true},
       {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.", "docs/lint.md"},
       {"not-checked", Severity::note,
        "A function or shader is too large for the rules that analyse control flow.", "docs/lint.md"}};

@@ -11,6 +11,7 @@
 #include "shaderlab/compute.h"
 #include "shaderlab/parse.h"
 #include "shaderlab/programs.h"
+#include "validation/unit_lint.h"
 #include "variants/unity_asset.h"
 
 namespace penumbra::validation {
@@ -270,6 +271,7 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
   SourceProgram program;
   program.file = file.path.string();
   program.text = text;
+  program.outside_unity = options_.roots.project.empty();
   program.entries = options_.entries;
   program.keyword_sets = options_.keyword_sets;
   program.narrowing = options_.narrowing;
@@ -410,6 +412,7 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.program = program.number;
   unit.stage_keywords = variants::keeps_stage_keywords(program.platform.api);
   unit.lint = options_.lint;
+  if (program.outside_unity) leave_unity_out(unit.lint);
   unit.lint.shader_target = program.pragmas.targets.empty() ? 0 : target;
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
     unit.compile.defines.emplace_back(name, value);
@@ -456,6 +459,7 @@ std::vector<ProgramToLint> ShaderSources::to_lint() const {
   std::vector<ProgramToLint> programs;
   std::set<std::tuple<std::string, std::string, int, std::string>> known;
   for (const SourceProgram& program : programs_) {
+    if (program.outside_unity) continue;
     if (!known.emplace(program.file, program.shader, program.sub_shader, program.pass).second) continue;
     ProgramToLint& made = programs.emplace_back();
     made.file = program.file;

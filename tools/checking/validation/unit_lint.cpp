@@ -51,6 +51,11 @@ void leave_to_compilers(std::vector<CompileUnit>& units) {
         if (rule.of_fxc) unit.lint.left_out.push_back(rule.name);
 }
 
+void leave_unity_out(LintOrder& order) {
+  for (const lint::RuleInfo& rule : lint::rules())
+    if (rule.of_unity) order.left_out.push_back(rule.name);
+}
+
 bool holds_suppression(std::string_view source) {
   return source.find("penumbra-lint") != std::string_view::npos;
 }

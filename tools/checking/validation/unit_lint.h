@@ -32,6 +32,9 @@ class LintedModules {
 // that FXC compiles, and out of those that Unity compiles by DXC.
 void leave_to_compilers(std::vector<CompileUnit>& units);
 
+// Leaves the rules about Unity (lint::RuleInfo::of_unity) out.
+void leave_unity_out(LintOrder& order);
+
 bool holds_suppression(std::string_view source);  // true for a comment that silences a rule, or seems to
 
 std::string encode(const std::vector<lint::ConstantBuffer>& buffers);
