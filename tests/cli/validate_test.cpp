@@ -1,5 +1,6 @@
 // penumbra validate compiles, counts, refuses, parts and joins shader files.
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -140,6 +141,45 @@ TEST_F(Validate, AShaderIsNotReplacedByItsReport) {
   expect_bad_input({"validate", shader.string(), "--format", "json", "-o", shader.string()},
                    HasSubstr("is a source file, which the report would replace"));
   EXPECT_THAT(read("Main.hlsl"), HasSubstr("SV_Target"));
+}
+
+TEST_F(Validate, WhatIsGeneratedOfEachVariantIsWritten) {
+  const std::string folder = path("out/generated").string();
+  const auto result = run(command({"--target", "spirv,essl310,msl23,hlsl50", "--emit-sources", folder}));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  std::map<std::string, int> endings;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_THAT(name, testing::StartsWith("Two-Colour-"));
+    ++endings[name.substr(name.find('.', name.size() - 14))];
+    if (name.find("Frag.fragment.WARM-BRIGHT.") == std::string::npos) continue;
+    const std::string text = read("out/generated/" + name);
+    const std::string begin = text.substr(0, text.find('\n'));
+    if (name.ends_with(".essl310.glsl")) {
+      EXPECT_EQ(begin, "#version 310 es");
+    } else if (name.ends_with(".msl23.metal")) {
+      EXPECT_EQ(begin, "#include <metal_stdlib>");
+    } else if (name.ends_with(".spirv.spv")) {
+      EXPECT_EQ(text.substr(0, 4), "\x03\x02\x23\x07");
+    }
+  }
+  EXPECT_EQ(endings, (std::map<std::string, int>{
+                         {".essl310.glsl", 6}, {".hlsl50.hlsl", 6}, {".msl23.metal", 6}, {".spirv.spv", 6}}));
+  // Again, although all results are kept.
+  std::filesystem::remove_all(folder);
+  run(command({"--target", "spirv", "--emit-sources", folder}));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 6);
+  expect_bad_input(command({"--emit-sources", path("Two.shader").string()}),
+                   HasSubstr("is a file, not a folder"));
+}
+
+TEST_F(Validate, NamesInAShaderLeadOutOfNoFolder) {
+  std::string shader = kShader;
+  shader.replace(shader.find("Colour"), 6, "../../../\\..\\a:b");
+  write("..;-.shader", shader);
+  run({"validate", path("..;-.shader").string(), "--no-cache", "--target", "spirv", "--emit-sources",
+       path("deep/er/out").string()});
+  EXPECT_EQ(std::distance(std::filesystem::recursive_directory_iterator(path("deep/er")), {}), 1 + 6);
 }
 
 TEST_F(Validate, AProjectWithoutShadersIsRefused) {

@@ -41,6 +41,7 @@ UnitJob full_job() {
   job.context = {"cache", "build", {{"essl310", "Mesa"}}};
   job.given_up = {"msl23"};
   job.text_only = true;
+  job.wants_emitted = true;
   return job;
 }
 
@@ -58,6 +59,7 @@ UnitReply full_reply() {
   reply.dependencies = {"a.hlsl", "b.hlsl"};
   reply.compile_cached = true;
   reply.text = "text";
+  reply.emitted_texts = {{"msl23", "emitted"}};
   reply.damaged = 3;
   reply.to_keep = {{EntryKind::emitted, std::string(platform::content_hash_digits, 'a'), "content"}};
   return reply;

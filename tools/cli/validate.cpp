@@ -24,6 +24,7 @@
 #include "shaders/cross_compile.h"
 #include "shaders/package_shader.h"
 #include "techniques/technique_list.h"
+#include "validation/emitted_file.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/spirv_target.h"
@@ -80,6 +81,10 @@ validation::EngineOptions engine_options(const ValidateOptions& options) {
     engine.cache = options.cache.empty() ? validation::default_cache() : fs::path(options.cache);
   engine.keep = options.keep;
   engine.limits = worker_limits(options.worker);
+  if (!options.emit_sources.empty())
+    engine.emitted = [folder = fs::path(options.emit_sources)](
+                         const validation::CompileUnit& unit, const std::string& target,
+                         std::string_view text) { validation::write_emitted(folder, unit, target, text); };
   return engine;
 }
 
@@ -314,6 +319,7 @@ void check_outputs(const ValidateOptions& options, const Context& context) {
   refuse_input_as_output("--output", options.report.output, {options.techniques, options.report.baseline});
   if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
+  check_output_folder(options.emit_sources);
 }
 
 void run_validate(const CLI::App& command, ValidateOptions options, Context& context) {
@@ -383,7 +389,9 @@ void add_validate(CLI::App& app, Context& context) {
        {"penumbra validate Water.shader --target spirv,msl23 --minimize",
         "the smallest set of keywords that causes each failure"},
        {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
-        "on one of four machines"}});
+        "on one of four machines"},
+       {"penumbra validate Water.shader --target essl310,msl23 --emit-sources generated",
+        "what is generated of it"}});
   command->callback([command, options, &context] { run_validate(*command, *options, context); });
 }
 

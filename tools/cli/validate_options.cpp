@@ -135,6 +135,12 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_option("--keep", options.keep, "Folder for sources that crash or hang a compiler")
       ->type_name("FOLDER")
       ->default_str("below the cache; without one a new folder for temporary files");
+  command
+      .add_option("--emit-sources", options.emit_sources,
+                  "Folder for what is generated of each variant: GLSL, ESSL, MSL, HLSL and SPIR-V; the cache "
+                  "is not used")
+      ->type_name("FOLDER")
+      ->default_str("none");
   add_worker_limits(command, options.worker, "one variant");
 }
 
@@ -156,11 +162,11 @@ void refuse_idle_options(const CLI::App& command, const ValidateOptions& options
       options.places.empty() && options.project.empty(), "without shader files or --project");
   refuse_idle(command,
               {"--minimize", "--sample", "--shard", "--keep", "--root", "--verbose", "--werror", "--baseline",
-               "--packages"},
+               "--packages", "--emit-sources"},
               options.list, "with --count");
   refuse_idle(command,
               {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose", "--werror",
-               "--baseline", "--packages"},
+               "--baseline", "--packages", "--emit-sources"},
               options.explain.has_value(), "with --explain");
   const std::string& form = options.report.form;
   refuse_idle(command, {"--root"}, form == "text" || form == "json", "with --format " + form);

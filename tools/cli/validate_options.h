@@ -53,6 +53,7 @@ struct ValidateOptions {
   bool no_cache = false;
   bool require_sources = false;
   std::string keep;
+  std::string emit_sources;
   WorkerOptions worker;
   ReportOptions report;
 };

@@ -7,9 +7,9 @@
 
 #include "cli/option_text.h"
 #include "cli/option_values.h"
+#include "input/file_name.h"
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "study/picture_sheet.h"
 #include "study/summary.h"
 #include "techniques/technique_list.h"
 
@@ -227,7 +227,7 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
   }
   std::map<std::string, std::string> by_file;
   for (const study::Subject& subject : subjects) {
-    const auto [other, is_new] = by_file.emplace(study::file_name_part(subject.name), subject.name);
+    const auto [other, is_new] = by_file.emplace(file_name_part(subject.name), subject.name);
     if (!is_new)
       throw InputError(
           "", "the pictures of '" + other->second + "' and '" + subject.name + "' would share a file",

@@ -206,6 +206,7 @@ class UnitAtWork {
       link_.note(note_compile);
     }
     if (!spirv_.empty()) answer.module_key = module_key(spirv_);
+    if (job_.wants_emitted && !spirv_.empty()) add_spirv();
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
       if (file.silences || quotes(answer, file.name))
@@ -214,6 +215,13 @@ class UnitAtWork {
     if (job_.given_up.empty() || crash_decided) keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
     reply_.compile_cached = false;
+  }
+
+  void add_spirv() {
+    const std::string_view bytes(reinterpret_cast<const char*>(spirv_.data()),
+                                 spirv_.size() * sizeof spirv_[0]);
+    for (const std::string& target : job_.unit.targets)
+      if (is_spirv_target(target)) reply_.emitted_texts.emplace_back(target, bytes);
   }
 
   shaders::CompileResult by_glslang(const shaders::CompileRequest& request) {
@@ -250,7 +258,10 @@ class UnitAtWork {
       link_.note(target);
       const auto driver = job_.context.drivers.find(target);
       const bool checked = driver != job_.context.drivers.end() && !driver->second.empty();
-      said = check_target(module, job_.unit.compile.stage, target, checked);
+      shaders::CrossCompileResult result = check_target(module, job_.unit.compile.stage, target, checked);
+      said = std::move(result.diagnostics);
+      if (job_.wants_emitted && !result.text.empty())
+        reply_.emitted_texts.emplace_back(target, std::move(result.text));
       if (is_from_bytecode(reply_.compile->diagnostics)) leave_unchecked(said);
     }
   }

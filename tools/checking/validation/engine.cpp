@@ -60,6 +60,8 @@ class UnitRun final : public platform::WorkSource {
   const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
   void send_first(std::size_t place) { waiting_.put_first(place); }
   void say_done();
+  void tell_emitted(const CompileUnit& unit,
+                    const std::vector<std::pair<std::string, std::string>>& texts) const;
   void keep(UnitReply& reply);
   void share_texts(UnitReply& reply);
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
@@ -219,7 +221,12 @@ std::optional<platform::WorkerMessage> UnitRun::next(unsigned worker) {
   const std::optional<std::size_t> next = waiting_.next(worker);
   if (!next) return std::nullopt;
   const std::size_t place = *next;
-  UnitJob job{unit(place), context_, {}, options_.sharing, states_[place].reproducing.has_value()};
+  UnitJob job{unit(place),
+              context_,
+              {},
+              options_.sharing,
+              states_[place].reproducing.has_value(),
+              options_.emitted != nullptr};
   for (const auto& [target, failure] : states_[place].failures) job.given_up.push_back(target);
   return platform::WorkerMessage{place, encode(job)};
 }
@@ -246,8 +253,18 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
   damaged_ += reply->damaged;
   keep(*reply);
   share_texts(*reply);
+  tell_emitted(unit(place), std::exchange(reply->emitted_texts, {}));
   state.reply = *std::move(reply);
   say_done();
+}
+
+// The target becomes part of a file's name: a worker may be in the hands of what it compiles.
+void UnitRun::tell_emitted(const CompileUnit& unit,
+                           const std::vector<std::pair<std::string, std::string>>& texts) const {
+  if (!options_.emitted) return;
+  for (const auto& [target, text] : texts)
+    if (std::find(unit.targets.begin(), unit.targets.end(), target) != unit.targets.end())
+      options_.emitted(unit, target, text);
 }
 
 void UnitRun::keep(UnitReply& reply) {
@@ -429,8 +446,12 @@ EngineRun UnitRun::take() const {
   return run;
 }
 
-// The engine has no cache without a folder.
+// The engine has no cache without a folder, nor where every unit is compiled by itself.
 EngineOptions with_cache_folder(EngineOptions options) {
+  if (options.emitted) {
+    options.cache.clear();
+    options.sharing = Sharing::declarations;
+  }
   if (!options.cache.empty() && !platform::make_cache_folder(options.cache)) options.cache.clear();
   return options;
 }

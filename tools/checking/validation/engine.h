@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "platform/worker_pool.h"
@@ -40,6 +41,9 @@ struct EngineOptions {
   // for temporary files.
   std::filesystem::path keep;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
+  // Called likewise with the text that is emitted for a unit and a target, or with the bytes of its SPIR-V.
+  // Then each unit is compiled by itself, and nothing comes from the cache or goes there.
+  std::function<void(const CompileUnit& unit, const std::string& target, std::string_view text)> emitted;
 };
 
 struct EngineRun {

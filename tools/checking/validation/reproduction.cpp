@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "hlsl/source_text.h"
+#include "input/file_name.h"
 #include "input/input_error.h"
 #include "input/text_line.h"
 #include "platform/atomic_file.h"
@@ -30,12 +31,8 @@ std::string source_text(const CompileUnit& unit) {
 }
 
 std::string name_of(const CompileUnit& unit, const std::string& content) {
-  std::string stem = unit.technique.empty() ? fs::path(unit.file).stem().string() : unit.technique;
-  for (char& character : stem) {
-    const bool plain = (character >= '0' && character <= '9') || (character >= 'a' && character <= 'z') ||
-                       (character >= 'A' && character <= 'Z') || character == '-' || character == '_';
-    if (!plain) character = '_';
-  }
+  const std::string stem =
+      file_name_part(unit.technique.empty() ? fs::path(unit.file).stem().string() : unit.technique, 100);
   return stem + "-" + platform::ContentHash().update(content).hex().substr(0, 16) + ".hlsl";
 }
 

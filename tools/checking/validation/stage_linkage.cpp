@@ -278,6 +278,7 @@ class Results {
     if (wanted.empty()) return;
     engine.shard = {};
     engine.progress = nullptr;
+    engine.emitted = nullptr;
     const std::vector<std::size_t> places(wanted.begin(), wanted.end());
     std::vector<CompileUnit> chosen;
     chosen.reserve(places.size());

@@ -21,14 +21,16 @@ std::string why_absent(hlsl::Stage stage, const std::string& target) {
   return {};
 }
 
-std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
-                                           const std::string& target, bool with_driver) {
+shaders::CrossCompileResult check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
+                                         const std::string& target, bool with_driver) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
   if (!known || !why_absent(stage, target).empty()) return {};
   shaders::CrossCompileResult emitted = module.to(*known);
-  if (!with_driver || hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known))
-    return emitted.diagnostics;
-  return shaders::gl_check({{stage, emitted.text}}, *known);
+  if (!hlsl::has_errors(emitted.diagnostics)) {
+    if (with_driver && shaders::is_gl(*known))
+      emitted.diagnostics = shaders::gl_check({{stage, emitted.text}}, *known);
+  }
+  return emitted;
 }
 
 std::string checking_driver(const std::string& target) {

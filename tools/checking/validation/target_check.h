@@ -14,10 +14,10 @@ namespace penumbra::validation {
 // Says why the target has no shaders of this stage; empty if it has.
 std::string why_absent(hlsl::Stage stage, const std::string& target);
 
-// Does nothing for "spirv", because an existing module has passed, and for a stage that is absent. Throws
-// EnvironmentError if GL is needed and missing.
-std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
-                                           const std::string& target, bool with_driver);
+// Returns the emitted text and what is said of it. Does nothing for "spirv", because an existing module has
+// passed, and for a stage that is absent. Throws EnvironmentError if GL is needed and missing.
+shaders::CrossCompileResult check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
+                                         const std::string& target, bool with_driver);
 
 // Returns the driver, or FXC, that checks the target; empty where none does. Throws EnvironmentError as
 // above, and where FXC is wanted and missing.

@@ -55,6 +55,7 @@ std::string encode(const UnitJob& job) {
   out.list(job.given_up, [&](const std::string& target) { out.text(target); });
   out.number(static_cast<std::uint64_t>(job.sharing));
   out.number(job.text_only ? 1 : 0);
+  out.number(job.wants_emitted ? 1 : 0);
   return out.take();
 }
 
@@ -76,6 +77,7 @@ std::optional<UnitJob> decode_job(std::string_view bytes) {
   if (sharing > static_cast<std::uint64_t>(Sharing::everything)) return std::nullopt;
   job.sharing = static_cast<Sharing>(sharing);
   job.text_only = in.flag();
+  job.wants_emitted = in.flag();
   if (!in.exhausted()) return std::nullopt;
   return job;
 }
@@ -89,6 +91,10 @@ std::string encode(const UnitReply& reply) {
   out.number(reply.compile_cached ? 1 : 0);
   out.number(reply.emitted_cached ? 1 : 0);
   out.text(reply.text);
+  out.list(reply.emitted_texts, [&](const auto& emitted) {
+    out.text(emitted.first);
+    out.text(emitted.second);
+  });
   out.number(reply.damaged);
   out.list(reply.to_keep, [&](const EntryToKeep& entry) {
     out.number(static_cast<std::uint64_t>(entry.kind));
@@ -108,6 +114,10 @@ std::optional<UnitReply> decode_reply(std::string_view bytes) {
   reply.compile_cached = in.flag();
   reply.emitted_cached = in.flag();
   reply.text = in.text();
+  reply.emitted_texts = in.list<std::pair<std::string, std::string>>([&] {
+    std::string target = in.text();
+    return std::pair(std::move(target), in.text());
+  });
   reply.damaged = in.number();
   reply.to_keep = in.list<EntryToKeep>([&] { return read_entry(in); });
   if (!in.exhausted()) return std::nullopt;

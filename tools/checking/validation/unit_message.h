@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "validation/kept_answers.h"
@@ -24,6 +25,7 @@ struct UnitJob {
   Sharing sharing = Sharing::everything;  // shared with what this worker has compiled before
   // The reply then has only the text that the parser would read, for a file that reproduces a crash.
   bool text_only = false;
+  bool wants_emitted = false;  // the reply then has UnitReply::emitted_texts
 };
 
 struct EntryToKeep {
@@ -39,7 +41,9 @@ struct UnitReply {
   std::vector<std::filesystem::path> dependencies;
   bool compile_cached = false;
   bool emitted_cached = false;
-  std::string text;                  // set if text_only was requested
+  std::string text;  // set if text_only was requested
+  // What was emitted for each target, and the bytes of SPIR-V.
+  std::vector<std::pair<std::string, std::string>> emitted_texts;
   std::uint64_t damaged = 0;         // cache entries that were met
   std::vector<EntryToKeep> to_keep;  // entries for the cache: a worker changes no file
 };

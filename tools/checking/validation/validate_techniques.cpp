@@ -47,6 +47,7 @@ class Reduction {
   Reduction(const Failure& failure, const EngineOptions& engine) : failure_(failure), engine_(engine) {
     engine_.shard = {};
     engine_.progress = nullptr;
+    engine_.emitted = nullptr;
     engine_.cache.clear();  // these variants were not requested
   }
 

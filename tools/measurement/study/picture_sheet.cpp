@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "input/file_name.h"
 #include "study/colour_map.h"
 #include "study/composition.h"
 #include "study/summary.h"
@@ -70,15 +71,6 @@ Picture side_by_side(const PictureRow& row, const std::string& title) {
 
 std::string file_stem(const PictureRow& row) {
   return file_name_part(fmt::format("{}_{}_{}", row.scene, row.technique, row.light_degrees));
-}
-
-std::string file_name_part(std::string name) {
-  for (char& c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '-' || c == '_' || c == '.';
-    if (!plain) c = '-';
-  }
-  return name;
 }
 
 Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes) {

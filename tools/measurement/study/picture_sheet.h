@@ -13,10 +13,7 @@ namespace penumbra::study {
 // `title` is the technique's name in the captions.
 Picture side_by_side(const PictureRow& row, const std::string& title);
 
-// Returns the name with '-' for all but letters, digits, '-', '_' and '.'.
-std::string file_name_part(std::string name);
-
-// Returns "<scene>_<technique>_<degrees>", as file_name_part() writes it.
+// Returns "<scene>_<technique>_<degrees>", as file_name_part() of input/file_name.h writes it.
 std::string file_stem(const PictureRow& row);
 
 // The picture that a README shows: one row per scene of the technique with the lowest mean error, at the
