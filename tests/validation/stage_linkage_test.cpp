@@ -89,6 +89,16 @@ TEST_F(StageLinkage, ArraysAndMatricesTakeConsecutiveSemantics) {
       ElementsAre("7:44 the fragment program reads 'M2', which the vertex program 'Vert' does not write"));
 }
 
+TEST_F(StageLinkage, TheInstanceIsWrittenForTheFragmentProgram) {
+  const std::string input = "uint id : SV_InstanceID; ";
+  EXPECT_THAT(
+      errors(stages(position, input, "i.id")),
+      ElementsAre("7:23 the fragment program reads 'SV_INSTANCEID', which the vertex program 'Vert' does not "
+                  "write"));
+  EXPECT_THAT(errors(stages(position + input, input, "i.id")), IsEmpty());
+  EXPECT_THAT(errors(stages(position, input, "1")), IsEmpty()) << "not read";
+}
+
 TEST_F(StageLinkage, FittingStagesAreSilent) {
   EXPECT_THAT(
       errors(stages(std::string(position) + "float4 uv : texcoord; float4x4 m : MAT; float4 c : COLOR0; ",

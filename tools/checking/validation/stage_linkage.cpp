@@ -86,8 +86,10 @@ std::map<int, Stages> programs_of(const std::vector<CompileUnit>& units) {
   return programs;
 }
 
+// The instance's number is a value of the system for vertex programs alone: others read what is written to
+// it.
 bool is_system_value(const SignatureElement& element) {
-  return element.semantic.starts_with("SV_");
+  return element.semantic.starts_with("SV_") && element.semantic != "SV_INSTANCEID";
 }
 
 // These are values of the rasteriser by their names in Direct3D 9, which Unity's compilers still take.

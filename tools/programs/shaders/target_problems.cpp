@@ -59,15 +59,35 @@ bool is_fine_or_coarse(spirv::Words instruction) {
   return op >= spv::OpDPdxFine && op <= spv::OpFwidthCoarse;
 }
 
-bool asks_for_length(spirv::Words instruction) {
-  return spirv::opcode(instruction) == spv::OpArrayLength;
-}
-
 bool gathers_at_a_variable_offset(spirv::Words instruction) {
   const spv::Op op = spirv::opcode(instruction);
   return (op == spv::OpImageGather || op == spv::OpImageDrefGather) &&
          (spirv::operand(instruction, 6) & spv::ImageOperandsOffsetMask) != 0;
 }
+
+// Finds the requests for the size of a buffer: StructuredBuffer and ByteAddressBuffer are arrays, Buffer is
+// an image.
+class BufferSizeSearch final : public ModuleSearch {
+ public:
+  using ModuleSearch::ModuleSearch;
+
+ private:
+  void visit(spirv::Words instruction) override {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpTypeImage && spirv::operand(instruction, 3) == spv::DimBuffer)
+      buffer_types_.insert(spirv::operand(instruction, 1));
+    if (op == spv::OpLoad && buffer_types_.contains(spirv::operand(instruction, 1)))
+      buffers_.insert(spirv::operand(instruction, 2));
+    if (op == spv::OpArrayLength ||
+        (op == spv::OpImageQuerySize && buffers_.contains(spirv::operand(instruction, 3))))
+      report(
+          "Metal has no GetDimensions of a buffer: pass its size in a constant, or leave metal out with "
+          "#pragma exclude_renderers");
+  }
+
+  std::set<std::uint32_t> buffer_types_;
+  std::set<std::uint32_t> buffers_;  // loaded
+};
 
 // Collects the names of the uniform buffers that are arrays.
 class BufferArrays {
@@ -216,10 +236,10 @@ std::vector<TargetProblem> target_problems(const SpirvModule& module, const std:
        "a gather with an offset that is not constant needs OpenGL ES 3.2: write a constant offset, or leave "
        "gles3 "
        "out with #pragma exclude_renderers");
-  find(asks_for_length,
-       targets_of([](Target target) { return target_language(target) == TargetLanguage::msl; }),
-       "Metal has no GetDimensions of a buffer: pass its size in a constant, or leave metal out with "
-       "#pragma exclude_renderers");
+  const std::vector<Target> msl =
+      targets_of([](Target target) { return target_language(target) == TargetLanguage::msl; });
+  for (hlsl::Diagnostic& problem : BufferSizeSearch(module).run())
+    problems.push_back({msl, std::move(problem)});
   for (const WrittenImages::Found& image : WrittenImages().run(module)) {
     const std::string why = image.has_format ? "' is read and written: in OpenGL ES only images of one "
                                                "float, int or uint may be; declare two, or leave "
