@@ -109,7 +109,7 @@ bool Divergence::input_varies(spirv::Id variable) const {
   const std::optional<std::uint32_t> built_in = code_.decoration(variable, spv::DecorationBuiltIn);
   if (together_ == Together::group)
     return !built_in || (*built_in != spv::BuiltInWorkgroupId && *built_in != spv::BuiltInNumWorkgroups &&
-                         *built_in != spv::BuiltInWorkgroupSize);
+                         *built_in != spv::BuiltInWorkgroupSize && *built_in != spv::BuiltInSubgroupSize);
   const bool of_primitive =
       built_in && (*built_in == spv::BuiltInFrontFacing || *built_in == spv::BuiltInPrimitiveId ||
                    *built_in == spv::BuiltInViewIndex || *built_in == spv::BuiltInLayer ||
@@ -240,10 +240,7 @@ std::string place_of_condition(const LintedCode& linted, const spirv::Function& 
   spirv::Place place = end.place;
   const spirv::Instruction* condition = linted.code.definition(end.operands[0]);
   if (place.line == 0 && condition != nullptr) place = condition->place;
-  if (place.line == 0) return "";
-  const std::string line = std::to_string(place.line);
-  return place.file == from.file ? " at line " + line
-                                 : " at " + linted.code.file_name(place.file) + ":" + line;
+  return place_in_words(linted, place, from);
 }
 
 bool has_constant_bound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,

@@ -72,8 +72,7 @@ class Divergence {
   std::vector<bool> runs_apart_;      // for each node: some varying branch decides whether it runs
 };
 
-// Returns the place of the condition on which the block branches, for messages: " at line 12", " at
-// Other.hlsl:12", seen from that place; empty if it is not known.
+// Returns the place of the condition on which the block branches (place_in_words).
 std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
                                spirv::Place from);
 

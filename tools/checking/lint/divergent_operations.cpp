@@ -15,15 +15,20 @@ hlsl::Diagnostic finding_of(const LintedCode& linted, const spirv::Function& fun
                             const Divergence& divergence, const spirv::Instruction& barrier, std::size_t node,
                             std::size_t branch) {
   const bool in_loop = divergence.loop_left_by(branch, node) != no_node;
-  return finding_at(linted, "divergent-barrier", barrier.place,
-                    {"GroupMemoryBarrierWithGroupSync", "AllMemoryBarrierWithGroupSync",
-                     "DeviceMemoryBarrierWithGroupSync"},
-                    std::string("a barrier with group sync is in divergent control flow: ") +
-                        (in_loop ? "the threads of a group may leave its loop at different times"
-                                 : "not all threads of a group may reach it") +
-                        ", by the condition" + place_of_condition(linted, function, branch, barrier.place) +
-                        ": move it out of " + (in_loop ? "the loop" : "the condition") +
-                        ", or make the condition one of constants and SV_GroupID");
+  const bool behind = !in_loop && !divergence.flow().encloses(branch, node);  // what is left is a return
+  const std::string condition = place_of_condition(linted, function, branch, barrier.place);
+  return finding_at(
+      linted, "divergent-barrier", barrier.place,
+      {"GroupMemoryBarrierWithGroupSync", "AllMemoryBarrierWithGroupSync",
+       "DeviceMemoryBarrierWithGroupSync"},
+      std::string("a barrier with group sync is in divergent control flow: ") +
+          (in_loop  ? "the threads of a group may leave its loop at different times, by the condition"
+           : behind ? "some threads of a group may have returned before it, by the condition"
+                    : "not all threads of a group may reach it, by the condition") +
+          condition + ": " +
+          (in_loop  ? "move it out of the loop, or make the condition one of constants and SV_GroupID"
+           : behind ? "let them go on to it, and put the work of the others into a condition"
+                    : "move it out of the condition, or make the condition one of constants and SV_GroupID"));
 }
 
 bool is_derivative(spv::Op op) {

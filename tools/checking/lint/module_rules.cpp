@@ -100,7 +100,11 @@ std::vector<hlsl::Diagnostic> legalised_findings(const ModuleToLint& module, con
   const spirv::Code code(std::move(*words));
   const LintedCode linted{code, module.sources, module.file};
   if (module.stage == hlsl::Stage::fragment) append(findings, gradient_findings(linted));
-  if (module.stage == hlsl::Stage::compute) append(findings, barrier_findings(linted));
+  if (module.stage == hlsl::Stage::compute) {
+    append(findings, barrier_findings(linted));
+    append(findings, missing_barrier_findings(linted));
+    append(findings, lane_order_findings(linted));
+  }
   append(findings, unroll_findings(linted));
   append(findings, arithmetic_findings(linted));
   append(findings, resource_findings(linted, module.stage, module.shader_target));

@@ -44,6 +44,13 @@ int column_of_word(std::string_view word, std::string_view line) {
   return column;
 }
 
+std::string place_in_words(const LintedCode& linted, spirv::Place place, spirv::Place from) {
+  if (place.line == 0) return "";
+  const std::string line = std::to_string(place.line);
+  return place.file == from.file ? " at line " + line
+                                 : " at " + linted.code.file_name(place.file) + ":" + line;
+}
+
 hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
                             const std::vector<std::string>& words, std::string message) {
   std::string file = linted.code.file_name(place.file);

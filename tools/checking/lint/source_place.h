@@ -34,6 +34,10 @@ hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::str
                                         const std::string& name, const std::vector<std::string>& declaring,
                                         std::string message);
 
+// Returns the place for messages that are at `from`: " at line 12", " at Other.hlsl:12"; empty if it has no
+// line.
+std::string place_in_words(const LintedCode& linted, spirv::Place place, spirv::Place from);
+
 // Returns the 1-based column of the name if it occurs exactly once as a whole identifier, else 0.
 int column_of_word(std::string_view word, std::string_view line);
 

@@ -48,6 +48,17 @@ std::vector<hlsl::Diagnostic> unroll_findings(const LintedCode& linted);
 // (Direct3D X3663). `linted` is a legalised compute shader.
 std::vector<hlsl::Diagnostic> barrier_findings(const LintedCode& linted);
 
+// Rule missing-barrier: a thread reads from group shared memory what another writes, and no barrier with
+// group sync is on a path between them. Threads and elements are compared by value (thread_values.h), so a
+// read by an index that is neither known from the thread's number nor the same for the group is not reported;
+// nor are shaders with wave operations, which may order threads otherwise. `linted` is a legalised compute
+// shader.
+std::vector<hlsl::Diagnostic> missing_barrier_findings(const LintedCode& linted);
+
+// Rule lane-order: a calculation or comparison mixes a lane's number, or the number of lanes, with the number
+// of a thread in its group. `linted` is a legalised compute shader.
+std::vector<hlsl::Diagnostic> lane_order_findings(const LintedCode& linted);
+
 // Rule indexed-write: a vector's component, or a matrix's row, is written by index in a loop that FXC cannot
 // unroll (X3500, X3511, X3531).
 //
