@@ -1,4 +1,4 @@
-// Tests the rules sampler-name, sampler-limit and register-limit.
+// Tests the rules sampler-name, sampler-limit and register-limit; tests/lint/found has typed-load.
 #include "lint/stage_rules.h"
 
 #include <gmock/gmock.h>
@@ -69,9 +69,15 @@ std::string sampling(int count) {
 
 TEST(SamplerLimit, SixteenAreAllowed) {
   EXPECT_THAT(findings_of("sampler-limit", sampling(16)), IsEmpty());
-  EXPECT_THAT(findings_of("sampler-limit", sampling(17)),
-              ElementsAre(HasSubstr(
-                  "0 error sampler-limit: 17 samplers are used; Direct3D 11 has 16: sampler_Map0, ")));
+  EXPECT_THAT(
+      findings_of("sampler-limit", sampling(17)),
+      ElementsAre(HasSubstr(
+          "17:32 error sampler-limit: 17 samplers are used; Direct3D 11 has 16, and 'sampler_Map16' is the "
+          "first above: sample several textures with one, such as sampler_linear_repeat (sampler_Map0, ")));
+  std::string silenced = sampling(17);
+  silenced.insert(silenced.find("\n", silenced.find("sampler_Map16;")),
+                  "  // penumbra-lint: disable=sampler-limit");
+  EXPECT_THAT(findings_of("sampler-limit", silenced), IsEmpty());
 }
 
 TEST(SamplerLimit, OnlyUsedOnesCount) {
@@ -98,9 +104,10 @@ std::string reading_buffers(int count) {
 
 TEST(RegisterLimit, ConstantBuffers) {
   EXPECT_THAT(limits(reading_buffers(14)), IsEmpty());
-  EXPECT_THAT(
-      limits(reading_buffers(15)),
-      ElementsAre(HasSubstr("0 error register-limit: 15 constant buffers are used; Direct3D 11 has 14: B0")));
+  EXPECT_THAT(limits(reading_buffers(15)),
+              ElementsAre(HasSubstr(
+                  "15:9 error register-limit: 15 constant buffers are used; Direct3D 11 has 14, and 'B14' "
+                  "is the first above: put several into one (B0, ")));
 }
 
 TEST(RegisterLimit, BytesOfAConstantBuffer) {
@@ -142,8 +149,33 @@ TEST(RegisterLimit, WritableBuffers) {
            "[numthreads(1, 1, 1)]\nvoid Main(uint3 id : SV_DispatchThreadID)\n{\n" + body + "}\n";
   };
   EXPECT_THAT(limits(shader(8), hlsl::Stage::compute), IsEmpty());
-  EXPECT_THAT(limits(shader(9), hlsl::Stage::compute),
-              ElementsAre(HasSubstr("9 writable textures and buffers are used; Direct3D 11 has 8: _B0")));
+  EXPECT_THAT(
+      limits(shader(9), hlsl::Stage::compute),
+      ElementsAre(testing::AllOf(
+          HasSubstr(
+              "10:27 error register-limit: 9 writable textures and buffers are used; Direct3D 11 has 8"),
+          HasSubstr("'_B8' is the first above"), HasSubstr("(_B0, _B1, "))));
+}
+
+TEST(RegisterLimit, BytesOfGroupSharedMemory) {
+  const auto found = [](int elements) {
+    return limits("struct Item { float3 a; half b; };\ngroupshared uint _Few[4];\ngroupshared Item _Items[" +
+                      std::to_string(elements) +
+                      "];\nRWStructuredBuffer<float> _Out;\n[numthreads(8, 1, 1)]\nvoid Main(uint3 id : "
+                      "SV_DispatchThreadID)\n{\n    _Items[id.x].a = _Few[id.x] = id.x;\n    "
+                      "_Out[id.x] = _Items[id.x].a.y + _Items[id.x].b + _Few[id.x];\n}\n",
+                  hlsl::Stage::compute);
+  };
+  EXPECT_THAT(found(1023), IsEmpty());
+  EXPECT_THAT(
+      found(1024),
+      ElementsAre("3:18 note register-limit: 16400 bytes of group shared memory are used ('_Items' 16384, "
+                  "'_Few' 16); some devices with Vulkan or OpenGL ES have only 16384"));
+  EXPECT_THAT(
+      found(2048),
+      ElementsAre("3:18 error register-limit: 32784 bytes of group shared memory are used ('_Items' 32768, "
+                  "'_Few' 16); Direct3D 11 and Metal have 32768: keep values in 16 bits, or let the group be "
+                  "smaller"));
 }
 
 std::string interpolating(int count) {

@@ -82,8 +82,11 @@ constexpr std::size_t most_constant_buffers = 14;  // D3D11_COMMONSHADER_CONSTAN
 constexpr std::size_t most_writable = 8;           // D3D11_PS_CS_UAV_REGISTER_COUNT
 constexpr std::size_t most_buffer_bytes = 65'536;  // D3D11_REQ_CONSTANT_BUFFER_ELEMENT_COUNT float4
 constexpr std::size_t most_interpolators = 32;     // D3D11_PS_INPUT_REGISTER_COUNT
+constexpr std::size_t most_shared_bytes = 32'768;  // D3D11_CS_THREAD_LOCAL_TEMP_REGISTER_POOL of cs_5_0
+// VkPhysicalDeviceLimits::maxComputeSharedMemorySize and GL_MAX_COMPUTE_SHARED_MEMORY_SIZE of OpenGL ES 3.1
+constexpr std::size_t promised_shared_bytes = 16'384;
 
-enum class Kind { sampler, texture, constant_buffer, writable, other };
+enum class Kind { sampler, texture, constant_buffer, writable, shared, other };
 
 struct Used {
   Kind kind = Kind::other;
@@ -104,7 +107,9 @@ Used described(const spirv::Code& code, const spirv::Instruction& variable) {
   }
   if (type == nullptr) return used;
   const std::optional<spv::StorageClass> storage = code.storage_class(variable.type);
-  if (type->op == spv::OpTypeSampler) {
+  if (storage == spv::StorageClassWorkgroup) {
+    used.kind = Kind::shared;
+  } else if (type->op == spv::OpTypeSampler) {
     used.kind = Kind::sampler;
   } else if (type->op == spv::OpTypeImage) {
     used.kind = type->operands[5] == 2 ? Kind::writable : Kind::texture;
@@ -160,21 +165,63 @@ bool is_counter(const std::string& name) {
   return name.ends_with("@count");
 }
 
-void check_count(const LintedCode& linted, const std::vector<Used>& used, const char* rule, Kind kind,
-                 std::size_t most, const std::string& what, std::vector<hlsl::Diagnostic>& findings) {
+// A limit on the number of resources of a kind, and how its message speaks of them.
+struct CountLimit {
+  const char* rule;
+  Kind kind;
+  std::size_t most;
+  const char* what;
+  const char* remedy;
+  std::vector<std::string> declaring;  // words in their declarations
+};
+
+const std::vector<CountLimit>& count_limits() {
+  static const std::vector<CountLimit> all{
+      {"sampler-limit",
+       Kind::sampler,
+       most_samplers,
+       "samplers",
+       "sample several textures with one, such as sampler_linear_repeat",
+       {"SamplerState", "SamplerComparisonState", "SAMPLER", "sampler", "TEX"}},
+      {"register-limit",
+       Kind::texture,
+       most_textures,
+       "textures and read-only buffers",
+       "put textures of one size into a Texture2DArray",
+       {"Texture", "TEXTURE", "Buffer"}},
+      {"register-limit",
+       Kind::constant_buffer,
+       most_constant_buffers,
+       "constant buffers",
+       "put several into one",
+       {"cbuffer", "CBUFFER_START", "ConstantBuffer"}},
+      {"register-limit",
+       Kind::writable,
+       most_writable,
+       "writable textures and buffers",
+       "put several into one buffer of a struct, or write them in two dispatches",
+       {"RW", "AppendStructuredBuffer", "ConsumeStructuredBuffer"}}};
+  return all;
+}
+
+void check_count(const LintedCode& linted, const std::vector<Used>& used, const CountLimit& limit,
+                 std::vector<hlsl::Diagnostic>& findings) {
   std::size_t slots = 0;
   std::string names;
+  std::string first_above;
   for (const Used& resource : used) {
-    if (resource.kind != kind || is_counter(linted.code.name(resource.variable))) continue;
+    if (resource.kind != limit.kind || is_counter(linted.code.name(resource.variable))) continue;
     slots += resource.slots;
-    const std::string name =
-        kind == Kind::constant_buffer ? linted.code.name(resource.type) : linted.code.name(resource.variable);
+    const std::string name = limit.kind == Kind::constant_buffer ? linted.code.name(resource.type)
+                                                                 : linted.code.name(resource.variable);
     names += (names.empty() ? "" : ", ") + name;
+    if (slots > limit.most && first_above.empty()) first_above = name;
   }
-  if (slots <= most) return;
-  findings.push_back(finding_at(linted, rule, {}, {},
-                                std::to_string(slots) + " " + what + " are used; Direct3D 11 has " +
-                                    std::to_string(most) + ": " + names));
+  if (slots <= limit.most) return;
+  findings.push_back(finding_at_declaration(
+      linted, limit.rule, first_above, limit.declaring,
+      std::to_string(slots) + " " + limit.what + " are used; Direct3D 11 has " + std::to_string(limit.most) +
+          ", and '" + first_above + "' is the first above: " + limit.remedy + " (" + names + ")"));
 }
 
 void check_sizes(const LintedCode& linted, const std::vector<Used>& used,
@@ -190,7 +237,8 @@ void check_sizes(const LintedCode& linted, const std::vector<Used>& used,
   }
 }
 
-// The number of scalar components of a value between stages, and the number of registers without packing.
+// The number of scalar components of a value between stages or in group shared memory, and the number of
+// registers without packing.
 struct Footprint {
   std::size_t components = 0;
   std::size_t registers = 0;
@@ -209,6 +257,14 @@ Footprint footprint(const spirv::Code& code, spirv::Id type) {
       return times(of->operands[0], of->operands[1]);
     case spv::OpTypeArray:
       return times(of->operands[0], static_cast<std::size_t>(code.integer(of->operands[1]).value_or(1)));
+    case spv::OpTypeStruct: {
+      Footprint sum;
+      for (const spirv::Id member : of->operands) {
+        const Footprint part = footprint(code, member);
+        sum = {sum.components + part.components, sum.registers + part.registers};
+      }
+      return sum;
+    }
     default:
       return {1, 1};
   }
@@ -252,6 +308,55 @@ void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader
   findings.push_back(finding);
 }
 
+void check_shared_memory(const LintedCode& linted, const std::vector<Used>& used,
+                         std::vector<hlsl::Diagnostic>& findings) {
+  std::size_t bytes = 0;
+  std::vector<std::pair<std::size_t, std::string>> variables;
+  for (const Used& resource : used) {
+    if (resource.kind != Kind::shared) continue;
+    const spirv::Instruction* variable = linted.code.definition(resource.variable);
+    variables.emplace_back(4 * footprint(linted.code, linted.code.pointee(variable->type)).components,
+                           linted.code.name(resource.variable));
+    bytes += variables.back().first;
+  }
+  if (bytes <= promised_shared_bytes) return;
+  std::sort(variables.rbegin(), variables.rend());
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, variables.size()); ++i)
+    names += (i == 0 ? "'" : ", '") + variables[i].second + "' " + std::to_string(variables[i].first);
+  const bool above = bytes > most_shared_bytes;
+  hlsl::Diagnostic finding = finding_at_declaration(
+      linted, "register-limit", variables[0].second, {"groupshared"},
+      std::to_string(bytes) + " bytes of group shared memory are used (" + names + "); " +
+          (above ? "Direct3D 11 and Metal have 32768: keep values in 16 bits, or let the group be smaller"
+                 : "some devices with Vulkan or OpenGL ES have only 16384"));
+  if (!above) finding.severity = hlsl::Severity::note;
+  findings.push_back(std::move(finding));
+}
+
+bool has_one_component(std::uint32_t format) {
+  return format == spv::ImageFormatR32f || format == spv::ImageFormatR32i || format == spv::ImageFormatR32ui;
+}
+
+void check_typed_loads(const LintedCode& linted, std::vector<hlsl::Diagnostic>& findings) {
+  for (const spirv::Instruction& read : linted.code.instructions()) {
+    if (read.op != spv::OpImageRead) continue;
+    const spirv::Instruction* image = linted.code.definition(read.operands[0]);
+    const spirv::Instruction* type = image == nullptr ? nullptr : linted.code.definition(image->type);
+    if (type == nullptr || type->operands[1] == spv::DimSubpassData ||
+        type->operands[6] == spv::ImageFormatUnknown || has_one_component(type->operands[6]))
+      continue;
+    const std::string name = linted.code.name(image->op == spv::OpLoad ? image->operands[0] : 0);
+    findings.push_back(
+        finding_at(linted, "typed-load", read.place, {name},
+                   "'" + name +
+                       "' is read, and Direct3D 11 promises that only of writable textures and buffers of "
+                       "one float, int or "
+                       "uint: read a copy that is a Texture2D, use a buffer of a struct, or ask "
+                       "SystemInfo.SupportsTypedUAVShaderLoadStoreOnGraphicsFormat first"));
+  }
+}
+
 }  // namespace
 
 std::vector<ConstantBuffer> constant_buffers(const std::vector<std::uint32_t>& spirv) {
@@ -271,15 +376,11 @@ std::vector<hlsl::Diagnostic> resource_findings(const LintedCode& linted, hlsl::
   std::vector<hlsl::Diagnostic> findings;
   const std::vector<Used> used = used_resources(linted.code);
   check_sampler_names(linted, used, findings);
-  check_count(linted, used, "sampler-limit", Kind::sampler, most_samplers, "samplers", findings);
-  check_count(linted, used, "register-limit", Kind::texture, most_textures, "textures and read-only buffers",
-              findings);
-  check_count(linted, used, "register-limit", Kind::constant_buffer, most_constant_buffers,
-              "constant buffers", findings);
-  check_count(linted, used, "register-limit", Kind::writable, most_writable, "writable textures and buffers",
-              findings);
+  for (const CountLimit& limit : count_limits()) check_count(linted, used, limit, findings);
   check_sizes(linted, used, findings);
   check_interpolators(linted, stage, shader_target, findings);
+  check_shared_memory(linted, used, findings);
+  check_typed_loads(linted, findings);
   return findings;
 }
 

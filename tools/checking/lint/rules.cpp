@@ -61,9 +61,13 @@ const std::vector<RuleInfo>& rules() {
        "https://docs.unity3d.com/Manual/SL-SamplerStates.html", false, true},
       {"sampler-limit", Severity::error, "More samplers are used than Direct3D 11 has.", d3d_limits},
       {"register-limit", Severity::error,
-       "More textures, buffers, constant buffer bytes or interpolators are used than Direct3D 11 or the "
+       "More textures, buffers, constant buffer bytes, interpolators or bytes of group shared memory are "
+       "used than Direct3D 11 or the "
        "shader's #pragma target has.",
        std::string(d3d_limits) + " and https://docs.unity3d.com/Manual/SL-ShaderCompileTargets.html"},
+      {"typed-load", Severity::warning,
+       "A writable texture or buffer is read whose format Direct3D 11 does not promise to read.",
+       "https://learn.microsoft.com/windows/win32/direct3d11/typed-unordered-access-view-loads"},
       {"srp-batcher", Severity::warning,
        "Material properties outside of UnityPerMaterial, or a UnityPerMaterial that differs between passes.",
        "https://docs.unity3d.com/Manual/SRPBatcher-Materials.html", false, true},

@@ -70,7 +70,7 @@ std::vector<hlsl::Diagnostic> lane_order_findings(const LintedCode& linted);
 // `linted` is a module before inlining.
 std::vector<hlsl::Diagnostic> indexed_write_findings(const LintedCode& linted);
 
-// Rules sampler-name, sampler-limit and register-limit.
+// Rules sampler-name, sampler-limit, register-limit and typed-load.
 //
 // Resources count if the shader uses them after dead code elimination, as in the compilers that enforce the
 // limits: https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits and the
