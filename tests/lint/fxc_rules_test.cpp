@@ -8,7 +8,7 @@
 #include "fxc/at_hand.h"
 #include "fxc/judge.h"
 #include "lint/linted_shader.h"
-#include "lint/reserved_names.h"
+#include "lint/text_rules.h"
 
 namespace penumbra::lint {
 namespace {
@@ -151,6 +151,22 @@ TEST(FxcRules, TheRemedyIsSaid) {
       findings_of("indexed-write", with_loop(kUnrolled, "if (p[i] > x.x) continue; v[i] = q;")),
       ElementsAre(HasSubstr("'v' is written by index in a loop that FXC, Unity's compiler, cannot unroll, "
                             "because of the 'continue' before it: put the write into the condition")));
+}
+
+TEST(GroupsharedInitialiser, EveryThreadWritesItWithFxc) {
+  PENUMBRA_NEEDS_FXC();
+  fxc::Judge fxc(fxc::require_fxc());
+  const auto bytecode = [&](const std::string& initialiser, const std::string& first) {
+    return fxc
+        .compile({"groupshared uint n" + initialiser +
+                      ";\nRWStructuredBuffer<uint> w;\n[numthreads(8, 1, 1)] void Main(uint t : "
+                      "SV_GroupIndex) { " +
+                      first + " InterlockedAdd(n, t); GroupMemoryBarrierWithGroupSync(); w[t] = n; }\n",
+                  "Main", "cs_5_0"})
+        .bytecode;
+  };
+  EXPECT_FALSE(bytecode(" = 3", "").empty());
+  EXPECT_EQ(bytecode(" = 3", ""), bytecode("", "n = 3;"));
 }
 
 std::vector<std::string> names_in(const std::string& text) {

@@ -3,17 +3,28 @@
 #include <gtest/gtest.h>
 
 #include "lint/linted_shader.h"
+#include "lint/suppression.h"
+#include "lint/text_rules.h"
 #include "shaders/expected_messages.h"
+#include "shaders/source_memory.h"
 
 namespace penumbra::lint {
 namespace {
+
+void add(const shaders::CompileRequest& request, shaders::Messages& messages) {
+  messages.add(lint(request));
+  shaders::SourceMemory memory;
+  const shaders::PreprocessedSource source = shaders::expand(request, memory);
+  messages.add(
+      without_suppressed(text_findings(source.text, request.file.string(), source.sources), source.sources));
+}
 
 class LintMessages : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(LintMessages, AreThoseOfTheFirstLines) {
   shaders::Messages messages(GetParam());
-  for (const shaders::CompileRequest& request : shaders::requests_for(GetParam()))
-    messages.add(lint(request));
+  for (const shaders::CompileRequest& request : shaders::requests_for(GetParam())) add(request, messages);
+  messages.remove_repeated();  // the text of all entry points is one
   EXPECT_EQ(messages.text(), shaders::expected_of(GetParam()).messages) << GetParam();
 }
 

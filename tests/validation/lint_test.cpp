@@ -221,6 +221,16 @@ TEST_F(ProgramLint, PropertiesBelongIntoTheMaterialsBuffer) {
   EXPECT_THAT(found(validate(request(shader("", outside)))), ElementsAre("T.shader:6 srp-batcher"));
 }
 
+TEST_F(UnitLint, ConditionsAreSeenThroughTheCache) {
+  ValidationRequest kept = request(bent);
+  kept.engine.cache = files_.path("cache");
+  for (const char* version : {"60010000", "600010", "60010000"}) {
+    files_.write("f.hlsl", std::string("#if UNITY_VERSION >= ") + version +
+                               "\n#endif\nfloat4 Main() : SV_Target { return 1; }\n");
+    EXPECT_THAT(found(validate(kept)), SizeIs(std::string(version).size() == 8 ? 0 : 1)) << version;
+  }
+}
+
 TEST_F(ProgramLint, TheBatcherIsForScriptablePipelines) {
   std::string no_buffer = outside;
   no_buffer.replace(0, no_buffer.find('\n'), "float4 _Color;");

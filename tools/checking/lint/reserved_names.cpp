@@ -1,4 +1,4 @@
-#include "lint/reserved_names.h"
+#include "lint/text_rules.h"
 
 #include <algorithm>
 #include <cctype>

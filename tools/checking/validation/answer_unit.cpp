@@ -6,7 +6,7 @@
 
 #include "fxc/messages.h"
 #include "input/input_error.h"
-#include "lint/reserved_names.h"
+#include "lint/text_rules.h"
 #include "shaders/bytecode_module.h"
 #include "shaders/fxc_program.h"
 #include "shaders/source_memory.h"
@@ -32,7 +32,7 @@ namespace {
 struct SourceState {
   std::string name;
   std::string hash;
-  bool silences = false;  // the file silences a lint rule somewhere
+  bool read_by_lint = false;  // the file silences a lint rule somewhere, or a rule reads its conditions
 };
 
 bool quotes(const std::vector<hlsl::Diagnostic>& messages, const std::string& file) {
@@ -186,11 +186,13 @@ class UnitAtWork {
     std::vector<SourceState> files;
     for (const std::string& file : source_.sources.names()) {
       const std::string& text = source_.sources.text(file);
-      files.push_back({file, source_hash(text), job_.unit.lint.wanted && holds_suppression(text)});
+      files.push_back(
+          {file, source_hash(text),
+           job_.unit.lint.wanted && (holds_suppression(text) || lint::compares_unity_version(text))});
     }
     std::vector<hlsl::Diagnostic> names;
     if (job_.unit.lint.wanted)
-      names = lint::reserved_name_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
+      names = lint::text_findings(source_.text, job_.unit.compile.file.string(), source_.sources);
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
     shaders::CompileResult result = by_glslang(request);
@@ -209,7 +211,7 @@ class UnitAtWork {
     if (job_.wants_emitted && !spirv_.empty()) add_spirv();
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, std::move(names), answer);
     for (SourceState& file : files)
-      if (file.silences || quotes(answer, file.name))
+      if (file.read_by_lint || quotes(answer, file.name))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
     const bool crash_decided = decided && job_.given_up.size() == 1 && is_given_up(note_compile);
     if (job_.given_up.empty() || crash_decided) keep(EntryKind::compile, reply_.text_key, encode(answer));

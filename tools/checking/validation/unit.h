@@ -75,8 +75,8 @@ struct CompileAnswer {
   std::vector<shaders::TargetDiagnostics> of_targets;
   std::string module_key;  // empty when there is no SPIR-V
   std::string unchecked;   // see UnitResult
-  // The files that the messages quote, and those that silence a lint rule, with the hash of their contents.
-  // Comments are not part of a text key: a cached result is used only if these are the same.
+  // The files that the messages quote, and those whose comments or conditions lint reads, with the hash of
+  // their contents. These are not part of a text key: a cached result is used only if they are the same.
   std::vector<std::pair<std::string, std::string>> quoted;
   std::shared_ptr<const std::string> buffers;    // see UnitResult
   std::shared_ptr<const std::string> signature;  // see UnitResult
