@@ -1,4 +1,4 @@
-// Tests the rules srp-batcher and unused-keyword, over what several compiled stages declare.
+// Tests the rules property-type, srp-batcher and unused-keyword, over what several compiled stages declare.
 #include "lint/program_rules.h"
 
 #include <gmock/gmock.h>
@@ -36,6 +36,23 @@ TEST(ConstantBuffers, MembersWithTheirBytes) {
       {"_A", 0, 12}, {"_B", 12, 4}, {"_M", 16, 64}, {"_Arr", 80, 36}, {"_End", 128, 8}};
   EXPECT_EQ(stage.buffers[0].members, expected);
   EXPECT_EQ(stage.buffers[0].size, 136U);
+}
+
+TEST(PropertyType, AColourThatIsOneNumber) {
+  const ShaderToLint shader{
+      "S.shader",
+      {{"_Color", 4, 9, "Color"},
+       {"_Cut", 5, 9, "Range"},
+       {"_Wind", 6, 9, "Vector"},
+       {"_Tint", 7, 9, "Color"}},
+      {pass("Forward", "float _Color; float _Cut; float2 _Wind; half3 _Tint;\n", "_Color * _Cut"),
+       pass("Depth", "float4 _Color; half _Wind;\n", "_Color")}};
+  EXPECT_THAT(
+      all(property_type_findings(shader)),
+      ElementsAre(
+          "4:9 warning property-type: property '_Color' is a Color, and pass 'Forward' declares it as one "
+          "number, which gets its first component: declare it float4, or make the property a Float",
+          testing::StartsWith("6:9 warning property-type: property '_Wind' is a Vector, and pass 'Depth'")));
 }
 
 TEST(SrpBatcher, PropertiesInTheMaterialsBuffer) {

@@ -221,6 +221,48 @@ TEST_F(ProgramLint, PropertiesBelongIntoTheMaterialsBuffer) {
   EXPECT_THAT(found(validate(request(shader("", outside)))), ElementsAre("T.shader:6 srp-batcher"));
 }
 
+TEST_F(ProgramLint, TypesOfPropertiesAreComparedInEveryPipeline) {
+  std::string number = stages;
+  number.replace(number.find("cbuffer"), number.find('\n', number.find("cbuffer")) - number.find("cbuffer"),
+                 "float _Color;");
+  EXPECT_THAT(found(validate(request(shader("", number)))),
+              ElementsAre("T.shader:19 unused-keyword", "T.shader:5 property-type"));
+}
+
+// URP's choice of a cascade, in brief.
+constexpr const char* cascades =
+    "cbuffer MainLightShadows { float4x4 _MainLightWorldToShadow[5]; float4 _CascadeShadowSplitSpheres0; };\n"
+    "Texture2D _Map; SamplerComparisonState sampler_LinearClampCompare;\n"
+    "float4 ShadowCoord(float3 p) { float3 away = p - _CascadeShadowSplitSpheres0.xyz;\n"
+    "return mul(_MainLightWorldToShadow[dot(away, away) < 4 ? 0 : 1], float4(p, 1)); }\n"
+    "float Shadow(float4 at) { float light = _Map.SampleCmpLevelZero(sampler_LinearClampCompare, at.xy, "
+    "at.z);\n"
+    "return at.z >= 1 ? 1 : light; }\n"
+    "struct V { float4 p : SV_Position;\nfloat4 value : TEXCOORD0;\n};\n";
+
+TEST_F(ProgramLint, AShadowCoordinateOfCascadesIsNotInterpolated) {
+  const auto with = [&](const std::string& value, const std::string& read, const std::string& comment = "") {
+    std::string code = cascades;
+    code.insert(code.find("TEXCOORD0;") + 10, comment);
+    return validate(request(
+        shader("", code + "V Vert(float3 p : POSITION) { V v; v.p = float4(p, 1); v.value = " + value +
+                       "; return v; }\nfloat4 Frag(V v) : SV_Target { return " + read + "; }")));
+  };
+  const ValidationReport report = with("ShadowCoord(p)", "Shadow(v.value)");
+  ASSERT_THAT(found(report), ElementsAre("T.shader:25 interpolated-cascade"));
+  for (const VariantRecord& record : report.records) EXPECT_EQ(record.status, VariantStatus::passed);
+  EXPECT_THAT(report_text(report),
+              HasSubstr("T.shader:25:16: warning: 'TEXCOORD0' is a shadow coordinate that the vertex program "
+                        "'Vert' calculates with cascades"));
+  EXPECT_THAT(
+      found(with("ShadowCoord(p)", "Shadow(v.value)", "  // penumbra-lint: disable=interpolated-cascade")),
+      IsEmpty());
+  EXPECT_THAT(found(with("ShadowCoord(p)", "Shadow(ShadowCoord(v.p.xyz))")), IsEmpty()) << "not read";
+  EXPECT_THAT(found(with("Shadow(ShadowCoord(p))", "v.value")), IsEmpty()) << "light";
+  EXPECT_THAT(found(with("mul(_MainLightWorldToShadow[0], float4(p, 1))", "Shadow(v.value)")), IsEmpty())
+      << "one cascade";
+}
+
 TEST_F(UnitLint, ConditionsAreSeenThroughTheCache) {
   ValidationRequest kept = request(bent);
   kept.engine.cache = files_.path("cache");

@@ -1,5 +1,5 @@
 // The rules for a whole shader: constant buffers that the SRP Batcher requires to be identical in every pass,
-// and keywords that never change the compiled code.
+// variables that do not fit their properties, and keywords that never change the compiled code.
 //
 // SRP Batcher: https://docs.unity3d.com/Manual/SRPBatcher-Materials.html ("all material properties in a
 // single constant buffer named UnityPerMaterial"); the same layout in every pass of a SubShader. Keywords:
@@ -48,16 +48,28 @@ struct NamedPlace {
   std::string file{};  // if empty, the shader's own file
 };
 
+// A number, colour or vector of the Properties block.
+struct MaterialProperty {
+  std::string name;
+  int line = 0;
+  int column = 0;
+  std::string type{};  // "Color", "Vector" or, as written, a type of one number
+};
+
 // A SubShader.
 struct ShaderToLint {
   std::string file;
-  std::vector<NamedPlace> properties;  // numbers, colours, vectors of the Properties block; no textures
+  std::vector<MaterialProperty> properties;
   std::vector<PassStage> stages;
 };
 
 // Rule srp-batcher: properties outside of UnityPerMaterial, and differing layouts of it. A stage without
 // UnityPerMaterial is not compared. Engine properties (unity_*) outside of UnityPerDraw are not checked.
 std::vector<hlsl::Diagnostic> srp_batcher_findings(const ShaderToLint& shader);
+
+// Rule property-type: a colour or a vector whose variable is one number, of which its first component becomes
+// the value (https://docs.unity3d.com/6000.0/Documentation/Manual/SL-PropertiesInPrograms.html).
+std::vector<hlsl::Diagnostic> property_type_findings(const ShaderToLint& shader);
 
 // The result of preprocessing or compiling one variant.
 struct VariantText {

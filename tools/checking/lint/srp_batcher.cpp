@@ -13,7 +13,7 @@ namespace {
 constexpr const char* rule = "srp-batcher";
 constexpr const char* material_buffer = "UnityPerMaterial";
 
-hlsl::Diagnostic finding(const ShaderToLint& shader, const NamedPlace& at, std::string message) {
+hlsl::Diagnostic finding(const ShaderToLint& shader, const MaterialProperty& at, std::string message) {
   return {shader.file, at.line, at.column, find_rule(rule)->severity, std::move(message), {}, rule};
 }
 
@@ -30,7 +30,7 @@ std::string stage_of(const PassStage& stage) {
 }
 
 // Reports the buffer that contains a property, if it is not UnityPerMaterial.
-std::optional<hlsl::Diagnostic> misplaced(const ShaderToLint& shader, const NamedPlace& property) {
+std::optional<hlsl::Diagnostic> misplaced(const ShaderToLint& shader, const MaterialProperty& property) {
   for (const PassStage& stage : shader.stages)
     for (const ConstantBuffer& buffer : stage.buffers) {
       if (buffer.name == material_buffer) continue;
@@ -64,7 +64,7 @@ std::string difference(const ConstantBuffer& first, const ConstantBuffer& other)
 
 std::vector<hlsl::Diagnostic> srp_batcher_findings(const ShaderToLint& shader) {
   std::vector<hlsl::Diagnostic> findings;
-  for (const NamedPlace& property : shader.properties)
+  for (const MaterialProperty& property : shader.properties)
     if (std::optional<hlsl::Diagnostic> found = misplaced(shader, property))
       findings.push_back(std::move(*found));
   const PassStage* reference = nullptr;

@@ -1,11 +1,13 @@
 #include "validation/answer_unit.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "fxc/messages.h"
 #include "input/input_error.h"
+#include "lint/interpolated_cascade.h"
 #include "lint/text_rules.h"
 #include "shaders/bytecode_module.h"
 #include "shaders/fxc_program.h"
@@ -243,6 +245,14 @@ class UnitAtWork {
     for (hlsl::Diagnostic& message : linted_.messages(job_.unit, result, std::move(names)))
       answer.diagnostics.push_back(std::move(message));
     answer.buffers = std::make_shared<const std::string>(encode(lint::constant_buffers(result.unoptimised)));
+    if (job_.unit.compile.stage == hlsl::Stage::vertex && !spirv_.empty()) {
+      shaders::Signature signature = result.signature;
+      const std::set<std::uint32_t> of_cascade = lint::outputs_of_cascade(spirv_);
+      for (shaders::SignatureElement& element : signature)
+        element.of_cascade =
+            element.output && of_cascade.contains(static_cast<std::uint32_t>(element.location));
+      answer.signature = std::make_shared<const std::string>(encode(signature));
+    }
     link_.note(note_compile);
   }
 

@@ -85,8 +85,11 @@ bool has_material(const std::vector<lint::PassStage>& stages) {
 
 std::vector<hlsl::Diagnostic> buffer_findings(const ProgramToLint& program, const ResultsOfUnits& results) {
   lint::ShaderToLint shader{program.file, program.properties, stages_of(results)};
-  if (!program.scriptable_pipeline && !has_material(shader.stages)) return {};
-  return lint::srp_batcher_findings(shader);
+  std::vector<hlsl::Diagnostic> findings = lint::property_type_findings(shader);
+  if (program.scriptable_pipeline || has_material(shader.stages))
+    for (hlsl::Diagnostic& finding : lint::srp_batcher_findings(shader))
+      findings.push_back(std::move(finding));
+  return findings;
 }
 
 class Findings {

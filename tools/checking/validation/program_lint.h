@@ -22,10 +22,10 @@ struct ProgramToLint {
   std::string shader;
   std::string pass;
   int sub_shader = 0;
-  bool scriptable_pipeline = false;          // its SubShader or Pass has the tag RenderPipeline
-  std::vector<lint::NamedPlace> keywords;    // keywords that its pragmas declare
-  bool is_whole = false;                     // every variant of its keywords is among the units
-  std::vector<lint::NamedPlace> properties;  // properties of its shader: numbers, colours, vectors
+  bool scriptable_pipeline = false;                // its SubShader or Pass has the tag RenderPipeline
+  std::vector<lint::NamedPlace> keywords;          // keywords that its pragmas declare
+  bool is_whole = false;                           // every variant of its keywords is among the units
+  std::vector<lint::MaterialProperty> properties;  // properties of its shader: numbers, colours, vectors
 };
 
 // Returns one record for each file with findings, with target whole_source. results[i] is that of

@@ -104,11 +104,14 @@ bool has_attribute(const shaderlab::Property& property, const char* name) {
 }
 
 // These are the material's properties: per-renderer ones come from a MaterialPropertyBlock.
-std::vector<lint::NamedPlace> numbers_of(const shaderlab::Shader& shader) {
-  std::vector<lint::NamedPlace> numbers;
+std::vector<lint::MaterialProperty> numbers_of(const shaderlab::Shader& shader) {
+  std::vector<lint::MaterialProperty> numbers;
   for (const shaderlab::Property& property : shader.properties)
     if (property.type != shaderlab::PropertyType::texture && !has_attribute(property, "PerRendererData"))
-      numbers.push_back({property.name.text, property.name.place.line, property.name.place.column});
+      numbers.push_back({property.name.text, property.name.place.line, property.name.place.column,
+                         property.type == shaderlab::PropertyType::color    ? "Color"
+                         : property.type == shaderlab::PropertyType::vector ? "Vector"
+                                                                            : property.type_name});
   return numbers;
 }
 

@@ -12,7 +12,10 @@
 
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
+#include "lint/interpolated_cascade.h"
+#include "lint/suppression.h"
 #include "validation/spirv_target.h"
+#include "validation/unit_lint.h"
 
 namespace penumbra::validation {
 
@@ -166,7 +169,10 @@ class Linkage {
   void check(const std::vector<const UnitResult*>& before, UnitResult& after) {
     const CompileUnit& reader = units_[after.unit];
     std::vector<Misfit> misfits;
-    for (const UnitResult* writer : before) add_misfits(*writer, after, misfits);
+    for (const UnitResult* writer : before) {
+      add_misfits(*writer, after, misfits);
+      lint_cascades(*writer, after);
+    }
     for (const Misfit& misfit : misfits) {
       const UnitResult& writer = *misfit.writers.front();
       const bool with_all = misfit.writers.size() == before.size();
@@ -230,6 +236,25 @@ class Linkage {
     if (fits) fitting_.insert(signatures);
   }
 
+  void lint_cascades(const UnitResult& before, UnitResult& after) {
+    const CompileUnit& reader = units_[after.unit];
+    if (reader.compile.stage != Stage::fragment) return;
+    for (const SignatureElement& input : signature_of(after)) {
+      const SignatureElement* written = input.read ? writer_of(signature_of(before), input, 0) : nullptr;
+      if (written == nullptr || !written->of_cascade) continue;
+      const std::string source_line = input.line > 0 ? line_of(input.file, input.line) : "";
+      hlsl::Diagnostic finding =
+          lint::interpolated_cascade_finding({input.line > 0 ? input.file : reader.file, input.line,
+                                              hlsl::column_in(source_line, input.written, 0, 1)},
+                                             input.semantic, program_name(units_[before.unit]));
+      finding.source_line = source_line;
+      std::vector<hlsl::Diagnostic>& said = speaker_of(after).diagnostics;
+      for (hlsl::Diagnostic& kept :
+           wanted(lint::without_suppressed({std::move(finding)}, sources_), reader.lint))
+        if (std::find(said.begin(), said.end(), kept) == said.end()) said.push_back(std::move(kept));
+    }
+  }
+
   // Without a line, the message is at the #pragma that names the entry point.
   void add(UnitResult& result, const std::string& file, int line, const std::string& word,
            const std::string& message) {
@@ -244,11 +269,15 @@ class Linkage {
                                 {}};
     if (place.line > 0) diagnostic.source_line = line_of(place.file, place.line);
     if (line > 0) diagnostic.column = hlsl::column_in(diagnostic.source_line, word, 0, 1);
-    const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_spirv_target);
-    const auto speaker = spirv == unit.targets.end() ? 0 : spirv - unit.targets.begin();
-    TargetResult& target = result.targets[static_cast<std::size_t>(speaker)];
+    TargetResult& target = speaker_of(result);
     target.diagnostics.push_back(std::move(diagnostic));
     target.status = VariantStatus::failed;
+  }
+
+  TargetResult& speaker_of(UnitResult& result) const {
+    const std::vector<std::string>& targets = units_[result.unit].targets;
+    const auto spirv = std::find_if(targets.begin(), targets.end(), is_spirv_target);
+    return result.targets[spirv == targets.end() ? 0 : static_cast<std::size_t>(spirv - targets.begin())];
   }
 
   std::string line_of(const std::string& file, int line) {

@@ -95,6 +95,7 @@ void write(ByteWriter& out, const Signature& signature) {
     out.number(static_cast<std::uint64_t>(element.components));
     out.number(static_cast<std::uint64_t>(element.count));
     out.number(element.read ? 1 : 0);
+    out.number(element.of_cascade ? 1 : 0);
     out.text(element.written);
     out.text(element.file);
     out.number(static_cast<std::uint64_t>(element.line));
@@ -157,6 +158,7 @@ Signature read_signature(ByteReader& in) {
     element.components = read_place(in);
     element.count = read_place(in);
     element.read = in.flag();
+    element.of_cascade = in.flag();
     element.written = in.text();
     element.file = in.text();
     element.line = read_place(in);

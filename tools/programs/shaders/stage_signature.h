@@ -18,11 +18,12 @@ struct SignatureElement {
   bool per_patch = false;  // for a hull or domain program: not of a control point
   int location = -1;       // the location in SPIR-V; -1 for a built-in value
   SignatureType type = SignatureType::other;
-  int components = 0;   // components of one semantic, 1 to 4; 0 if unknown
-  int count = 1;        // consecutive semantics: elements of an array, vectors of a matrix
-  bool read = false;    // for inputs: an instruction of the optimised program reads it
-  std::string written;  // the semantic as written in the source
-  std::string file;     // the file that has the semantic; line 0 if unknown
+  int components = 0;       // components of one semantic, 1 to 4; 0 if unknown
+  int count = 1;            // consecutive semantics: elements of an array, vectors of a matrix
+  bool read = false;        // for inputs: an instruction of the optimised program reads it
+  bool of_cascade = false;  // for outputs, of linted units: see lint/interpolated_cascade.h
+  std::string written;      // the semantic as written in the source
+  std::string file;         // the file that has the semantic; line 0 if unknown
   int line = 0;
 
   bool operator==(const SignatureElement&) const = default;
