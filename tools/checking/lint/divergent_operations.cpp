@@ -60,8 +60,8 @@ struct Gradient {
   spirv::Place place;
 };
 
-// An instruction of a function that was added to the source (TokenText::insert_without_line), which is inlined,
-// has no line of its own: the call's arguments were read just before it.
+// An instruction of a function that was added to the source (TokenText::insert_without_line), which is
+// inlined, has no line of its own: the call's arguments were read just before it.
 spirv::Place place_of(const LintedCode& linted, std::size_t first, std::size_t at) {
   const auto& all = linted.code.instructions();
   std::size_t placed = at;
