@@ -502,7 +502,8 @@ TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
 
 TEST_F(Validate, RulesOfUnityAreForUnitysProjects) {
   const std::string text =
-      "#pragma multi_compile _ OLD\nTexture2D _Map;\nSamplerState odd;\nfloat4 Main(float2 uv : TEXCOORD0) : "
+      "#pragma multi_compile _ OLD\n#if UNITY_VERSION >= 600010\n#endif\nTexture2D _Map;\nSamplerState "
+      "odd;\nfloat4 Main(float2 uv : TEXCOORD0) : "
       "SV_Target\n{\n    return _Map.Sample(odd, uv);\n}\n";
   const auto outside =
       run({"validate", write("Plain.hlsl", text).string(), "--no-cache", "--target", "spirv"});
@@ -512,7 +513,7 @@ TEST_F(Validate, RulesOfUnityAreForUnitysProjects) {
   const auto inside =
       run({"validate", write("Game/Assets/Unitys.hlsl", text).string(), "--no-cache", "--target", "spirv"});
   EXPECT_EQ(inside.exit_code, 1);
-  EXPECT_THAT(inside.output, HasSubstrs("[unused-keyword]", "[sampler-name]"));
+  EXPECT_THAT(inside.output, HasSubstrs("[unity-version]", "[unused-keyword]", "[sampler-name]"));
 }
 
 TEST_F(Validate, APassLacksNoStageAndItsEntryPointsAreThere) {
