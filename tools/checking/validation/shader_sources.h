@@ -53,7 +53,7 @@ struct SourceProgram {
   int column = 0;
   bool is_pass = false;              // a pass of a .shader, which must have a vertex and a fragment stage
   bool scriptable_pipeline = false;  // as in ProgramToLint
-  bool outside_unity = false;                      // an .hlsl file that is in no Unity project
+  bool outside_unity = false;        // an .hlsl file that is in no Unity project
   std::vector<lint::MaterialProperty> properties;  // as in ProgramToLint
   variants::Narrowing narrowing;
   hlsl::SharedText text;   // lines and columns are the file's own
