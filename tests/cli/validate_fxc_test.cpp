@@ -1,6 +1,10 @@
 // penumbra validate with FXC, Unity's compiler, as a user runs it.
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <map>
+#include <set>
+
 #include "cli/program.h"
 #include "fxc/at_hand.h"
 #include "validate_report.h"
@@ -8,6 +12,7 @@
 namespace penumbra {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -305,6 +310,60 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& given) { return given.param.name; });
 
 // A target that no bytecode leads to is unchecked, not failed: Unity compiles the program.
+// The first line of each file says where glslang sees its mistake. FXC sees some at other lines: what is
+// missing it notices at the next token, or at the end of the file.
+TEST_F(ValidateFxc, EachMistakeIsAnErrorAtFxcsLine) {
+  PENUMBRA_NEEDS_FXC();
+  const std::map<std::string, int> of_fxc{{"cbuffer_member_without_semicolon.hlsl", 5},
+                                          {"cbuffer_without_closing_brace.hlsl", 10},
+                                          {"cut_off_file.hlsl", 4},
+                                          {"function_without_body.hlsl", 5},
+                                          {"missing_brace.hlsl", 8},
+                                          {"missing_semicolon.hlsl", 5},
+                                          {"missing_semicolon_last_statement.hlsl", 5},
+                                          {"mutual_recursion.hlsl", 3},
+                                          {"negative_array_size.hlsl", 4},
+                                          {"return_without_value.hlsl", 4},
+                                          {"shader_missing_semicolon.shader", 15},
+                                          {"struct_without_semicolon.hlsl", 6}};
+  const fs::path folder = fs::path(PENUMBRA_SOURCE_DIR) / "tests" / "validation" / "broken";
+  std::vector<std::string> arguments{"validate",
+                                     "--no-cache",
+                                     "--no-lint",
+                                     "--target",
+                                     "d3d11",
+                                     "--package-root",
+                                     "com.example.tools=" + (folder / "packages" / "tools").string(),
+                                     "--format",
+                                     "json"};
+  std::map<std::string, std::pair<std::string, int>> expected;  // the file and line of each file's message
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    arguments.push_back(entry.path().string());
+    std::ifstream text(entry.path());
+    std::string comment;
+    std::string place;
+    text >> comment >> place;  // "// parts/file.hlsl:12:5: error: ..."
+    const std::string name = entry.path().filename().string();
+    const std::size_t colon = place.find(':');
+    const auto other = of_fxc.find(name);
+    expected[name] = {
+        fs::path(place.substr(0, colon)).filename().string(),
+        other == of_fxc.end() ? std::atoi(place.c_str() + std::min(colon + 1, place.size())) : other->second};
+  }
+  ASSERT_GT(expected.size(), 100U);
+  const auto report = nlohmann::json::parse(run_with_fxc(arguments).output);
+  const auto file_name = [](const std::string& file) { return fs::path(file).filename().string(); };
+  std::map<std::string, std::set<std::pair<std::string, int>>> said;
+  for (const auto& variant : report.at("variants"))
+    for (const auto& result : variant.at("results"))
+      for (const int number : result.value("messages", std::vector<int>())) {
+        const auto& message = report.at("messages").at(number);
+        said[file_name(variant.at("file"))].emplace(file_name(message.at("file")), message.value("line", 0));
+      }
+  for (const auto& [file, place] : expected) EXPECT_THAT(said[file], testing::Contains(place)) << file;
+}
+
 TEST_F(ValidateFxc, WhatNeitherGlslangNorTheBytecodeBringsToATargetIsUnchecked) {
   PENUMBRA_NEEDS_FXC();
   const nlohmann::json report = report_of(
