@@ -113,6 +113,35 @@ float4 Main(float4 p : SV_Position) : SV_Target {
 }
 
 // glslang alone gives other numbers in other runs, so there is nothing to compare with before.
+TEST(ExecutedResources, ATextureIsReadByComparisonAndOtherwise) {
+  expect_only_prepared(
+      {R"(
+Texture2D Depth; SamplerState Point; SamplerComparisonState Compare;
+float4 Both(Texture2D map, float2 uv) {
+  return float4(map.SampleLevel(Point, uv, 0).x, map.SampleCmpLevelZero(Compare, uv, 0.5),
+                map.Load(int3(uv * 4, 0)).x, map.SampleCmpLevelZero(Compare, uv, 0.25)); }
+float4 Main(float4 p : SV_Position) : SV_Target { return Both(Depth, p.xy / 4); })"},
+      [](int x, int y) {
+        const float depth = static_cast<float>(4 * y + x) / 16.0F;
+        return Pixel{depth, 0.5F <= depth ? 1.0F : 0.0F, depth, 0.25F <= depth ? 1.0F : 0.0F};
+      });
+}
+
+TEST(ExecutedResources, TexturesInResultsAndArraysOfStructsAreRead) {
+  expect_only_prepared({kSurface + R"(
+struct Outer { Surface inner; };
+float4 Main(float4 p : SV_Position) : SV_Target {
+  float2 uv = p.xy / 4;
+  Surface s[2]; s[0] = Build(A, Point, 1); s[1] = Build(B, Point, 1);
+  Outer n; n.inner = s[1];
+  return Build(A, Point, 1).map.SampleLevel(Build(B, Point, 1).smp, uv, 0) + n.inner.map.Sample(s[0].smp, uv) * 2
+    + s[0].map.GatherRed(s[1].smp, float2(0.25, 0.25)).xyzw; })",
+                        {{"A", 100}, {"B", 200}}},
+                       [](int x, int y) {
+                         return sum(sum(texel(100, x, y), scaled(texel(200, x, y), 2)), {104, 105, 101, 100});
+                       });
+}
+
 TEST(ExecutedMatrixCasts, EveryElementIsTheNumber) {
   const Drawing drawing{R"(
 static const int three = 3;

@@ -211,6 +211,31 @@ TEST(PlainRegisters, SayTheirKindAndSpace) {
   expect_untouched(plain_registers, "cbuffer C : register(b1, space1) { float a : packoffset(c1.y); }");
 }
 
+TEST(TextureReads, ByComparisonStandAloneWhereTheTextureIsReadOtherwise) {
+  const std::string both = "float f(Texture2D t) { return t.Load(0).x + ";
+  expect(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z); }",
+         "float SampleCmpLevelZero_of(Texture2D t, SamplerComparisonState s, float2 c, float reference)"
+         "{ return t.SampleCmpLevelZero(s, c, reference); }" +
+             both + "SampleCmpLevelZero_of(t, s, uv, z); }");
+  expect_untouched(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z, int2(1, 0)); }");
+  expect_untouched(separate_texture_reads, "float f(Texture2D t) { return t.SampleCmp(s, uv, z); }");
+  expect_untouched(separate_texture_reads,
+                   "Texture2D t; float f() { return t.Load(0).x + t.SampleCmp(s, uv, z); }");
+}
+
+TEST(TextureReads, OfMembersOutOfReachStandAlone) {
+  const std::string head = "struct S { TextureCubeArray<float2> t; }; S make(); struct O { S in; }; ";
+  expect(separate_texture_reads,
+         head + "float2 f(S s[2]) { return s[1].t.SampleGrad(p, c, x, y) + make().t.Sample(p, c); }",
+         "float2 SampleGrad_of(TextureCubeArray<float2> t, SamplerState s, float4 c, float3 dx, float3 dy)"
+         "{ return t.SampleGrad(s, c, dx, dy); }"
+         "float2 Sample_of(TextureCubeArray<float2> t, SamplerState s, float4 c) { return t.Sample(s, c); }" +
+             head +
+             "float2 f(S s[2]) { return SampleGrad_of(s[1].t, p, c, x, y) + Sample_of(make().t, p, c); }");
+  expect_untouched(separate_texture_reads,
+                   head + "Texture2D a[3]; float4 f(S s) { return s.t.Sample(p, c) + a[1].Sample(p, c); }");
+}
+
 TEST(MatrixCasts, OfWholeNumbersGoThroughAFloat) {
   expect(
       widen_matrix_casts,
@@ -262,6 +287,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"buffer_in_struct",
                 "ByteAddressBuffer B; struct S { ByteAddressBuffer b; };"
                 "float4 f(float4 uv) { S s; s.b = B; return asfloat(s.b.Load4(0)); }"},
+        Refused{"comparison",
+                "Texture2DArray T; SamplerState S; SamplerComparisonState C;"
+                "float4 g(Texture2DArray t, float3 c) { return t.Sample(S, c) * t.SampleCmp(C, c, 0.5); }"
+                "float4 f(float4 uv) { return g(T, uv.xyz); }"},
+        Refused{"nested_texture",
+                "Texture1D T; SamplerState S; struct A { Texture1D t; }; struct B { A a; };"
+                "float4 f(float4 uv) { B b; b.a.t = T; return b.a.t.SampleBias(S, uv.x, 1); }"},
         Refused{"dx9_2d", "sampler2D T; float4 f(float4 uv) { return tex2D(T, uv) + tex2Dproj(T, uv); }"},
         Refused{"dx9_cube",
                 "samplerCUBE T; float4 f(float4 uv) { return texCUBE(T, uv) + texCUBElod(T, uv) +"

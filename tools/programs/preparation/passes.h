@@ -19,6 +19,7 @@ void hoist_cbuffer_resources(TokenText& text);
 void place_cbuffer_members(TokenText& text);
 void separate_dx9_samplers(TokenText& text);
 void resolve_buffer_aliases(TokenText& text);
+void separate_texture_reads(TokenText& text);
 void return_from_empty_functions(TokenText& text);
 void merge_precision_overloads(TokenText& text);
 void narrow_arguments(TokenText& text);

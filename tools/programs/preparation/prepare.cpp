@@ -7,7 +7,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 24> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 25> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
@@ -20,6 +20,7 @@ std::span<const Pass> passes() {
                                              {"cbuffer-offsets", place_cbuffer_members},
                                              {"dx9-samplers", separate_dx9_samplers},
                                              {"buffer-aliases", resolve_buffer_aliases},
+                                             {"texture-reads", separate_texture_reads},
                                              {"missing-returns", return_from_empty_functions},
                                              {"precision-overloads", merge_precision_overloads},
                                              {"narrower-parameters", narrow_arguments},
