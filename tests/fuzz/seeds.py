@@ -206,6 +206,7 @@ def target_seeds():
     yield 'shaderlab', [*shaderlab, *in_shaders(literals('shaderlab/parse_test.cpp', 'shaderlab/broken_shaders_test.cpp'))]
     yield 'source_text', [*hlsl_texts, *raw_strings('variants/*')]
     yield 'stripping', [*raw_strings('variants/stripping_test.cpp', 'variants/urp_settings_test.cpp'),
+                        *quoted('variants/build_settings_test.cpp', 'variants/used_variants_test.cpp'),
                         *files('tests/**/*.asset')]
     yield 'technique_list', technique_list()
     yield 'worker_messages', []

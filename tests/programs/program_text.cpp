@@ -58,11 +58,15 @@ class Printer {
 
   std::string run() {
     for (const Structure& structure : program_.structures) print_structure(structure);
-    for (const int global : program_.globals)
-      text_ += "static " + declaration(program_.variables[global]) + " = " +
-               zero(program_.variables[global]) + ";\n";
+    const std::string structures = std::move(text_);
+    text_.clear();
+    for (const int global : program_.globals) {
+      const Variable& variable = program_.variables[global];
+      text_ += "static " + declaration(variable) +
+               (variable.type.length > 0 ? "" : " = " + zero(variable.type)) + ";\n";
+    }
     for (const Function& function : program_.functions) print_function(function);
-    return std::move(text_);
+    return structures + zero_arrays_ + text_;
   }
 
  private:
@@ -82,9 +86,14 @@ class Printer {
     return type_name(type) + " " + name + (type.length > 0 ? "[" + std::to_string(type.length) + "]" : "");
   }
 
-  std::string zero(const Variable& variable) const {
-    return "(" + type_name(variable.type) +
-           (variable.type.length > 0 ? "[" + std::to_string(variable.type.length) + "]" : "") + ")0";
+  // An array of zeros is a static variable without an initialiser: glslang reads no `(float[3])0`.
+  std::string zero(const Type& type) {
+    if (type.length == 0) return "(" + type_name(type) + ")0";
+    const std::string name =
+        program_.functions.back().name + "_0_" + type_name(type) + "_" + std::to_string(type.length);
+    const std::string line = "static " + declaration(type, name) + ";\n";
+    if (zero_arrays_.find(line) == std::string::npos) zero_arrays_ += line;
+    return name;
   }
 
   void print_structure(const Structure& structure) {
@@ -125,7 +134,8 @@ class Printer {
     switch (statement.kind) {
       case StatementKind::declare: {
         const Variable& variable = program_.variables[statement.number];
-        text_ += declaration(variable) + " = " + (statement.parts.empty() ? zero(variable) : part(0)) + ";";
+        text_ +=
+            declaration(variable) + " = " + (statement.parts.empty() ? zero(variable.type) : part(0)) + ";";
         break;
       }
       case StatementKind::assign:
@@ -271,10 +281,10 @@ class Printer {
                expression(value.parts[2], 1);
         break;
       case ExpressionKind::cast:
-        own = kUnary;
-        text = "(" + type_name(value.type) +
-               (value.type.length > 0 ? "[" + std::to_string(value.type.length) + "]" : "") + ")" +
-               expression(value.parts[0], kPostfix);
+        own = value.type.length > 0 ? own : kUnary;
+        text = value.type.length > 0
+                   ? zero(value.type)  // only 0 is cast to an array
+                   : "(" + type_name(value.type) + ")" + expression(value.parts[0], kPostfix);
         break;
       case ExpressionKind::construct:
         text = value.type.is_number() ? type_name(value.type) + arguments(value) : "{ " + list(value) + " }";
@@ -291,6 +301,7 @@ class Printer {
 
   const Program& program_;
   std::string text_;
+  std::string zero_arrays_;
 };
 
 }  // namespace
