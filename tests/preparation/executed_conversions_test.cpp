@@ -13,6 +13,43 @@ namespace {
 using testing::ElementsAre;
 using testing::FloatNear;
 
+TEST(ExecutedArrayCasts, AreZeroEverywhere) {
+  PENUMBRA_NEEDS_FXC();
+  const Execution execution{R"(struct S { float4x4 m; int n; };
+[numthreads(1, 1, 1)] void Main() {
+    int i = int(In[0]);
+    float4x4 m[2] = (float4x4[2])0;
+    S s[3] = (S[3])0;
+    float2 v[2][2];
+    v[i][1] = 5;
+    Out[0] = v[i][1].y;
+    v = (float2[2][2])0;
+    float sum = 0;
+    for (int k = 0; k < 16; ++k) sum += abs(m[i][k / 4][k % 4]) + abs(s[i + 1].m[k / 4][k % 4]);
+    Out[1] = sum; Out[2] = s[i + 1].n; Out[3] = v[i][1].y; })",
+                            {1},
+                            {},
+                            4};
+  EXPECT_THAT(run_by_fxc(execution), ElementsAre(5, 0, 0, 0));
+}
+
+TEST(ExecutedStructCasts, CopyEveryMember) {
+  PENUMBRA_NEEDS_FXC();
+  const Execution execution{R"(struct A { float4 p : POSITION; float2 u[2] : UV; uint id : SV_VertexID; };
+struct B { float4 q : POSITION; float2 v[2] : UV; uint n : TEXCOORD2; };
+A Read() { A a; a.p = float4(In[0], In[1], In[2], In[3]); a.u[0] = In[4]; a.u[1] = float2(In[5], In[6]); a.id = 9;
+  return a; }
+[numthreads(1, 1, 1)] void Main() {
+    A a = (A)Read();
+    a.p.x += 1;
+    B b = (B)a;
+    Out[0] = b.q.x; Out[1] = b.q.w; Out[2] = b.v[0].y; Out[3] = b.v[1].x; Out[4] = b.v[1].y; Out[5] = b.n; })",
+                            {1, 2, 3, 4, 5, 6, 7},
+                            {},
+                            6};
+  EXPECT_THAT(run_by_fxc(execution), ElementsAre(2, 4, 5, 6, 7, 9));
+}
+
 const std::string kMatrix = R"(float4x4 Read() {
     float4x4 m; for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = In[i]; return m; }
 )";
@@ -67,6 +104,24 @@ void Set(float2 a, out float2 v) { v = a + 100; }
                             {},
                             6};
   EXPECT_THAT(run_by_fxc(execution), ElementsAre(6, 14, 22, 15, 100, 101));
+}
+
+TEST(ExecutedStaticInitialisers, HoldWhatTheirFunctionsReturn) {
+  PENUMBRA_NEEDS_FXC();
+  const Execution execution{R"(float Gauss(float x) { return exp(-x * x); }
+float Other() { return 3; }
+static const float weights[3] = { Gauss(0), Gauss(0.5), Gauss(1) };
+static const float total = weights[0] + weights[1] + weights[2] + Other();
+float Weight(int i) { return weights[i]; }
+[numthreads(1, 1, 1)] void Main() {
+    Out[0] = Weight(int(In[0])); Out[1] = weights[2]; Out[2] = total; })",
+                            {1},
+                            {},
+                            3};
+  const float half = std::exp(-0.25F);
+  const float one = std::exp(-1.0F);
+  EXPECT_THAT(run_by_fxc(execution),
+              ElementsAre(FloatNear(half, 1e-6F), FloatNear(one, 1e-6F), FloatNear(4 + half + one, 1e-5F)));
 }
 
 TEST(ExecutedPrecisionMatrices, MultiplyAsFloats) {

@@ -172,23 +172,6 @@ TEST(ExecutedIntrinsicCalls, CompareStoreChangesWhatIsEqual) {
   EXPECT_THAT(run_by_fxc(execution), ElementsAre(8.0F, -6.0F, 3.0F));
 }
 
-TEST(ExecutedPartialTexelWrites, OtherComponentsStay) {
-  const Execution execution{R"(RWTexture2D<float4> Image; RWTexture2D<float> Single;
-[numthreads(1, 1, 1)] void Main() {
-    uint2 at = uint2(1, 2);
-    Image[at] = float4(1, 2, 3, 4);
-    Image[at].yw = float2(In[0], In[0] + 1);
-    if (In[0] > 0) Image[at].z *= 10;
-    int i = 0;
-    Image[uint2(i++, 2)][1] = 50; Image[int2(i, 2)].x++;
-    Out[4] = i; Out[5] = Image[uint2(0, 2)].y;
-    Out[0] = Image[at].x; Out[1] = Image[at].y; Out[2] = Image[at].z; Out[3] = Image[at].w; })",
-                            {7.0F},
-                            {},
-                            6};
-  EXPECT_THAT(run_prepared(execution), ElementsAre(2.0F, 7.0F, 30.0F, 8.0F, 1.0F, 50.0F));
-}
-
 TEST(ExecutedFlatInitialisers, FillInOrder) {
   PENUMBRA_NEEDS_FXC();
   const Execution execution{R"(static const float2 pairs[2] = { 1, 2, 3, 4 };

@@ -8,6 +8,7 @@ namespace penumbra::preparation {
 
 void pack_matrices(TokenText& text);
 void make_constants_uniforms(TokenText& text);
+void drop_uniform_of_parameters(TokenText& text);
 void drop_texture_precision(TokenText& text);
 void name_precision_matrices(TokenText& text);
 void put_static_first(TokenText& text);

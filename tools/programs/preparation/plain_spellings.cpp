@@ -111,6 +111,23 @@ void put_static_first(TokenText& text) {
   text.apply();
 }
 
+// `float F(float a, uniform float b)`: in functions that the entry point calls, `uniform` has no effect in
+// HLSL. glslang does not convert the arguments of such parameters: `F(x, 2)` becomes SPIR-V that does not
+// validate.
+void drop_uniform_of_parameters(TokenText& text) {
+  const ValueTypes& types = text.types();
+  for (const FunctionType& function : types.functions()) {
+    if (function.name == npos || text.is(function.name, text.entry())) continue;
+    for (const std::size_t parameter : function.parameters) {
+      const DeclaredValue& value = types.declared()[parameter];
+      if (value.first == npos || value.type_at == npos) continue;
+      for (std::size_t at = value.first; at < value.type_at; ++at)
+        if (text.is(at, "uniform")) text.erase(at, 1);
+    }
+  }
+  text.apply();
+}
+
 // Semantics with the name of a type, `float3x3 basis : float3x3;`: Unity's compiler accepts any identifier,
 // glslang reports "expected a semantic". They are renamed, identically in all stages that share the struct.
 void rename_type_semantics(TokenText& text) {

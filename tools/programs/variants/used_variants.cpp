@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Keywords words_of(std::string_view text) {
+Keywords keywords_in(std::string_view text) {
   Keywords words;
   std::istringstream stream{std::string(text)};
   for (std::string word; stream >> word;) words.push_back(word);
@@ -30,7 +30,7 @@ void read_material(const std::vector<AssetField>& fields,
     const AssetField& field = fields[i];
     if (field.name == "m_Shader") shader = guid_in(field.value);
     if (field.name != "m_ValidKeywords" && field.name != "m_ShaderKeywords") continue;
-    Keywords on = field.value == "[]" ? Keywords() : words_of(field.value);
+    Keywords on = field.value == "[]" ? Keywords() : keywords_in(field.value);
     while (i + 1 < fields.size() && fields[i + 1].begins_item && fields[i + 1].name.empty())
       on.emplace_back(fields[++i].value);
     materials[shader].push_back(std::move(on));
@@ -42,7 +42,7 @@ void read_collection(const std::vector<AssetField>& fields,
   std::string shader;
   for (const AssetField& field : fields) {
     if (field.name == "first") shader = guid_in(field.value);
-    if (field.name == "keywords") materials[shader].push_back(words_of(field.value));
+    if (field.name == "keywords") materials[shader].push_back(keywords_in(field.value));
   }
 }
 
@@ -101,7 +101,7 @@ void UsedVariants::add_log(std::string_view text, const std::string& file) {
       name = name.substr(0, name.rfind(" (instance "));
       const std::string_view keywords = part_of(line, ", keywords ", ", time: ");
       logged_[std::string(name)].push_back({std::string(part_of(line, ", pass: ", ", ")),
-                                            keywords.starts_with('<') ? Keywords() : words_of(keywords)});
+                                            keywords.starts_with('<') ? Keywords() : keywords_in(keywords)});
       found = true;
     }
   }
