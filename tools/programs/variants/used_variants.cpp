@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <sstream>
+#include <system_error>
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
@@ -141,12 +142,14 @@ UsedVariants read_used_variants(const std::vector<std::string>& places) {
       continue;
     }
     std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place)) {
-      const std::string extension = entry.path().extension().string();
-      if (!entry.is_symlink() && entry.is_regular_file() &&
+    std::error_code error;
+    for (fs::recursive_directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
+      const std::string extension = at->path().extension().string();
+      if (!at->is_symlink(error) && at->is_regular_file(error) &&
           (extension == ".mat" || extension == ".shadervariants"))
-        files.push_back(entry.path());
+        files.push_back(at->path());
     }
+    if (error) throw InputError(place, "cannot be searched whole: " + error.message());
     if (files.empty())
       throw InputError(place, "has no material and no ShaderVariantCollection",
                        "give the Assets folder of the project");
