@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "lint/divergence.h"
@@ -154,22 +155,33 @@ class SharedMemory {
     }
     const OfThreads writers = executing(write.node);
     const OfThreads readers = executing(read.node);
-    // Returns whether the thread reads what the writer writes; `thread` may be the writer itself.
-    const auto reads = [&](std::size_t thread, std::size_t writer) {
-      return std::all_of(compared.begin(), compared.end(), [&](const auto& index) {
-        return index.second == nullptr || (*index.second)[thread] == (*index.first)[writer];
-      });
+    // Returns the indices that the thread writes; of those alone that are compared with known ones, if asked.
+    const auto written_by = [&](std::size_t thread, bool known) {
+      OfThreads element;
+      for (const auto& [written, wanted] : compared)
+        if (!known || wanted != nullptr) element.push_back((*written)[thread]);
+      return element;
     };
-    const auto writes_the_same = [&](std::size_t thread, std::size_t writer) {
-      return writers[thread] != 0 && std::all_of(compared.begin(), compared.end(), [&](const auto& index) {
-               return (*index.first)[thread] == (*index.first)[writer];
-             });
-    };
-    for (std::size_t reader = 0; reader < readers.size(); ++reader)
-      for (std::size_t writer = 0; readers[reader] != 0 && writer < writers.size(); ++writer)
-        if (writer != reader && writers[writer] != 0 && reads(reader, writer) &&
-            !writes_the_same(reader, writer))
+    // The first writers of two elements, by the indices that a reader knows: a thread may write one of the
+    // two itself.
+    std::map<OfThreads, std::vector<std::size_t>> first_writers;
+    for (std::size_t writer = 0; writer < writers.size(); ++writer) {
+      if (writers[writer] == 0) continue;
+      std::vector<std::size_t>& first = first_writers[written_by(writer, true)];
+      if (first.empty() || (first.size() == 1 && written_by(first[0], false) != written_by(writer, false)))
+        first.push_back(writer);
+    }
+    for (std::size_t reader = 0; reader < readers.size(); ++reader) {
+      if (readers[reader] == 0) continue;
+      OfThreads element;
+      for (const auto& [written, wanted] : compared)
+        if (wanted != nullptr) element.push_back((*wanted)[reader]);
+      const auto first = first_writers.find(element);
+      if (first == first_writers.end()) continue;
+      for (const std::size_t writer : first->second)
+        if (writers[reader] == 0 || written_by(reader, false) != written_by(writer, false))
           return Conflict{writer, reader};
+    }
     return std::nullopt;
   }
 
