@@ -357,13 +357,9 @@ TEST_F(ValidateFxc, EachMistakeIsAnErrorAtFxcsLine) {
   const auto report = nlohmann::json::parse(run_with_fxc(arguments).output);
   const auto file_name = [](const std::string& file) { return fs::path(file).filename().string(); };
   std::map<std::string, std::set<std::pair<std::string, int>>> said;
-  for (const char* list : {"sources", "variants"})
-    for (const auto& source : report.at(list))
-      for (const auto& result : source.at("results"))
-        for (const int number : result.value("messages", std::vector<int>())) {
-          const auto& message = report.at("messages").at(number);
-          said[file_name(source.at("file"))].emplace(file_name(message.at("file")), message.value("line", 0));
-        }
+  for (const auto& result : results_of(report))
+    for (const auto& message : result.at("messages"))
+      said[file_name(result.at("file"))].emplace(file_name(message.at("file")), message.value("line", 0));
   for (const auto& [file, place] : expected) EXPECT_THAT(said[file], testing::Contains(place)) << file;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/subcommand.h"
 #include "cli/validate_options.h"
 #include "fxc/fxc.h"
+#include "input/counted.h"
 #include "input/input_error.h"
 #include "input/mistake.h"
 #include "input/nearest_name.h"
@@ -156,16 +157,12 @@ Found look_around(const ValidateOptions& options) {
   return found;
 }
 
-bool is_below(const fs::path& file, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
-
 // Returns the folders of packages, and the editor's includes, that are not the user's own: no named file and
 // no Assets folder is in one, and none is in those.
 std::vector<std::string> package_folders(const project::IncludeRoots& roots, const ValidateOptions& options) {
-  const auto whole = [](const fs::path& path) {
-    const fs::path normal = fs::absolute(path).lexically_normal();
-    return normal.has_filename() ? normal : normal.parent_path();
+  const auto normal = [](const fs::path& path) {
+    const fs::path shortest = path.lexically_normal();
+    return shortest.has_filename() ? shortest : shortest.parent_path();
   };
   std::vector<fs::path> own(options.places.begin(), options.places.end());
   if (!options.project.empty()) own.push_back(fs::path(options.project) / "Assets");
@@ -174,11 +171,12 @@ std::vector<std::string> package_folders(const project::IncludeRoots& roots, con
   for (const project::PackageRoot& root : roots.packages) folders.push_back(root.directory);
   std::vector<std::string> packages;
   for (const fs::path& folder : folders) {
-    const bool is_own = std::any_of(own.begin(), own.end(), [&](const fs::path& mine) {
-      return is_below(whole(folder), whole(mine)) || is_below(whole(mine), whole(folder));
+    const fs::path package = normal(fs::absolute(folder));
+    const bool is_own = std::any_of(own.begin(), own.end(), [&](const fs::path& named) {
+      const fs::path mine = normal(fs::absolute(named));
+      return project::is_below(package, mine) || project::is_below(mine, package);
     });
-    const fs::path normal = folder.lexically_normal();
-    if (!is_own) packages.push_back((normal.has_filename() ? normal : normal.parent_path()).string());
+    if (!is_own) packages.push_back(normal(folder).string());
   }
   return packages;
 }
@@ -284,9 +282,6 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   refuse_unknown_keywords(options, sources, context);
   if (options.explain) return explain(options, sources, request.engine, context);
   const variants::Plan plan = sources.plan();
-  const auto counted = [](std::size_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-  };
   say(context,
       variants::results_text(plan.results) + " of " + counted(sources.program_count(), "program") + " in " +
           counted(files.files.size(), "file") + " for " + counted(request.targets.size(), "target") +

@@ -1,5 +1,6 @@
 #include "input/baseline_text.h"
 
+#include "input/counted.h"
 #include "input/visible_text.h"
 
 namespace penumbra {
@@ -13,10 +14,6 @@ std::string baseline_lines(const std::vector<std::string>& unknown, const std::v
 
 std::string baseline_counts(const std::string& thing, std::size_t unknown, std::size_t gone) {
   return counted(unknown, thing) + " not in the baseline, " + std::to_string(gone) + " only there";
-}
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 }  // namespace penumbra

@@ -12,7 +12,4 @@ std::string baseline_lines(const std::vector<std::string>& unknown, const std::v
 // Returns "2 rows not in the baseline, 1 only there".
 std::string baseline_counts(const std::string& thing, std::size_t unknown, std::size_t gone);
 
-// Returns "1 row", "2 rows".
-std::string counted(std::size_t count, const std::string& thing);
-
 }  // namespace penumbra

@@ -9,6 +9,7 @@
 
 #include "cost/families.h"
 #include "input/baseline_text.h"
+#include "input/counted.h"
 #include "input/input_error.h"
 #include "input/visible_text.h"
 

@@ -1,10 +1,10 @@
 #include "lint/source_place.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <vector>
 
+#include "hlsl/token_place.h"
 #include "lint/rule.h"
 
 namespace penumbra::lint {
@@ -12,15 +12,6 @@ namespace penumbra::lint {
 namespace {
 
 constexpr int longest_signature = 40;  // lines
-
-bool is_identifier_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool stands_alone(std::string_view line, std::size_t at, std::size_t length) {
-  return (at == 0 || !is_identifier_character(line[at - 1])) &&
-         (at + length >= line.size() || !is_identifier_character(line[at + length]));
-}
 
 std::string_view without_comment(std::string_view line) {
   return line.substr(0, line.find("//"));
@@ -32,17 +23,6 @@ hlsl::Severity severity_of(const std::string& rule) {
 }
 
 }  // namespace
-
-int column_of_word(std::string_view word, std::string_view line) {
-  if (word.empty()) return 0;
-  int column = 0;
-  for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
-    if (!stands_alone(line, at, word.size())) continue;
-    if (column != 0) return 0;
-    column = static_cast<int>(at) + 1;
-  }
-  return column;
-}
 
 std::string place_in_words(const LintedCode& linted, spirv::Place place, spirv::Place from) {
   if (place.line == 0) return "";
@@ -58,7 +38,7 @@ hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, s
   const std::string line = linted.sources.line(file, place.line);
   int column = 0;
   for (const std::string& word : words)
-    if (column == 0) column = column_of_word(word, without_comment(line));
+    if (column == 0) column = hlsl::column_of_word(word, without_comment(line));
   return {file, place.line, column, severity_of(rule), std::move(message), line, rule};
 }
 
@@ -68,12 +48,13 @@ hlsl::Diagnostic finding_at_function(const LintedCode& linted, const std::string
   if (file.empty()) file = linted.main_file;
   int header = body.line;
   const int first = std::max(1, body.line - longest_signature);
-  while (header >= first && column_of_word(name, without_comment(linted.sources.line(file, header))) == 0)
+  while (header >= first &&
+         hlsl::column_of_word(name, without_comment(linted.sources.line(file, header))) == 0)
     --header;
   if (header < first) header = body.line;
   int line = header;
   for (int at = header; !word.empty() && at <= body.line; ++at)
-    if (column_of_word(word, without_comment(linted.sources.line(file, at))) != 0) {
+    if (hlsl::column_of_word(word, without_comment(linted.sources.line(file, at))) != 0) {
       line = at;
       break;
     }
@@ -86,7 +67,7 @@ hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::str
   for (const std::string& file : linted.sources.names()) {
     const std::string& text = linted.sources.text(file);
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-      if (!stands_alone(text, at, name.size())) continue;
+      if (!hlsl::is_whole_word(text, at, name.size())) continue;
       const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
       const std::string line = text.substr(start, text.find('\n', start) - start);
       const std::string_view code = without_comment(line);

@@ -38,7 +38,4 @@ hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::str
 // line.
 std::string place_in_words(const LintedCode& linted, spirv::Place place, spirv::Place from);
 
-// Returns the 1-based column of the name if it occurs exactly once as a whole identifier, else 0.
-int column_of_word(std::string_view word, std::string_view line);
-
 }  // namespace penumbra::lint

@@ -1,8 +1,6 @@
 #include "lint/text_rules.h"
 
 #include <algorithm>
-#include <charconv>
-#include <iterator>
 
 #include "hlsl/token_place.h"
 #include "hlsl/tokens.h"
@@ -15,8 +13,7 @@ namespace {
 constexpr std::string_view version_macro = "UNITY_VERSION";
 
 // Returns the names that are declared groupshared with an initialiser.
-template <typename Tokens>
-std::vector<std::size_t> initialised_names(const Tokens& tokens) {
+std::vector<std::size_t> initialised_names(const hlsl::TokenPlaces& tokens) {
   std::vector<std::size_t> found;
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     if (tokens[at].spelling != "groupshared") continue;
@@ -77,7 +74,7 @@ void add_versions(const std::string& file, int number, const std::string& line,
     if (tokens[at].spelling != version_macro) continue;
     const std::string_view compared = compared_number(tokens, at);
     if (!is_no_version(compared)) continue;
-    findings.push_back({file, number, column_of_word(compared, line), hlsl::Severity::warning,
+    findings.push_back({file, number, hlsl::column_of_word(compared, line), hlsl::Severity::warning,
                         std::string(compared) +
                             " is no value of UNITY_VERSION: that is 202230 for Unity 2022.3.0, 60000000 for "
                             "6000.0.0 and 60010000 for 6000.1.0",
@@ -90,8 +87,7 @@ void add_versions(const std::string& file, int number, const std::string& line,
 std::vector<hlsl::Diagnostic> groupshared_initialiser_findings(const std::string& expanded,
                                                                const std::string& main_file,
                                                                const hlsl::SourceFiles& sources) {
-  if (expanded.find("groupshared") == std::string::npos || initialised_names(hlsl::lex(expanded)).empty())
-    return {};
+  if (expanded.find("groupshared") == std::string::npos) return {};
   std::vector<hlsl::Diagnostic> findings;
   const hlsl::TokenPlaces tokens(expanded, main_file);
   for (const std::size_t at : initialised_names(tokens)) {

@@ -22,8 +22,8 @@ std::vector<hlsl::Diagnostic> reserved_name_findings(const std::string& expanded
                                                      const std::string& main_file,
                                                      const hlsl::SourceFiles& sources);
 
-// Rule groupshared-initialiser: the variable keeps what is in the memory, with FXC and with DXC; glslang
-// writes the value. The text is as for reserved-name.
+// Rule groupshared-initialiser: with FXC every thread writes the value when it starts, over what others have
+// written since, and DXC ignores it. The text is as for reserved-name.
 std::vector<hlsl::Diagnostic> groupshared_initialiser_findings(const std::string& expanded,
                                                                const std::string& main_file,
                                                                const hlsl::SourceFiles& sources);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "input/baseline_text.h"
+#include "input/counted.h"
 #include "validation/report_findings.h"
 
 namespace penumbra::validation {
@@ -34,7 +35,9 @@ FindingComparison compare_with_baseline(const ValidationReport& report, const Va
   const auto counts = [](const Finding& finding) {
     return finding.diagnostic.severity != hlsl::Severity::note;
   };
-  const std::set<std::string> before = known_findings(baseline, style);
+  const std::vector<Finding> earlier = findings(baseline);
+  const std::vector<std::string> earlier_keys = finding_keys(earlier, style);
+  const std::set<std::string> before(earlier_keys.begin(), earlier_keys.end());
   const std::vector<Finding> all = findings(report);
   const std::vector<std::string> keys = finding_keys(all, style);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -46,8 +49,6 @@ FindingComparison compare_with_baseline(const ValidationReport& report, const Va
   Checked now;
   for (const VariantRecord& record : report.records) now.insert(checked(record, style));
   const std::set<std::string> present(keys.begin(), keys.end());
-  const std::vector<Finding> earlier = findings(baseline);
-  const std::vector<std::string> earlier_keys = finding_keys(earlier, style);
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     const bool in_reach = std::any_of(
         earlier[i].records.begin(), earlier[i].records.end(),

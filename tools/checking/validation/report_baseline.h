@@ -22,8 +22,8 @@ struct FindingComparison {
 // Returns ReportStyle::known. File names are relative to the style's root in both reports.
 std::set<std::string> known_findings(const ValidationReport& baseline, const ReportStyle& style);
 
-// Of the baseline only the findings of this run's files and targets are `gone`; none in a shard, which has
-// not all variants.
+// A finding of the baseline counts as `gone` only where this run has its file and target; a shard, which has
+// not all variants, has none.
 FindingComparison compare_with_baseline(const ValidationReport& report, const ValidationReport& baseline,
                                         const ReportStyle& style);
 

@@ -292,7 +292,7 @@ bool is_shown(const Finding& finding, const ReportStyle& style) {
   return style.verbose || (!decision && !finding.in_package && !finding.known);
 }
 
-std::string verdict_line(const std::vector<Finding>& findings, const ReportStyle& style) {
+Verdict verdict_of(const std::vector<Finding>& findings, const ReportStyle& style) {
   std::map<hlsl::Severity, std::size_t> count;
   std::size_t known = 0;
   for (const Finding& finding : findings) {
@@ -306,11 +306,11 @@ std::string verdict_line(const std::vector<Finding>& findings, const ReportStyle
   if (warnings != 0) parts.push_back(counted(warnings, "warning"));
   if (known != 0) parts.push_back(counted(known, "finding") + " of the baseline");
   const bool failed = errors != 0 || (style.werror && warnings != 0);
-  return (failed ? "failed" : "passed") + (parts.empty() ? "" : ": " + joined(parts, ", "));
+  return {failed, (failed ? "failed" : "passed") + (parts.empty() ? "" : ": " + joined(parts, ", "))};
 }
 
 bool fails(const ValidationReport& report, const ReportStyle& style) {
-  return verdict_line(findings(report, style), style).starts_with("failed");
+  return verdict_of(findings(report, style), style).failed;
 }
 
 Variants::Variants(const ValidationReport& report) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/baseline_text.h"
+#include "input/counted.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {
@@ -37,8 +37,11 @@ std::vector<std::string> finding_keys(const std::vector<Finding>& findings, cons
 // neither what is in packages nor what the baseline has, unless all is asked for.
 bool is_shown(const Finding& finding, const ReportStyle& style);
 
-// Returns "failed: 2 errors, 1 warning", "passed".
-std::string verdict_line(const std::vector<Finding>& findings, const ReportStyle& style);
+struct Verdict {
+  bool failed = false;
+  std::string text;  // "failed: 2 errors, 1 warning", "passed"
+};
+Verdict verdict_of(const std::vector<Finding>& findings, const ReportStyle& style);
 
 // An entry point with one keyword set, for all targets: a variant from the user's point of view.
 struct Variant {

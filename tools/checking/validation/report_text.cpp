@@ -63,9 +63,8 @@ class TextReport {
 
  private:
   std::string verdict() const {
-    const std::string line = verdict_line(findings_, style_);
-    const char* colour = line.starts_with("failed") ? colour_of(hlsl::Severity::error) : bold;
-    return painted(line, colour, style_) + "\n";
+    const Verdict verdict = verdict_of(findings_, style_);
+    return painted(verdict.text, verdict.failed ? colour_of(hlsl::Severity::error) : bold, style_) + "\n";
   }
 
   std::string not_shown() const {

@@ -210,6 +210,13 @@ void ShaderSources::leave_unchecked(const SourceProgram& program, const std::str
   knows_keywords_ = false;
 }
 
+SourceProgram ShaderSources::program_of(const project::ShaderFile& file) const {
+  SourceProgram program;
+  program.file = file.path.string();
+  program.narrowing = options_.narrowing;
+  return program;
+}
+
 void ShaderSources::add_shader(const project::ShaderFile& file, const std::string& text) {
   const std::string guid = options_.used ? guid_of(file.path) : std::string();
   shaderlab::ParsedShader parsed = shaderlab::parse_shader(text, file.path.string());
@@ -222,8 +229,7 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
       knows_keywords_ = false;
       continue;
     }
-    SourceProgram program;
-    program.file = file.path.string();
+    SourceProgram program = program_of(file);
     program.shader = shader.name.text;
     program.pass = pass_label(found);
     program.sub_shader = found.sub_shader_index;
@@ -235,7 +241,6 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.includes_hlsl_support = found.implicit_includes;
     program.text = found.implicit_includes ? with_implicit_includes(found.text) : found.text;
     if (const std::string* mode = shaderlab::effective_tag(found, "LightMode")) program.light_mode = *mode;
-    program.narrowing = options_.narrowing;
     if (options_.used) {
       std::optional<variants::Narrowing> used =
           options_.used->narrow(options_.narrowing, program.shader, guid, program.pass);
@@ -263,21 +268,17 @@ void ShaderSources::add_compute(const project::ShaderFile& file, const std::stri
   say(file.path.string(), {}, {}, std::move(kernels.diagnostics));
   knows_keywords_ &= !broken;
   if (broken) return;
-  SourceProgram program;
-  program.file = file.path.string();
+  SourceProgram program = program_of(file);
   program.text = text;
-  program.narrowing = options_.narrowing;
   add_program(program);
 }
 
 void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string& text) {
-  SourceProgram program;
-  program.file = file.path.string();
+  SourceProgram program = program_of(file);
   program.text = text;
   program.outside_unity = options_.roots.project.empty();
   program.entries = options_.entries;
   program.keyword_sets = options_.keyword_sets;
-  program.narrowing = options_.narrowing;
   add_program(program);
 }
 

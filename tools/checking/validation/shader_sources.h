@@ -102,6 +102,7 @@ class ShaderSources {
   std::vector<ProgramToLint> to_lint() const;  // each program once, whatever the graphics APIs
 
  private:
+  SourceProgram program_of(const project::ShaderFile& file) const;  // with what holds for all of the file
   void add_shader(const project::ShaderFile& file, const std::string& text);
   void add_compute(const project::ShaderFile& file, const std::string& text);
   void add_hlsl(const project::ShaderFile& file, const std::string& text);

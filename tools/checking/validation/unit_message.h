@@ -42,7 +42,7 @@ struct UnitReply {
   bool compile_cached = false;
   bool emitted_cached = false;
   std::string text;  // set if text_only was requested
-  // What was emitted for each target, and the bytes of SPIR-V.
+  // Each target with the text that was emitted for it, or with the bytes of its SPIR-V.
   std::vector<std::pair<std::string, std::string>> emitted_texts;
   std::uint64_t damaged = 0;         // cache entries that were met
   std::vector<EntryToKeep> to_keep;  // entries for the cache: a worker changes no file

@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "input/counted.h"
 #include "study/colour_map.h"
 #include "study/html_text.h"
 #include "study/report_assets.h"
@@ -214,10 +215,6 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 std::string introduction(const Results& results) {
   std::vector<std::string> lights;
   for (const double degrees : light_sizes(results)) lights.push_back(fmt::format("{}°", degrees));
@@ -226,7 +223,7 @@ std::string introduction(const Results& results) {
       "<h1>Penumbra: measured soft shadows</h1>\n"
       "<p class=\"lead\">{}, each measured from its own shader file against ray tracing in {} ({}) under "
       "lights of {}. Errors are those of visibility, from 0 (hidden) to 1 (lit).</p>\n",
-      plural(choices(results).size(), "technique"), plural(scenes.size(), "scene"),
+      counted(choices(results).size(), "technique"), counted(scenes.size(), "scene"),
       escape_html(joined(scenes)), joined(lights));
 }
 

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "hlsl/identifier.h"
+
 namespace penumbra::hlsl {
 
 namespace {
@@ -72,6 +74,27 @@ int column_in(std::string_view source_line, std::string_view spelling, std::size
   for (const Token& token : with_operators_joined(lex(code), code))
     if (token.spelling == spelling) columns.push_back(static_cast<int>(offset_in(code, token)) + 1);
   return columns.size() == count && rank < count ? columns[rank] : 0;
+}
+
+bool is_whole_word(std::string_view text, std::size_t at, std::size_t length) {
+  const std::string_view word = text.substr(at, length);
+  const std::string_view behind = text.substr(at + word.size());
+  const bool joined_before =
+      at > 0 && !word.empty() && continues_identifier(text[at - 1]) && continues_identifier(word.front());
+  const bool joined_behind = !behind.empty() && !word.empty() && continues_identifier(behind.front()) &&
+                             continues_identifier(word.back());
+  return !joined_before && !joined_behind;
+}
+
+int column_of_word(std::string_view word, std::string_view line) {
+  if (word.empty()) return 0;
+  int column = 0;
+  for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
+    if (!is_whole_word(line, at, word.size())) continue;
+    if (column != 0) return 0;
+    column = static_cast<int>(at) + 1;
+  }
+  return column;
 }
 
 int column_after_code(std::string_view source_line) {

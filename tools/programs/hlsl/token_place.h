@@ -46,6 +46,12 @@ class TokenPlaces {
 // another number of them.
 int column_in(std::string_view source_line, std::string_view spelling, std::size_t rank, std::size_t count);
 
+// Returns whether no identifier goes on beyond these characters.
+bool is_whole_word(std::string_view text, std::size_t at, std::size_t length);
+
+// Returns the 1-based column of the word if it occurs exactly once, and as a whole word, else 0.
+int column_of_word(std::string_view word, std::string_view line);
+
 // Returns the 1-based column just after the last character that is neither blank nor comment.
 int column_after_code(std::string_view source_line);
 

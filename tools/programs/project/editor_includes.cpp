@@ -1,7 +1,7 @@
 #include "project/editor_includes.h"
 
 #include "hlsl/name_set.h"
-#include "project/ascii_case.h"
+#include "input/ascii_case.h"
 
 namespace penumbra::project {
 

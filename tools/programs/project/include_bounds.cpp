@@ -25,10 +25,6 @@ fs::path without_links(const fs::path& path) {
   return real.has_filename() || real == real.root_path() ? real : real.parent_path();
 }
 
-bool is_below(const fs::path& file, const fs::path& root) {
-  return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-}
-
 bool is_unity_project(const fs::path& folder) {
   std::error_code ignored;
   return fs::is_directory(folder / "Assets", ignored) &&
@@ -45,6 +41,10 @@ fs::path nearest_above(const fs::path& file, IsOne is_one) {
 }
 
 }  // namespace
+
+bool is_below(const fs::path& file, const fs::path& root) {
+  return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
 
 // HOME may be missing or name another folder, as under cron: the system's own entry of the user holds too.
 bool no_file_owns(const fs::path& folder) {

@@ -3,8 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "input/ascii_case.h"
 #include "input/nearest_name.h"
-#include "project/ascii_case.h"
 #include "project/editor_includes.h"
 #include "project/folder_entries.h"
 #include "project/include_bounds.h"

@@ -4,9 +4,9 @@
 #include <system_error>
 #include <utility>
 
+#include "input/ascii_case.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
-#include "project/ascii_case.h"
 #include "project/include_bounds.h"
 #include "project/json_diagnostic.h"
 #include "project/package_manifest.h"

@@ -31,7 +31,7 @@ constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
                                           {"UNIMPLEMENTED: ", hlsl::Severity::error},
                                           {"WARNING: ", hlsl::Severity::warning}}};
 
-// Takes ":123: " (or "(123): ") off the front of `rest`.
+// Takes ":123: " off the front of `rest`.
 bool take_line_number(std::string_view& rest, int& line) {
   std::size_t end = 1;
   while (end < rest.size() && std::isdigit(static_cast<unsigned char>(rest[end])) != 0 && end < 9) ++end;
@@ -74,7 +74,7 @@ std::string as_written(std::string text) {
 }
 
 // The messages of a log without lines, as one text.
-std::string joined(std::string_view log) {
+std::string in_one_line(std::string_view log) {
   std::string text;
   std::istringstream words{std::string(log)};
   for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
@@ -102,21 +102,6 @@ std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& so
   return lines;
 }
 
-int column_of(std::string_view token, std::string_view line) {
-  if (token.empty()) return 0;
-  int column = 0;
-  for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
-    const bool inside_word =
-        (at > 0 && hlsl::continues_identifier(line[at - 1]) && hlsl::continues_identifier(token.front())) ||
-        (at + token.size() < line.size() && hlsl::continues_identifier(line[at + token.size()]) &&
-         hlsl::continues_identifier(token.back()));
-    if (inside_word) continue;
-    if (column != 0) return 0;
-    column = static_cast<int>(at) + 1;
-  }
-  return column;
-}
-
 const LogLine* first_error_line(const std::vector<LogLine>& lines) {
   const auto error = std::find_if(lines.begin(), lines.end(),
                                   [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
@@ -133,7 +118,7 @@ std::string sentence(const LogLine& line) {
 
 hlsl::Diagnostic at_line(const LogLine& line, const hlsl::SourceFiles& sources) {
   const std::string text = sources.line(line.file, line.line);
-  const int column = line.message == "Expected" ? 0 : column_of(line.token, text);
+  const int column = line.message == "Expected" ? 0 : hlsl::column_of_word(line.token, text);
   return {line.file, line.line, column, line.severity, sentence(line), text};
 }
 
@@ -166,7 +151,8 @@ hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::Toke
   if (error.message == "Expected")
     return at_place(place, sentence(error) + ", found '" + std::string(places[at].spelling) + "'", sources);
   if (place.file == error.file && place.line == error.line)
-    if (const int column = column_of(error.token, sources.line(error.file, error.line)); column != 0)
+    if (const int column = hlsl::column_of_word(error.token, sources.line(error.file, error.line));
+        column != 0)
       place.column = column;
   return at_place(place, sentence(error), sources);
 }
@@ -185,7 +171,8 @@ hlsl::Diagnostic given_up(const ParseFailure& failure, const hlsl::SourceFiles& 
     if (failure.log.starts_with(name + "("))
       return at_place({name, std::atoi(std::string(failure.log.substr(name.size() + 1)).c_str()), 0},
                       "the HLSL front end cannot read on from here", sources);
-  return at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + joined(failure.log), sources);
+  return at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + in_one_line(failure.log),
+                  sources);
 }
 
 }  // namespace
@@ -212,7 +199,7 @@ hlsl::Diagnostic link_error(const ParseFailure& failure, const NamedEntry& entry
   const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
   const std::size_t at = places.function(last_function(failure.log));
   if (at < places.size()) place = places.at(at, sources);
-  return at_place(place, "link: " + joined(failure.log), sources);
+  return at_place(place, "link: " + in_one_line(failure.log), sources);
 }
 
 std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources) {

@@ -1,7 +1,6 @@
 #include "variants/build_settings.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "hlsl/identifier.h"
@@ -48,15 +47,7 @@ class Reader {
     throw InputError(file_ + ":" + std::to_string(field.line), problem);
   }
 
-  int number(const AssetField& field, int highest) const {
-    int value = -1;
-    const char* const end = field.value.data() + field.value.size();
-    const auto [stop, error] = std::from_chars(field.value.data(), end, value);
-    if (error != std::errc() || stop != end || value < 0 || value > highest)
-      fail(field, "'" + std::string(field.name) + "' must be an integer from 0 to " +
-                      std::to_string(highest) + ", found '" + std::string(field.value) + "'");
-    return value;
-  }
+  int number(const AssetField& field, int highest) const { return number_in(field, highest, file_); }
 
   void read_override(const AssetField& field) {
     std::vector<KeywordOverride>& overrides = settings_.overrides;

@@ -1,4 +1,4 @@
-// What a project's settings change for every shader: the colour space and the encoding of lightmaps
+// The settings of a project that hold for every shader: the colour space and the encoding of lightmaps
 // (ProjectSettings.asset), and ShaderBuildSettings of Unity 6000.3 and later (GraphicsSettings.asset), which
 // change the keyword sets that shaders declare, define constants and choose the compiler of a graphics API.
 //

@@ -1,6 +1,7 @@
 #include "variants/unity_asset.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "input/input_error.h"
 
@@ -39,6 +40,17 @@ std::vector<AssetField> asset_fields(std::string_view text, const std::string& f
     at = end + 1;
   }
   return fields;
+}
+
+int number_in(const AssetField& field, int highest, const std::string& file) {
+  int value = -1;
+  const char* const end = field.value.data() + field.value.size();
+  const auto [stop, error] = std::from_chars(field.value.data(), end, value);
+  if (error != std::errc() || stop != end || value < 0 || value > highest)
+    throw InputError(file + ":" + std::to_string(field.line),
+                     "'" + std::string(field.name) + "' must be an integer from 0 to " +
+                         std::to_string(highest) + ", found '" + std::string(field.value) + "'");
+  return value;
 }
 
 std::string guid_in(std::string_view value) {

@@ -20,6 +20,9 @@ struct AssetField {
 // asset.
 std::vector<AssetField> asset_fields(std::string_view text, const std::string& file);
 
+// Throws InputError with the field's line unless its value is an integer from 0 to `highest`.
+int number_in(const AssetField& field, int highest, const std::string& file);
+
 // Returns the guid in "{fileID: 4800000, guid: 0123..., type: 3}"; empty if there is none.
 std::string guid_in(std::string_view value);
 

@@ -1,5 +1,3 @@
-#include <charconv>
-
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "variants/unity_asset.h"
@@ -7,22 +5,6 @@
 
 namespace penumbra::variants {
 namespace {
-
-struct Line {
-  std::string where;
-  std::string_view name;
-  std::string_view value;
-};
-
-int number_of(const Line& line, int highest) {
-  int value = -1;
-  const char* const end = line.value.data() + line.value.size();
-  const auto [stop, error] = std::from_chars(line.value.data(), end, value);
-  if (error != std::errc() || stop != end || value < 0 || value > highest)
-    throw InputError(line.where, "'" + std::string(line.name) + "' must be an integer from 0 to " +
-                                     std::to_string(highest) + ", found '" + std::string(line.value) + "'");
-  return value;
-}
 
 struct Flag {
   std::string_view name;
@@ -46,22 +28,23 @@ constexpr Flag flags[] = {
 // LightRenderingMode: Disabled 0, PerVertex 2, PerPixel 1. RenderingMode: Forward 0, Deferred 1, ForwardPlus
 // 2, and from URP 17.1 DeferredPlus 3, which lights like Deferred and Forward+ at once, so nothing is
 // decided.
-bool read_field(const Line& line, UrpSettings& settings, bool& no_main_light) {
+bool read_field(const AssetField& field, const std::string& file, UrpSettings& settings,
+                bool& no_main_light) {
   for (const Flag& flag : flags) {
-    if (line.name != flag.name) continue;
-    settings.*flag.setting = number_of(line, 1) == 1;
+    if (field.name != flag.name) continue;
+    settings.*flag.setting = number_in(field, 1, file) == 1;
     return true;
   }
-  if (line.name == "m_MainLightRenderingMode") {
-    no_main_light = number_of(line, 2) == 0;
-  } else if (line.name == "m_AdditionalLightsRenderingMode") {
+  if (field.name == "m_MainLightRenderingMode") {
+    no_main_light = number_in(field, 2, file) == 0;
+  } else if (field.name == "m_AdditionalLightsRenderingMode") {
     constexpr AdditionalLights modes[] = {AdditionalLights::disabled, AdditionalLights::per_pixel,
                                           AdditionalLights::per_vertex};
-    settings.additional_lights = modes[number_of(line, 2)];
-  } else if (line.name == "m_RenderingMode") {
+    settings.additional_lights = modes[number_in(field, 2, file)];
+  } else if (field.name == "m_RenderingMode") {
     constexpr RenderingMode modes[] = {RenderingMode::forward, RenderingMode::deferred,
                                        RenderingMode::forward_plus};
-    const int mode = number_of(line, 3);
+    const int mode = number_in(field, 3, file);
     if (mode < 3) settings.rendering_mode = modes[mode];
   } else {
     return false;
@@ -77,8 +60,7 @@ UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
   bool no_main_light = false;
   for (const AssetField& field : asset_fields(text, name))
     if (field.indent == 2 && field.name.starts_with("m_") && !field.value.empty())
-      known |= read_field({name + ":" + std::to_string(field.line), field.name, field.value}, settings,
-                          no_main_light);
+      known |= read_field(field, name, settings, no_main_light);
   if (!known)
     throw InputError(name, "contains no setting of the Universal Render Pipeline",
                      "use a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");

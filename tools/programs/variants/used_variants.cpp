@@ -1,12 +1,11 @@
 #include "variants/used_variants.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <sstream>
 #include <system_error>
 
 #include "hlsl/source_text.h"
+#include "input/ascii_case.h"
 #include "input/input_error.h"
 #include "variants/unity_asset.h"
 
@@ -47,18 +46,12 @@ void read_collection(const std::vector<AssetField>& fields,
   }
 }
 
-// Returns what stands between `before` and the next comma, or for keywords all up to ", time:".
+// Returns what stands between `before` and `end`, or all behind `before`; empty without `before`.
 std::string_view part_of(std::string_view line, std::string_view before, std::string_view end) {
   const std::size_t at = line.find(before);
   if (at == std::string_view::npos) return {};
   line.remove_prefix(at + before.size());
   return line.substr(0, line.find(end));
-}
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  });
 }
 
 // A pass without a name is "<Unnamed Pass 1>", "<unnamed>" or "unnamed" in logs, and "0.1" here.

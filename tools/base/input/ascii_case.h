@@ -1,11 +1,10 @@
 // Case-insensitive comparison of names as on the file systems of Windows or macOS, ASCII letters only.
-// Internal to this folder.
 #pragma once
 
 #include <algorithm>
 #include <string_view>
 
-namespace penumbra::project {
+namespace penumbra {
 
 inline char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -16,4 +15,4 @@ inline bool equal_ignoring_case(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-}  // namespace penumbra::project
+}  // namespace penumbra
