@@ -8,9 +8,9 @@ namespace penumbra::lint {
 namespace {
 
 std::vector<std::string> found(const std::string& statements) {
-  shaders::CompileRequest request = request_of(
-      "sampler2D _Map;\nfloat4 _A;\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n" + statements + "}\n",
-      hlsl::Stage::fragment);
+  shaders::CompileRequest request =
+      request_of("sampler2D _Map;\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n" + statements + "}\n",
+                 hlsl::Stage::fragment);
   request.prepare = true;
   std::vector<std::string> findings;
   for (const std::string& finding : told(lint(request)))
@@ -21,13 +21,7 @@ std::vector<std::string> found(const std::string& statements) {
 TEST(CallPlaces, ATextureFunctionOfDirect3D9StandsAtItsCall) {
   EXPECT_THAT(found("  float2 twice = uv * 2;\n  float4 c = twice.xyxy;\n  if (uv.x > 0.5)\n"
                     "    c +=\n      tex2D(_Map, twice);\n  return c;\n"),
-              testing::ElementsAre("9:7 warning divergent-derivative"));
-}
-
-// Where its base would be negative, lit() takes no power.
-TEST(CallPlaces, LitTakesNoPowerOfANegativeNumber) {
-  EXPECT_THAT(found("  return lit(_A.x, _A.y, _A.z);\n"), testing::IsEmpty());
-  EXPECT_THAT(found("  return pow(_A.y, _A.z);\n"), testing::ElementsAre("5:10 warning negative-pow"));
+              testing::ElementsAre("8:7 warning divergent-derivative"));
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ TEST(Compile, UnoptimisedKeepsItsFunctions) {
   const auto functions = [](std::vector<std::uint32_t> words) {
     const spirv::Code code(std::move(words));
     std::vector<std::string> names;
-    for (const spirv::Function& function : code.functions()) names.push_back(code.name(function.id));
+    for (const spirv::Instruction& instruction : code.instructions())
+      if (instruction.op == spv::OpFunction) names.push_back(code.name(instruction.result));
     return names;
   };
   EXPECT_THAT(functions(compile_text(text, hlsl::Stage::compute, false).spirv),

@@ -47,7 +47,7 @@ TEST(SpirvCode, FindsNamesMembersAndDecorations) {
 
 TEST(SpirvCode, HasTheEntryFunctionWithItsBlocks) {
   const Code code(compiled());
-  const Function* entry = code.function(code.entry_function());
+  const Function* entry = code.function(named(code, "Main"));
   ASSERT_NE(entry, nullptr);
   EXPECT_EQ(entry->blocks.size(), 3U) << "before, inside and behind the if";
   for (const Block& block : entry->blocks) EXPECT_LT(block.begin, block.end);

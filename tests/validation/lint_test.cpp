@@ -20,7 +20,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* bent = "float _Base;\nfloat4 Main() : SV_Target\n{\n    return pow(_Base, 1.5);\n}\n";
+constexpr const char* divergent =
+    "float4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n    if (uv.x > 0.5)\n        uv.x += ddx(uv.y);\n"
+    "    return uv.x;\n}\n";
 
 // The text "file name:line rule" of every message that a rule gave.
 std::vector<std::string> found(const ValidationReport& report) {
@@ -49,64 +51,39 @@ class UnitLint : public testing::Test {
 
 TEST_F(UnitLint, FindsInTheVariantsThatHaveIt) {
   ValidationRequest two = request(
-      "float _Base;\nfloat4 Main() : SV_Target\n{\n#ifdef BENT\n    return pow(_Base, 1.5);\n#endif\n"
-      "    return _Base;\n}\n");
-  two.files[0].keyword_sets = {{}, {"BENT"}};
+      "float4 Main(float2 uv : TEXCOORD0) : SV_Target\n{\n#ifdef SHARP\n    if (uv.x > 0.5)\n        uv.x += "
+      "ddx(uv.y);\n#endif\n    return uv.x;\n}\n");
+  two.files[0].keyword_sets = {{}, {"SHARP"}};
   const ValidationReport report = validate(two);
   EXPECT_THAT(report.records.at(0).diagnostics, IsEmpty());
   ASSERT_THAT(report.records.at(1).diagnostics, SizeIs(1));
   EXPECT_EQ(report.records.at(1).diagnostics[0].line, 5);
-  EXPECT_EQ(report.records.at(1).diagnostics[0].source_line, "    return pow(_Base, 1.5);");
+  EXPECT_EQ(report.records.at(1).diagnostics[0].source_line, "        uv.x += ddx(uv.y);");
   EXPECT_EQ(report.records.at(1).status, VariantStatus::passed) << "a warning";
-  EXPECT_THAT(report.rules, testing::Contains(testing::Key("negative-pow")));
+  EXPECT_THAT(report.rules, testing::Contains(testing::Key("divergent-derivative")));
 }
 
-TEST_F(UnitLint, WhatUnitysCompilersRejectFailsTheVariant) {
+TEST_F(UnitLint, WhatUnityRejectsFailsTheVariant) {
   const ValidationReport report = validate(request(
-      "float F(out float x) { return 1; }\nfloat4 Main() : SV_Target { float x; return F(x) + x; }\n"));
-  EXPECT_THAT(found(report), testing::Contains("f.hlsl:1 output-not-set"));
+      "Texture2D _Map; SamplerState _Other;\nfloat4 Main() : SV_Target { return _Map.Sample(_Other, 0.5); "
+      "}\n"));
+  EXPECT_THAT(found(report), ElementsAre("f.hlsl:1 sampler-name"));
   EXPECT_EQ(report.records.at(0).status, VariantStatus::failed) << report_text(report);
 }
 
 TEST_F(UnitLint, IsSilentWhereItIsNotWantedAndForRulesLeftOut) {
-  ValidationRequest unwanted = request(bent);
+  ValidationRequest unwanted = request(divergent);
   unwanted.lint.wanted = false;
   EXPECT_THAT(found(validate(unwanted)), IsEmpty());
   EXPECT_THAT(validate(unwanted).rules, IsEmpty());
-  ValidationRequest left_out = request(bent);
-  EXPECT_THAT(found(validate(left_out)), ElementsAre("f.hlsl:4 negative-pow"));
-  left_out.lint.left_out = {"negative-pow"};
+  ValidationRequest left_out = request(divergent);
+  EXPECT_THAT(found(validate(left_out)), ElementsAre("f.hlsl:4 divergent-derivative"));
+  left_out.lint.left_out = {"divergent-derivative"};
   EXPECT_THAT(found(validate(left_out)), IsEmpty());
 }
 
-constexpr const char* reserved = "float4 Main() : SV_Target\n{\n    float pass = 1; return pass;\n}\n";
-
-TEST_F(UnitLint, FindsNamesThatFxcRefuses) {
-  const ValidationReport report = validate(request(reserved));
-  ASSERT_THAT(found(report), ElementsAre("f.hlsl:3 reserved-name"));
-  EXPECT_EQ(report.records[0].diagnostics[0].column, 11);
-  EXPECT_EQ(report.records[0].status, VariantStatus::passed) << "a warning";
-  std::string silenced = reserved;
-  silenced.insert(silenced.find("\n}"), "  // penumbra-lint: disable=reserved-name");
-  EXPECT_THAT(found(validate(request(silenced))), IsEmpty());
-}
-
-TEST_F(UnitLint, LeavesToFxcWhatItCompilesAndToDxc) {
-  files_.write("f.hlsl", reserved);
-  std::vector<CompileUnit> units(4, fragment_unit(files_.path("f.hlsl")));
-  for (CompileUnit& unit : units) unit.lint.wanted = true;
-  units[1].targets = {"d3d11"};
-  units[2].keywords = {"OTHER"};
-  units[3].keywords = {"DXC"};
-  units[3].compile.dxc = true;
-  leave_to_compilers(units);
-  EXPECT_THAT(units[0].lint.left_out, ElementsAre("early-return", "indexed-write", "reserved-name"));
-  EXPECT_THAT(units[2].lint.left_out, IsEmpty()) << "another variant than FXC's";
-  EXPECT_THAT(units[3].lint.left_out, SizeIs(3));
-}
-
 TEST_F(UnitLint, ChangesNoModule) {
-  ValidationRequest with = request(bent);
+  ValidationRequest with = request(divergent);
   ValidationRequest without = with;
   without.lint.wanted = false;
   EXPECT_EQ(validate(with).records.at(0).module, validate(without).records.at(0).module);
@@ -114,12 +91,12 @@ TEST_F(UnitLint, ChangesNoModule) {
 
 // A comment is no part of the text that answers are kept by.
 TEST_F(UnitLint, CommentsThatSilenceAreSeenThroughTheCache) {
-  ValidationRequest kept = request(bent);
+  ValidationRequest kept = request(divergent);
   kept.engine.cache = files_.path("cache");
-  std::string silenced = bent;
-  silenced.insert(silenced.find("1.5);") + 5, " // penumbra-lint: disable=negative-pow");
+  std::string silenced = divergent;
+  silenced.insert(silenced.find("(uv.y);") + 7, " // penumbra-lint: disable=divergent-derivative");
   for (int i = 0; i < 2; ++i) {
-    files_.write("f.hlsl", bent);
+    files_.write("f.hlsl", divergent);
     EXPECT_THAT(found(validate(kept)), SizeIs(1)) << i;
     files_.write("f.hlsl", silenced);
     EXPECT_THAT(found(validate(kept)), IsEmpty()) << i;
@@ -128,7 +105,7 @@ TEST_F(UnitLint, CommentsThatSilenceAreSeenThroughTheCache) {
 }
 
 TEST_F(UnitLint, ACrashInItLosesItsMessagesAlone) {
-  files_.write("f.hlsl", bent);
+  files_.write("f.hlsl", divergent);
   CompileUnit unit = misbehaving(fragment_unit(files_.path("f.hlsl")), "crash@lint");
   unit.lint.wanted = true;
   unit.targets = {"spirv"};
@@ -264,7 +241,7 @@ TEST_F(ProgramLint, AShadowCoordinateOfCascadesIsNotInterpolated) {
 }
 
 TEST_F(UnitLint, ConditionsAreSeenThroughTheCache) {
-  ValidationRequest kept = request(bent);
+  ValidationRequest kept = request(divergent);
   kept.engine.cache = files_.path("cache");
   for (const char* version : {"60010000", "600010", "60010000"}) {
     files_.write("f.hlsl", std::string("#if UNITY_VERSION >= ") + version +

@@ -37,7 +37,7 @@ UnitJob full_job() {
   unit.sub_shader = 2;
   unit.compile.vulkan = shaders::VulkanVersion::v1_2;
   unit.targets = {"spirv", "msl23"};
-  unit.lint = {true, 45, {"nan-check"}};
+  unit.lint = {true, 45, {"typed-load"}};
   job.context = {"cache", "build", {{"essl310", "Mesa"}}};
   job.given_up = {"msl23"};
   job.text_only = true;
@@ -162,7 +162,7 @@ TEST(Keys, HoldWhatLintIsTold) {
   std::vector<CompileUnit> others(3, unit);
   others[0].lint.wanted = !unit.lint.wanted;
   others[1].lint.shader_target = unit.lint.shader_target + 5;
-  others[2].lint.left_out.push_back("negative-pow");
+  others[2].lint.left_out.push_back("lane-order");
   for (const CompileUnit& other : others) {
     EXPECT_NE(sources_key(context, unit), sources_key(context, other));
     EXPECT_NE(text_key(context, unit, source), text_key(context, other, source));

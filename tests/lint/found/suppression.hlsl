@@ -1,30 +1,30 @@
-// suppression.hlsl:10:10: warning: pow of a base that may be negative gives NaN: bound it with abs, max or saturate [negative-pow]
-// suppression.hlsl:19:10: warning: pow of a base that may be negative gives NaN: bound it with abs, max or saturate [negative-pow]
-// suppression.hlsl:26:10: warning: pow of a base that may be negative gives NaN: bound it with abs, max or saturate [negative-pow]
-// suppression.hlsl:28:10: warning: pow of a base that may be negative gives NaN: bound it with abs, max or saturate [negative-pow]
-// suppression.hlsl:28:53: warning: this comment disables an unknown rule, 'negativ-pow'; did you mean 'negative-pow'? [unknown-rule]
-// The rules find an expression once in a shader, so that each has an exponent of its own.
+// suppression.hlsl:10:24: warning: a derivative is taken where only some pixels of a quad may be active, by the condition at line 10: take it before the condition [divergent-derivative]
+// suppression.hlsl:19:24: warning: a derivative is taken where only some pixels of a quad may be active, by the condition at line 19: take it before the condition [divergent-derivative]
+// suppression.hlsl:26:24: warning: a derivative is taken where only some pixels of a quad may be active, by the condition at line 26: take it before the condition [divergent-derivative]
+// suppression.hlsl:28:24: warning: a derivative is taken where only some pixels of a quad may be active, by the condition at line 28: take it before the condition [divergent-derivative]
+// suppression.hlsl:28:66: warning: this comment disables an unknown rule, 'divergent-derivate'; did you mean 'divergent-derivative'? [unknown-rule]
+// The rules find an expression once in a shader, so that each has a factor of its own.
 float4 Main(float2 uv : TEXCOORD0) : SV_Target
 {
     float4 c = 0;
-    c += pow(uv.x, 1.5);
+    if (uv.x > 1) c += ddx(uv.x * 2);
 
-    c += pow(uv.x, 2.5);  // penumbra-lint: disable=negative-pow
+    if (uv.x > 2) c += ddx(uv.x * 3);  // penumbra-lint: disable=divergent-derivative
 
-    // penumbra-lint: disable=negative-pow
-    c += pow(uv.x, 3.5);
+    // penumbra-lint: disable=divergent-derivative
+    if (uv.x > 3) c += ddx(uv.x * 4);
 
-    c += pow(uv.x, 4.5);  // penumbra-lint: disable=nan-check, negative-pow
+    if (uv.x > 4) c += ddx(uv.x * 5);  // penumbra-lint: disable=typed-load, divergent-derivative
 
-    c += pow(uv.x, 5.5);  // penumbra-lint: disable=nan-check
+    if (uv.x > 5) c += ddx(uv.x * 6);  // penumbra-lint: disable=typed-load
 
-    // penumbra-lint: disable=negative-pow
-    // penumbra-lint: disable=nan-check
-    c += pow(uv.x, 6.5);
+    // penumbra-lint: disable=divergent-derivative
+    // penumbra-lint: disable=typed-load
+    if (uv.x > 6) c += ddx(uv.x * 7);
 
-    c += 1;  // penumbra-lint: disable=negative-pow
-    c += pow(uv.x, 7.5);
+    c += 1;  // penumbra-lint: disable=divergent-derivative
+    if (uv.x > 7) c += ddx(uv.x * 8);
 
-    c += pow(uv.x, 8.5);  // penumbra-lint: disable=negativ-pow
+    if (uv.x > 8) c += ddx(uv.x * 9);  // penumbra-lint: disable=divergent-derivate
     return c;
 }

@@ -43,21 +43,27 @@ float4 Loops(float2 uv)
     for (; k < 8; ++k) if (k > uv.x * 8) break;
     return c + _Map.Sample(sampler_Map, 16 * uv);
 }
-float Sum(int n) { float s = 0; [unroll] for (int i = 0; i < n; ++i) s += i; return s; }
-float Unrolled()
+// FXC reports these two (X3570, X3511).
+float4 LoopWithoutABound(float2 uv)
 {
-    float c = 0;
-    [unroll] for (int i = 0; i < 4; ++i) c += i;
-    [unroll] for (int j = 0; j < _Count; ++j) { if (j == 8) break; c += j; }
-    [unroll(8)] for (int k = 0; k < _Count; ++k) c += k;
-    [unroll (8)]
-    for (int l = 0; l < _Count; ++l) c += l;
-    [loop] for (int m = 0; m < _Count; ++m) c += m;
-    return c + Sum(4);
+    float4 c = 0;
+    for (int i = 0; i < uv.x * 8; ++i)
+        c += _Map.Sample(sampler_Map, 17 * uv);
+    return c;
+}
+float4 LoopWithABreak(float2 uv)
+{
+    float4 c = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+        if (i > uv.x * 8) break;
+        c += _Map.Sample(sampler_Map, 18 * uv);
+    }
+    return c;
 }
 float4 Main(float2 uv : TEXCOORD0, nointerpolation int flat : TEXCOORD1) : SV_Target
 {
     float4 c = UnderAUniformCondition(uv, flat) + WithLevelOrGradients(uv) + BeforeAndAfterTheCondition(uv);
     c += AfterAnEarlyReturnOfAll(uv) + AfterDiscard(uv) + AfterClip(uv) + AfterDiscardInAFunction(uv) + Read(uv);
-    return c + ThroughAUniformVariable(uv) + Loops(uv) + Unrolled();
+    return c + ThroughAUniformVariable(uv) + Loops(uv) + LoopWithoutABound(uv) + LoopWithABreak(uv);
 }

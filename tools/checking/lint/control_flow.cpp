@@ -87,10 +87,6 @@ const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block
   return code.instructions()[block.end - 1];
 }
 
-const spirv::Instruction& merge_instruction(const spirv::Code& code, const spirv::Block& block) {
-  return code.instructions()[block.end - 2];
-}
-
 Graph reversed(const Graph& graph) {
   Graph back(graph.size());
   for (std::size_t from = 0; from < graph.size(); ++from)

@@ -17,8 +17,8 @@ using Graph = std::vector<std::vector<std::size_t>>;  // successors by node
 
 constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-// Functions and modules with more basic blocks are not analysed: neither our algorithms nor SPIRV-Tools' are
-// linear in the worst case.
+// Modules with more basic blocks are not analysed: neither our algorithms nor SPIRV-Tools' are linear in the
+// worst case.
 constexpr std::size_t most_blocks = 4'000;
 
 struct ControlFlow {
@@ -40,8 +40,6 @@ ControlFlow control_flow(const spirv::Code& code, const spirv::Function& functio
 
 // Returns the last instruction of a block.
 const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block);
-// Returns OpSelectionMerge or OpLoopMerge of a block that has one.
-const spirv::Instruction& merge_instruction(const spirv::Code& code, const spirv::Block& block);
 
 Graph reversed(const Graph& graph);
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);

@@ -6,26 +6,6 @@
 namespace penumbra::lint {
 namespace {
 
-constexpr int deepest_condition = 8;
-
-bool is_constant(const spirv::Code& code, spirv::Id id) {
-  const spv::Op op = code.op(id);
-  return op == spv::OpConstant || op == spv::OpConstantNull || op == spv::OpConstantTrue ||
-         op == spv::OpConstantFalse;
-}
-
-bool compares_with_constant(const spirv::Code& code, spirv::Id condition, int depth) {
-  const spirv::Instruction* of = code.definition(condition);
-  if (of == nullptr || depth > deepest_condition) return true;
-  const bool is_comparison = of->op >= spv::OpIEqual && of->op <= spv::OpFUnordGreaterThanEqual;
-  if (is_comparison) return is_constant(code, of->operands[0]) || is_constant(code, of->operands[1]);
-  if (of->op == spv::OpLogicalNot) return compares_with_constant(code, of->operands[0], depth + 1);
-  if (of->op == spv::OpLogicalAnd || of->op == spv::OpLogicalOr)
-    return compares_with_constant(code, of->operands[0], depth + 1) ||
-           compares_with_constant(code, of->operands[1], depth + 1);
-  return false;
-}
-
 bool is_branch(spv::Op op) {
   return op == spv::OpBranchConditional || op == spv::OpSwitch;
 }
@@ -234,6 +214,10 @@ std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const
   return no_node;
 }
 
+bool is_barrier(const spirv::Instruction& instruction) {
+  return instruction.op == spv::OpControlBarrier;
+}
+
 std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
                                spirv::Place from) {
   const spirv::Instruction& end = terminator(linted.code, function.blocks[branch]);
@@ -241,20 +225,6 @@ std::string place_of_condition(const LintedCode& linted, const spirv::Function& 
   const spirv::Instruction* condition = linted.code.definition(end.operands[0]);
   if (place.line == 0 && condition != nullptr) place = condition->place;
   return place_in_words(linted, place, from);
-}
-
-bool has_constant_bound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
-                        const std::vector<bool>& body) {
-  for (const std::size_t node : flow.order) {
-    if (!body[node]) continue;
-    const spirv::Instruction& end = terminator(code, function.blocks[node]);
-    if (end.op != spv::OpBranchConditional) continue;
-    // In `if (c) break;` the branch goes to a separate block, which is not part of the loop either.
-    const bool leaves = std::any_of(flow.successors[node].begin(), flow.successors[node].end(),
-                                    [&](std::size_t to) { return !body[to]; });
-    if (leaves && compares_with_constant(code, end.operands[0], 0)) return true;
-  }
-  return false;
 }
 
 // The nodes of a natural loop reach a back edge without passing the header.

@@ -25,7 +25,7 @@ enum class Together { quad, group };
 
 class Divergence {
  public:
-  // `function` is one of a legalised module and must have at most most_blocks blocks.
+  // `function` is one of a legalised module of at most most_blocks blocks.
   Divergence(const spirv::Code& code, const spirv::Function& function, Together together);
 
   bool varies(spirv::Id value) const { return value < varies_.size() && varies_[value]; }
@@ -72,15 +72,12 @@ class Divergence {
   std::vector<bool> runs_apart_;      // for each node: some varying branch decides whether it runs
 };
 
+// Returns whether the threads of a group wait for each other there.
+bool is_barrier(const spirv::Instruction& instruction);
+
 // Returns the place of the condition on which the block branches (place_in_words).
 std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
                                spirv::Place from);
-
-// Returns whether one of the loop's exits compares with a constant. `body` contains the loop's nodes; the
-// function belongs to a legalised module. The result may be falsely true: the comparison may be of data and
-// not of a counter.
-bool has_constant_bound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
-                        const std::vector<bool>& body);
 
 // Returns the nodes of the natural loop with this header; empty if it is not one.
 std::vector<bool> loop_body(const ControlFlow& flow, std::size_t header);

@@ -7,10 +7,6 @@
 namespace penumbra::lint {
 namespace {
 
-bool is_barrier(const spirv::Instruction& instruction) {
-  return instruction.op == spv::OpControlBarrier;
-}
-
 hlsl::Diagnostic finding_of(const LintedCode& linted, const spirv::Function& function,
                             const Divergence& divergence, const spirv::Instruction& barrier, std::size_t node,
                             std::size_t branch) {
@@ -69,24 +65,6 @@ spirv::Place place_of(const LintedCode& linted, std::size_t first, std::size_t a
   return all[placed].place.line == 0 ? all[at].place : all[placed].place;
 }
 
-hlsl::Diagnostic in_loop(const LintedCode& linted, const spirv::Function& function,
-                         const Divergence& divergence, const Gradient& gradient, std::size_t branch) {
-  const std::size_t header = divergence.loop_left_by(branch, gradient.node);
-  const bool bounded =
-      has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
-  const spirv::Place place = gradient.place;
-  hlsl::Diagnostic finding =
-      finding_at(linted, "gradient-in-varying-loop", place, sampling_functions(),
-                 "derivatives are taken in divergent control flow: the loop's number of iterations "
-                 "differs between pixels, by the condition" +
-                     place_of_condition(linted, function, branch, place) +
-                     (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
-                              : "; Direct3D must unroll it and finds no bound") +
-                     ": use SampleLevel or SampleGrad");
-  if (bounded) finding.severity = hlsl::Severity::warning;
-  return finding;
-}
-
 hlsl::Diagnostic under_condition(const LintedCode& linted, const spirv::Function& function,
                                  const Gradient& gradient, std::size_t branch) {
   const bool derivative = is_derivative(gradient.instruction.op);
@@ -104,19 +82,18 @@ void check(const LintedCode& linted, const spirv::Function& function, const Dive
            const Gradient& gradient, std::vector<hlsl::Diagnostic>& findings) {
   const std::vector<std::size_t> branches = divergence.varying_branches_over(gradient.node);
   if (branches.empty()) return;
-  const auto leaving = std::find_if(branches.begin(), branches.end(), [&](std::size_t branch) {
+  const bool in_loop = std::any_of(branches.begin(), branches.end(), [&](std::size_t branch) {
     return divergence.loop_left_by(branch, gradient.node) != no_node;
   });
-  findings.push_back(leaving == branches.end() ? under_condition(linted, function, gradient, branches.back())
-                                               : in_loop(linted, function, divergence, gradient, *leaving));
+  if (!in_loop) findings.push_back(under_condition(linted, function, gradient, branches.back()));
 }
 
 }  // namespace
 
-std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted) {
+std::vector<hlsl::Diagnostic> derivative_findings(const LintedCode& linted) {
   std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
-    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
+    if (function.blocks.empty()) continue;
     const auto& all = linted.code.instructions();
     const auto is_gradient = [](const spirv::Instruction& of) {
       return is_derivative(of.op) || samples_implicitly(of.op);
@@ -134,43 +111,10 @@ std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted) {
   return findings;
 }
 
-// The attribute `[unroll(8)]` is a bound; it stands in the loop's line, or the one before it.
-bool names_bound(const LintedCode& linted, const spirv::Place& place) {
-  for (int line = place.line; line > 0 && line > place.line - 2; --line) {
-    std::string words = linted.sources.line(linted.code.file_name(place.file), line);
-    std::erase(words, ' ');
-    if (words.find("[unroll(") != std::string::npos) return true;
-  }
-  return false;
-}
-
-std::vector<hlsl::Diagnostic> unroll_findings(const LintedCode& linted) {
-  std::vector<hlsl::Diagnostic> findings;
-  for (const spirv::Function& function : linted.code.functions()) {
-    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
-    const ControlFlow flow = control_flow(linted.code, function);
-    for (const std::size_t node : flow.order) {
-      const spirv::Block& block = function.blocks[node];
-      if (flow.merge[node] == no_node) continue;
-      const spirv::Instruction& merge = linted.code.instructions()[block.end - 2];
-      if (merge.op != spv::OpLoopMerge || (merge.operands[2] & spv::LoopControlUnrollMask) == 0) continue;
-      const std::vector<bool> body = loop_body(flow, node);
-      if (body.empty() || has_constant_bound(linted.code, function, flow, body)) continue;
-      spirv::Place place = merge.place;
-      if (place.line == 0) place = linted.code.instructions()[block.begin].place;
-      if (names_bound(linted, place)) continue;
-      findings.push_back(finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},
-                                    "[unroll] on a loop without a constant bound on its iterations: use "
-                                    "[loop], or break after a constant number of iterations"));
-    }
-  }
-  return findings;
-}
-
 std::vector<hlsl::Diagnostic> barrier_findings(const LintedCode& linted) {
   std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
-    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
+    if (function.blocks.empty()) continue;
     const auto& all = linted.code.instructions();
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.front().begin);
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.back().end);

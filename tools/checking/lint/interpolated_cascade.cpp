@@ -1,6 +1,5 @@
 #include "lint/interpolated_cascade.h"
 
-#include "lint/known_values.h"
 #include "lint/rule.h"
 #include "spirv/code.h"
 
@@ -9,6 +8,16 @@ namespace {
 
 bool is_sampling(spv::Op op) {
   return op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageDrefGather;
+}
+
+// Returns the variable that a pointer points into.
+spirv::Id base_of(const spirv::Code& code, spirv::Id pointer) {
+  const spirv::Instruction* chain = code.definition(pointer);
+  while (chain != nullptr && chain->op == spv::OpAccessChain) {
+    pointer = chain->operands[0];
+    chain = code.definition(pointer);
+  }
+  return pointer;
 }
 
 // Returns whether the pointer leads to URP's spheres of cascades, by which a cascade is chosen.

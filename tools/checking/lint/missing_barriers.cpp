@@ -11,10 +11,6 @@ namespace {
 
 using OfThreads = ThreadValues::OfThreads;
 
-bool is_barrier(const spirv::Instruction& instruction) {
-  return instruction.op == spv::OpControlBarrier;
-}
-
 bool is_wave_operation(const spirv::Instruction& instruction) {
   return instruction.op >= spv::OpGroupNonUniformElect && instruction.op <= spv::OpGroupNonUniformQuadSwap;
 }
@@ -215,7 +211,7 @@ std::vector<hlsl::Diagnostic> missing_barrier_findings(const LintedCode& linted)
   if (!shares || std::any_of(all.begin(), all.end(), is_wave_operation)) return {};
   std::vector<hlsl::Diagnostic> findings;
   for (const spirv::Function& function : linted.code.functions()) {
-    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
+    if (function.blocks.empty()) continue;
     for (hlsl::Diagnostic& finding : SharedMemory(linted, function).findings())
       findings.push_back(std::move(finding));
   }

@@ -91,23 +91,26 @@ bool is_small(const spirv::Code& code) {
   return blocks <= most_blocks;
 }
 
-// `known` has the legalised words, if available.
-std::vector<hlsl::Diagnostic> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
-                                                 const spirv::Module& known) {
-  std::vector<hlsl::Diagnostic> findings;
-  std::optional<spirv::Module> words = known.empty() ? legalised(spirv) : simplified(known);
-  if (!words) return findings;
-  const spirv::Code code(std::move(*words));
+hlsl::Diagnostic too_large(const LintedCode& linted, const std::string& rules) {
+  return finding_at(linted, "not-checked", {}, {}, "the shader is too large for the rules that " + rules);
+}
+
+// `inlined` is a legalised module, or nothing where SPIRV-Tools fails.
+std::vector<hlsl::Diagnostic> findings_in(const ModuleToLint& module, std::optional<spirv::Module> inlined) {
+  if (!inlined) return {};
+  const spirv::Code code(*std::move(inlined));
   const LintedCode linted{code, module.sources, module.file};
-  if (module.stage == hlsl::Stage::fragment) append(findings, gradient_findings(linted));
+  std::vector<hlsl::Diagnostic> findings = resource_findings(linted, module.stage, module.shader_target);
+  if (!is_small(code)) {
+    findings.push_back(too_large(linted, "analyse its control flow"));
+    return findings;
+  }
+  if (module.stage == hlsl::Stage::fragment) append(findings, derivative_findings(linted));
   if (module.stage == hlsl::Stage::compute) {
     append(findings, barrier_findings(linted));
     append(findings, missing_barrier_findings(linted));
     append(findings, lane_order_findings(linted));
   }
-  append(findings, unroll_findings(linted));
-  append(findings, arithmetic_findings(linted));
-  append(findings, resource_findings(linted, module.stage, module.shader_target));
   return findings;
 }
 
@@ -130,28 +133,17 @@ spirv::Module without_lines(const spirv::Module& words) {
   });
 }
 
-std::vector<hlsl::Diagnostic> all_findings(const ModuleToLint& module, const spirv::Module& spirv,
-                                           const spirv::Module& legalised) {
-  std::vector<hlsl::Diagnostic> findings;
-  const spirv::Code written(spirv);
-  const LintedCode linted{written, module.sources, module.file};
-  append(findings, unset_values(linted));
-  append(findings, early_return_findings(linted));
-  append(findings, indexed_write_findings(linted));
-  append(findings, is_small(written) ? legalised_findings(module, spirv, legalised)
-                                     : std::vector{finding_at(
-                                           linted, "not-checked", {}, {},
-                                           "the shader is too large for the rules that need it inlined")});
-  return findings;
-}
-
 }  // namespace
 
 // Most modules have no finding, and debug lines, which only serve to locate findings, double the time of
 // legalisation.
 std::vector<hlsl::Diagnostic> module_findings(const ModuleToLint& module) {
-  if (all_findings(module, without_lines(module.spirv), module.legalised).empty()) return {};
-  return all_findings(module, module.spirv, {});
+  const spirv::Code written(module.spirv);
+  if (!is_small(written)) return {too_large({written, module.sources, module.file}, "need it inlined")};
+  const bool any = !findings_in(module, module.legalised.empty() ? legalised(without_lines(module.spirv))
+                                                                 : simplified(module.legalised))
+                        .empty();
+  return any ? findings_in(module, legalised(module.spirv)) : std::vector<hlsl::Diagnostic>{};
 }
 
 std::vector<hlsl::Diagnostic> with_suppressions(std::vector<hlsl::Diagnostic> findings,

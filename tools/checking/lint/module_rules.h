@@ -1,11 +1,11 @@
-// The rules for a single compiled shader stage: unset outputs and variables, derivatives in divergent control
-// flow, unbounded [unroll], pow of negative bases, NaN tests, samplers, limits.
+// The rules for a single compiled shader stage: derivatives and barriers in divergent control flow, group
+// shared memory, samplers, limits.
 //
 // Compile with CompileRequest::optimise off and debug_lines on, and pass the result's SPIR-V and sources.
 // Findings are sorted by file and line, each once, without those that a comment suppresses (suppression.h).
 // Does not throw for a module that glslang produced; std::invalid_argument for words that are not SPIR-V.
-// Reentrant. The work is bounded: functions with more than 4,000 basic blocks are reported by a note (rule
-// not-checked) and not analysed.
+// Reentrant. The work is bounded: modules with more than 4,000 basic blocks, also after inlining, are
+// reported by a note (rule not-checked) and not analysed.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,6 @@ struct RuleInfo {
   hlsl::Severity severity = hlsl::Severity::warning;  // the highest that it reports
   std::string summary;                                // the description, one sentence
   std::string source;                                 // the page or section that documents it
-  bool of_fxc = false;                                // replaces FXC's own message for what FXC compiles
   bool of_unity = false;                              // about what Unity makes of a name or a pragma
 };
 

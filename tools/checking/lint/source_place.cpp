@@ -11,8 +11,6 @@ namespace penumbra::lint {
 
 namespace {
 
-constexpr int longest_signature = 40;  // lines
-
 std::string_view without_comment(std::string_view line) {
   return line.substr(0, line.find("//"));
 }
@@ -40,25 +38,6 @@ hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, s
   for (const std::string& word : words)
     if (column == 0) column = hlsl::column_of_word(word, without_comment(line));
   return {file, place.line, column, severity_of(rule), std::move(message), line, rule};
-}
-
-hlsl::Diagnostic finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
-                                     const std::string& name, const std::string& word, std::string message) {
-  std::string file = linted.code.file_name(body.file);
-  if (file.empty()) file = linted.main_file;
-  int header = body.line;
-  const int first = std::max(1, body.line - longest_signature);
-  while (header >= first &&
-         hlsl::column_of_word(name, without_comment(linted.sources.line(file, header))) == 0)
-    --header;
-  if (header < first) header = body.line;
-  int line = header;
-  for (int at = header; !word.empty() && at <= body.line; ++at)
-    if (hlsl::column_of_word(word, without_comment(linted.sources.line(file, at))) != 0) {
-      line = at;
-      break;
-    }
-  return finding_at(linted, rule, {body.file, line}, {word, name}, std::move(message));
 }
 
 hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::string& rule,

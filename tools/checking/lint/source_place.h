@@ -23,11 +23,6 @@ struct LintedCode {
 hlsl::Diagnostic finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
                             const std::vector<std::string>& words, std::string message);
 
-// Returns the same at a function's definition: OpLine gives the line of its body's brace, so the preceding
-// lines are searched for its name, and from there for the first name in `words` (a parameter).
-hlsl::Diagnostic finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
-                                     const std::string& name, const std::string& word, std::string message);
-
 // Returns the same where a global name is declared: the first line that contains the name and a keyword that
 // makes it a declaration, outside of // comments. Without such a line, the finding is for the whole file.
 hlsl::Diagnostic finding_at_declaration(const LintedCode& linted, const std::string& rule,

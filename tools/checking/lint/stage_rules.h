@@ -9,40 +9,16 @@
 
 namespace penumbra::lint {
 
-// Rules negative-pow and nan-check.
-//
-// Direct3D's compiler warns that pow(f, e) gives NaN for negative f wherever it cannot prove f >= 0 (X3571),
-// and that isnan() may be removed because it assumes that no value is NaN (X3577); GLSL's pow is undefined
-// for negative bases (GLSL 4.60 specification, 8.2).
-// https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-pow
-//
-// `linted` is a legalised module.
-std::vector<hlsl::Diagnostic> arithmetic_findings(const LintedCode& linted);
-
-// Rule early-return: a function returns from within a condition. FXC then says that its result may be
-// uninitialised (X4000), and may refuse it (X8000).
-//
-// FXC makes a branch of a condition with [branch], of one with texture reads, and of one whose function
-// returns more than 16 components; it turns others into a choice of values, where nothing is left
-// uninitialised. It knows every path where both sides return, and it treats returns from loops in another
-// way. All of this has been tried with FXC 10.0.26100.
-//
-// `linted` is a module before inlining.
-std::vector<hlsl::Diagnostic> early_return_findings(const LintedCode& linted);
-
-// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound.
+// Rule divergent-derivative.
 //
 // Implicit derivatives (Sample, SampleCmp, SampleBias, ddx, ddy, fwidth, CalculateLevelOfDetail) are only
-// defined in uniform control flow within a quad (SPIR-V specification, "Derivatives"). Direct3D's compiler
-// moves such an operation out of a divergent condition with a warning (X4121) and unrolls a loop around it
-// with a divergent number of iterations (X3570), which fails if nothing bounds the iterations (X3511).
+// defined in uniform control flow within a quad (SPIR-V specification, "Derivatives"). In a loop with a
+// divergent number of iterations FXC itself reports them (X3570, X3511, X4014); it moves others out of a
+// divergent condition, often without its warning X4121.
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings
 //
 // `linted` is a legalised fragment shader.
-std::vector<hlsl::Diagnostic> gradient_findings(const LintedCode& linted);
-
-// Finds loops marked [unroll] without a constant bound, in any legalised stage.
-std::vector<hlsl::Diagnostic> unroll_findings(const LintedCode& linted);
+std::vector<hlsl::Diagnostic> derivative_findings(const LintedCode& linted);
 
 // Rule divergent-barrier: a barrier that waits for the threads of a group must be reached by all of them
 // (Direct3D X3663). `linted` is a legalised compute shader.
@@ -58,17 +34,6 @@ std::vector<hlsl::Diagnostic> missing_barrier_findings(const LintedCode& linted)
 // Rule lane-order: a calculation or comparison mixes a lane's number, or the number of lanes, with the number
 // of a thread in its group. `linted` is a legalised compute shader.
 std::vector<hlsl::Diagnostic> lane_order_findings(const LintedCode& linted);
-
-// Rule indexed-write: a vector's component, or a matrix's row, is written by index in a loop that FXC cannot
-// unroll (X3500, X3511, X3531).
-//
-// FXC's vectors have no index that is computed at run time, so it unrolls the loop. That fails with [loop],
-// and where a `continue` before the write depends on values that FXC does not know. Arrays can be indexed,
-// and the write may stand within the condition in place of the `continue`. This was tried with FXC
-// 10.0.26100.
-//
-// `linted` is a module before inlining.
-std::vector<hlsl::Diagnostic> indexed_write_findings(const LintedCode& linted);
 
 // Rules sampler-name, sampler-limit, register-limit and typed-load.
 //
@@ -88,15 +53,5 @@ std::vector<hlsl::Diagnostic> resource_findings(const LintedCode& linted, hlsl::
 // aniso2 to aniso16 are optional; case and order do not matter.
 // Returns whether the name holds a filter mode and a wrap mode.
 bool is_inline_sampler(std::string_view name);
-
-// Rules output-not-set and read-before-set.
-//
-// Direct3D's compiler rejects a function with a path that returns nothing (X3507) and an out parameter that
-// is not completely assigned (X3508); it warns about a shader output that is not (X3578) and about variables
-// that may be read uninitialised (X4000). glslang accepts all four.
-// https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings
-//
-// The module must have its functions and names (unoptimised).
-std::vector<hlsl::Diagnostic> unset_values(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -1,6 +1,7 @@
 #include "lint/text_rules.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hlsl/token_place.h"
 #include "hlsl/tokens.h"
@@ -124,10 +125,8 @@ std::vector<hlsl::Diagnostic> unity_version_findings(const hlsl::SourceFiles& so
 
 std::vector<hlsl::Diagnostic> text_findings(const std::string& expanded, const std::string& main_file,
                                             const hlsl::SourceFiles& sources) {
-  std::vector<hlsl::Diagnostic> findings = reserved_name_findings(expanded, main_file, sources);
-  for (const auto& more :
-       {groupshared_initialiser_findings(expanded, main_file, sources), unity_version_findings(sources)})
-    findings.insert(findings.end(), more.begin(), more.end());
+  std::vector<hlsl::Diagnostic> findings = groupshared_initialiser_findings(expanded, main_file, sources);
+  for (hlsl::Diagnostic& finding : unity_version_findings(sources)) findings.push_back(std::move(finding));
   return findings;
 }
 

@@ -1,5 +1,5 @@
-// The rules on the text of a shader, which runs through no compiler: reserved-name, groupshared-initialiser
-// and unity-version.
+// The rules on the text of a shader, which runs through no compiler: groupshared-initialiser and
+// unity-version.
 #pragma once
 
 #include <string>
@@ -11,19 +11,11 @@
 
 namespace penumbra::lint {
 
-// Rule reserved-name: a name that is a reserved word of FXC, Unity's compiler (X3000).
-//
-// The words are those that FXC 10.0.26100 refuses and glslang takes. Only names that are declared count: some
-// words mean something elsewhere (`: register(t0)`).
+// Rule groupshared-initialiser: with FXC every thread writes the value when it starts, over what others have
+// written since, and DXC ignores it.
 //
 // `expanded` is without comments and macros, with #line directives (hlsl/tokens.h); lines before the first
 // that names a file are in `main_file`. There is one finding for each place.
-std::vector<hlsl::Diagnostic> reserved_name_findings(const std::string& expanded,
-                                                     const std::string& main_file,
-                                                     const hlsl::SourceFiles& sources);
-
-// Rule groupshared-initialiser: with FXC every thread writes the value when it starts, over what others have
-// written since, and DXC ignores it. The text is as for reserved-name.
 std::vector<hlsl::Diagnostic> groupshared_initialiser_findings(const std::string& expanded,
                                                                const std::string& main_file,
                                                                const hlsl::SourceFiles& sources);
@@ -35,7 +27,7 @@ std::vector<hlsl::Diagnostic> groupshared_initialiser_findings(const std::string
 std::vector<hlsl::Diagnostic> unity_version_findings(const hlsl::SourceFiles& sources);
 bool compares_unity_version(std::string_view source);  // true if a finding could be in this text
 
-// All of these.
+// Both of these.
 std::vector<hlsl::Diagnostic> text_findings(const std::string& expanded, const std::string& main_file,
                                             const hlsl::SourceFiles& sources);
 

@@ -1,13 +1,12 @@
 #include "validation/unit_lint.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "lint/module_rules.h"
+#include "lint/rule.h"
 #include "platform/byte_stream.h"
 #include "platform/content_hash.h"
-#include "validation/kept_answers.h"
 
 namespace penumbra::validation {
 
@@ -33,22 +32,6 @@ std::vector<hlsl::Diagnostic> LintedModules::messages(const CompileUnit& unit,
                                     unit.lint.shader_target, compiled.legalised}));
   of_text.insert(of_text.end(), known->begin(), known->end());
   return wanted(lint::with_suppressions(std::move(of_text), compiled.sources), unit.lint);
-}
-
-void leave_to_compilers(std::vector<CompileUnit>& units) {
-  const auto program_of = [](const CompileUnit& unit) {
-    platform::ContentHash names;
-    names.update(unit.file).update(unit.sub_shader);
-    add_names(names, unit);
-    return names.hex();
-  };
-  std::set<std::string> by_fxc;
-  for (const CompileUnit& unit : units)
-    if (compiled_by_fxc(unit)) by_fxc.insert(program_of(unit));
-  for (CompileUnit& unit : units)
-    if (unit.lint.wanted && (unit.compile.dxc || by_fxc.contains(program_of(unit))))
-      for (const lint::RuleInfo& rule : lint::rules())
-        if (rule.of_fxc) unit.lint.left_out.push_back(rule.name);
 }
 
 void leave_unity_out(LintOrder& order) {

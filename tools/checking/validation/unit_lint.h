@@ -10,7 +10,6 @@
 
 #include "hlsl/source_text.h"
 #include "lint/program_rules.h"
-#include "lint/rule.h"
 #include "validation/recent_results.h"
 #include "validation/unit.h"
 
@@ -27,10 +26,6 @@ class LintedModules {
  private:
   RecentResults<std::vector<hlsl::Diagnostic>> findings_{256};
 };
-
-// Leaves the rules that repeat FXC (lint::RuleInfo::of_fxc) out of the units whose program is among those
-// that FXC compiles, and out of those that Unity compiles by DXC.
-void leave_to_compilers(std::vector<CompileUnit>& units);
 
 // Leaves the rules about Unity (lint::RuleInfo::of_unity) out.
 void leave_unity_out(LintOrder& order);

@@ -6,13 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "lint/rule.h"
 #include "platform/content_hash.h"
 #include "validation/report_findings.h"
 #include "validation/source_variants.h"
 #include "validation/stage_linkage.h"
 #include "validation/target_check.h"
 #include "validation/unit.h"
-#include "validation/unit_lint.h"
 
 namespace penumbra::validation {
 namespace {
@@ -229,7 +229,6 @@ ValidationReport validate(const ValidationRequest& request) {
   std::vector<CompileUnit> units;
   units.reserve(variants.size());
   for (const SourceVariant& variant : variants) units.push_back(variant.unit);
-  leave_to_compilers(units);
   EngineRun run = run_units(units, request.engine);
   link_stages(units, request.engine, run.results);
   report.shard = request.engine.shard.index;

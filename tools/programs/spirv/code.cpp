@@ -72,9 +72,6 @@ struct SpirvReader {
       case spv::OpString:
         code.strings_[instruction.result] = literal_text(operands);
         break;
-      case spv::OpEntryPoint:
-        if (code.entry_function_ == 0) code.entry_function_ = operands[1];
-        break;
       case spv::OpDecorate:
         code.decorations_[{key(operands[0]), operands[1]}] = operands.size() > 2 ? operands[2] : 0;
         break;
@@ -92,7 +89,7 @@ struct SpirvReader {
     switch (instruction.op) {
       case spv::OpFunction:
         code.function_index_[instruction.result] = code.functions_.size();
-        code.functions_.push_back({instruction.result, instruction.type, instruction.place, {}, {}});
+        code.functions_.emplace_back();
         break;
       case spv::OpFunctionParameter:
         if (!code.functions_.empty()) code.functions_.back().parameters.push_back(instruction.result);

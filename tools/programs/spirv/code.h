@@ -40,9 +40,6 @@ struct Block {
 };
 
 struct Function {
-  Id id = 0;
-  Id result_type = 0;
-  Place place;
   std::vector<Id> parameters;
   std::vector<Block> blocks;  // the first is the entry
 };
@@ -67,7 +64,6 @@ class Code {
   const Instruction* definition(Id id) const;
   spv::Op op(Id id) const;  // OpNop for an unknown id
   const Function* function(Id id) const;
-  Id entry_function() const { return entry_function_; }  // 0 if there is none
 
   std::string name(Id id) const;
   std::string member_name(Id type, std::uint32_t member) const;
@@ -96,7 +92,6 @@ class Code {
   std::map<std::uint64_t, std::string> names_;  // id << 32 | member + 1, or id << 32 for the id itself
   std::map<Id, std::string> strings_;
   std::map<DecorationKey, std::uint32_t> decorations_;
-  Id entry_function_ = 0;
 };
 
 }  // namespace penumbra::spirv
