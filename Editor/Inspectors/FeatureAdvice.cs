@@ -154,6 +154,8 @@ namespace Penumbra.Editor
                                       "an upscaler averages frames; elsewhere sampled penumbrae flicker.");
             ShadowOptions options = state.settings.Options();
             string technique = TechniqueName.Of(options.technique);
+            if (options.accumulates && !options.HasNoise)
+                Say(MessageType.Info, "Noise is Accumulated, and " + technique + " has none: no frames are averaged.");
             if (state.openGl && !options.HasPasses && ChainSubstitute.Has(options.technique))
                 Say(MessageType.Info, "This editor draws with OpenGL, which does not define how " + technique + " reads the " +
                                       "shadow map: here it is replaced by " +

@@ -60,6 +60,7 @@ namespace Penumbra.Editor
             choices.contactShadowMetres = options.HasContactShadows ? OptionTable.ContactShadowMetres.Max : 0.0f;
             choices.farShadows = options.farShadows;
             choices.clouds = options.clouds;
+            choices.accumulates = options.accumulates;
             return choices;
         }
     }

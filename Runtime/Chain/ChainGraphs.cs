@@ -14,8 +14,9 @@ namespace Penumbra
         private const int SecondFormat = 16;
         private const int ContactShadows = 32;
         private const int Clouds = 64;
-        private const int FarShadows = 128;  // times the mode
-        private const int Bits = 9;
+        private const int Accumulate = 128;
+        private const int FarShadows = 256;  // times the mode
+        private const int Bits = 10;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -40,9 +41,10 @@ namespace Penumbra
         };
 
         private const string ScreenTrace = "screen-trace";
+        private const string OverFrames = "accumulate";
 
         /// <summary>The graphs that are not of one technique.</summary>
-        internal static IEnumerable<string> Names => ofScreen.Concat(ofScreenConservative).Append(ScreenTrace)
+        internal static IEnumerable<string> Names => ofScreen.Concat(ofScreenConservative).Append(ScreenTrace).Append(OverFrames)
             .Concat(beyondCascades.SelectMany(names => names).Where(name => name != null));
 
         // This graph stands for the cascades' visibility where nothing casts into them.
@@ -58,6 +60,7 @@ namespace Penumbra
         private static IEnumerable<TechniqueGraph> OverVisibility(ShadowOptions options)
         {
             if (options.HasContactShadows) yield return TechniqueTable.Graph(ScreenTrace);
+            if (options.Accumulates) yield return TechniqueTable.Graph(OverFrames);
             if (options.DrawsBeyondCascades) yield return BeyondCascades(options);
         }
 
@@ -90,7 +93,7 @@ namespace Penumbra
         /// <summary>A number that is equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) =>
             (int)options.technique << Bits | (options.FormatIndex > 0 ? SecondFormat : 0) |
-            (options.HasContactShadows ? ContactShadows : 0) | (options.clouds ? Clouds : 0) |
+            (options.HasContactShadows ? ContactShadows : 0) | (options.Accumulates ? Accumulate : 0) | (options.clouds ? Clouds : 0) |
             FarShadows * (int)options.farShadows | ScreenBits(options);
 
         // A filter without samples has no noise to remove.

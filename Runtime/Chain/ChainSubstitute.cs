@@ -21,7 +21,8 @@ namespace Penumbra
 
         /// <summary>
         /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the fallback of
-        /// a technique with passes, then no clouds, then a tent in the place of a filter that needs shader target 4.5.
+        /// a technique with passes, then no clouds, then no mean
+        /// over frames, then a tent in the place of a filter that needs shader target 4.5.
         /// False if these options have none.
         /// </summary>
         internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
@@ -32,6 +33,7 @@ namespace Penumbra
             else if (options.HasPasses && Has(options.technique))
                 instead.technique = options.technique.Entry().fallback;
             else if (options.clouds) instead.clouds = false;
+            else if (options.Accumulates) instead.accumulates = false;
             else if (options.technique.Entry().needsTarget45 && Has(options.technique))
                 instead.technique = options.technique.Entry().fallback;
             else return false;

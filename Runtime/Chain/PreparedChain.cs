@@ -74,6 +74,7 @@ namespace Penumbra
             drawn.mapFormat = options.mapFormat;
             drawn.conservativeMask = options.conservativeMask;
             drawn.clouds = options.clouds;
+            drawn.accumulates = options.accumulates;
             return drawn;
         }
 

@@ -13,6 +13,7 @@ namespace Penumbra
         internal static readonly int AtlasTexelSize = Shader.PropertyToID("_PenumbraMainLightAtlasTexelSize");
         internal static readonly int MainLightParams = Shader.PropertyToID("_PenumbraMainLightParams");
         internal static readonly int ScreenToWorldMatrices = Shader.PropertyToID("_PenumbraScreenToWorld");
+        internal static readonly int ToPreviousScreenMatrices = Shader.PropertyToID("_PenumbraToPreviousScreen");
         internal static readonly int ScreenSize = Shader.PropertyToID("_PenumbraScreenSize");
         internal static readonly int TargetSize = Shader.PropertyToID("_PenumbraTargetSize");
         internal static readonly int Mip = Shader.PropertyToID("_PenumbraMip");
@@ -21,6 +22,7 @@ namespace Penumbra
         internal static readonly int ScreenSpaceShadowmap = Shader.PropertyToID(ShadowChain.OutputName);
 
         private readonly Matrix4x4[] screenToWorld = new Matrix4x4[ShadowFrame.MostViews];
+        private readonly Matrix4x4[] toPreviousScreen = new Matrix4x4[ShadowFrame.MostViews];
 
         internal void Set(CommandBuffer commands, in ShadowFrame frame)
         {
@@ -39,6 +41,9 @@ namespace Penumbra
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;
             commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
+            toPreviousScreen[0] = frame.toPreviousScreen0;
+            toPreviousScreen[1] = frame.toPreviousScreen1;
+            commands.SetGlobalMatrixArray(ToPreviousScreenMatrices, toPreviousScreen);
         }
 
         // Forward shaders may use any filter that needs no passes; where two share a struct, the technique's is last.

@@ -47,6 +47,13 @@ namespace Penumbra
         internal Matrix4x4 screenToWorld0;
         internal Matrix4x4 screenToWorld1;
 
+        /// <summary>
+        /// The matrix from (uv, stored camera depth, 1) to the same of the camera's frame before, per eye; the identity
+        /// without one.
+        /// </summary>
+        internal Matrix4x4 toPreviousScreen0;
+        internal Matrix4x4 toPreviousScreen1;
+
         /// <summary>Number of views drawn at once: 2 with single-pass XR, otherwise 1.</summary>
         internal int views;
 

@@ -98,7 +98,7 @@ namespace Penumbra
             frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);
             frame.updatedCascades = (1 << frame.layout.Cascades) - 1;
             frame.uniforms = new ShadowUniforms(options.Parameters(), frame.layout,
-                                                noise == NoiseMode.PerFrame ? Time.frameCount : 0);
+                                                noise == NoiseMode.PerFrame || options.Accumulates ? Time.frameCount : 0);
             return frame;
         }
 

@@ -38,6 +38,16 @@ namespace Penumbra
             return false;
         }
 
+        /// <summary>
+        /// The matrix from (uv, stored depth, 1) of one camera to the same of another, both given by their screenToWorld;
+        /// the identity if the other's is singular.
+        /// </summary>
+        internal static Matrix4x4 Between(in Matrix4x4 from, in Matrix4x4 to) =>
+            DoubleMatrix.From(to).TryInvert(out DoubleMatrix worldToScreen) &&
+            DoubleMatrix.Product(worldToScreen, DoubleMatrix.From(from)).TryRound(out Matrix4x4 between)
+                ? between
+                : Matrix4x4.identity;
+
         // The result is right-multiplied by N: clip x = 2u - 1, y = 2v - 1 or its negative, z = depth or 2 depth - 1.
         private static DoubleMatrix FromScreen(in DoubleMatrix clip, ScreenConventions conventions)
         {

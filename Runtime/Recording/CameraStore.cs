@@ -18,6 +18,8 @@ namespace Penumbra
         private bool isSwapped;
         private float filledWidthScale;
         private float filledHeightScale;
+        private Matrix4x4 filledScreenToWorld0;
+        private Matrix4x4 filledScreenToWorld1;
 
         /// <summary>
         /// The textures in the order of the chain's slots; null where the pipeline lends a texture for each frame.
@@ -54,6 +56,18 @@ namespace Penumbra
             isSwapped = !isSwapped;
             filledWidthScale = frame.widthScale;
             filledHeightScale = frame.heightScale;
+            filledScreenToWorld0 = frame.screenToWorld0;
+            filledScreenToWorld1 = frame.screenToWorld1;
+        }
+
+        /// <summary>Sets in the frame how its screen maps to that of the frame before, if the chain has histories.</summary>
+        internal void SetPreviousScreen(ref ShadowFrame frame)
+        {
+            if (chain.Histories.Count == 0) return;
+            frame.toPreviousScreen0 = frame.toPreviousScreen1 = Matrix4x4.identity;
+            if (frame.historiesAreEmpty) return;
+            frame.toPreviousScreen0 = ScreenToWorld.Between(frame.screenToWorld0, filledScreenToWorld0);
+            frame.toPreviousScreen1 = ScreenToWorld.Between(frame.screenToWorld1, filledScreenToWorld1);
         }
 
         private bool IsScaledAnew(in ShadowFrame frame) =>

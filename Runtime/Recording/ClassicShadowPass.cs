@@ -72,6 +72,7 @@ namespace Penumbra
         public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
         {
             if (!UrpFrame.TrySetCamera(ref frame, ref renderingData.cameraData)) return;
+            store.SetPreviousScreen(ref frame);
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
             {

@@ -89,6 +89,7 @@ namespace Penumbra
                 RenderTextureDescriptor target = camera.cameraTargetDescriptor;
                 CameraStore store = stores.Of(camera.camera, camera.xr.multipassId);
                 store.Prepare(draw.Chain, target, ref frame);
+                store.SetPreviousScreen(ref frame);
                 data.draw = draw;
                 data.frame = frame;
                 data.store = store;

@@ -28,5 +28,11 @@ namespace Penumbra
 
         /// <summary>The pattern is new in every frame, for temporal antialiasing or upscaling to average.</summary>
         PerFrame,
+
+        /// <summary>
+        /// The pattern is new in every frame, and a pass of the feature averages the frames; for projects without
+        /// temporal antialiasing.
+        /// </summary>
+        Accumulated,
     }
 }

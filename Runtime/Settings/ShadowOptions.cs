@@ -140,6 +140,11 @@ namespace Penumbra
         /// </summary>
         [NonSerialized] public DebugView debugView;
 
+        /// <summary>
+        /// Whether a pass averages the visibility over frames; set by the feature (Noise), by no preset.
+        /// </summary>
+        [NonSerialized] public bool accumulates;
+
         public bool Equals(ShadowOptions other) =>
             technique == other.technique && angularDiameterDegrees.Equals(other.angularDiameterDegrees) &&
             blockerSamples == other.blockerSamples && filterSamples == other.filterSamples &&
@@ -150,7 +155,7 @@ namespace Penumbra
             conservativeMask == other.conservativeMask && halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && contactShadowMetres.Equals(other.contactShadowMetres) &&
             contactShadowSteps == other.contactShadowSteps && farShadows == other.farShadows &&
-            clouds == other.clouds && debugView == other.debugView;
+            clouds == other.clouds && debugView == other.debugView && accumulates == other.accumulates;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
 
@@ -217,6 +222,11 @@ namespace Penumbra
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
 
         internal bool HasContactShadows => contactShadowMetres > 0.0f;
+
+        /// <summary>Whether the visibility has noise that frames can average.</summary>
+        internal bool HasNoise => HasContactShadows || angularDiameterDegrees > 0.0f && (Entry.takesSamples || DrawsVisibility);
+
+        internal bool Accumulates => accumulates && HasNoise;
 
         /// <summary>
         /// The parameters of the pass of contact shadows; those that no option sets are as the study measures them.

@@ -128,6 +128,8 @@ struct MeasureOptions : StudyOptions {
   bool overlaps = false;
   bool flip = false;
   int pan_frames = 0;
+  int frames = study::StudySettings{}.frames;
+  double frame_step = study::StudySettings{}.frame_step;
   int penumbra_pixels = 0;
   int edge_samples = 0;
   std::string from;                        // earlier results, JSON or a table; if given, nothing is measured
@@ -209,6 +211,8 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.overlaps = options.overlaps;
   settings.flip = options.flip;
   settings.pan_frames = options.pan_frames;
+  settings.frames = options.frames;
+  settings.frame_step = options.frame_step;
   settings.edge_samples = options.edge_samples;
   if (options.edge_samples > 0 && settings.split_error)
     throw InputError("--edge-samples", "the error is split for one surface in each pixel",
@@ -434,6 +438,18 @@ void add_measure(CLI::App& app, Context& context) {
                    "frame; fewer than 2: no shimmer")
       ->type_name("N")
       ->check(within(0, 64))
+      ->group("Study");
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames that a technique with history draws, the last of which is measured")
+      ->type_name("N")
+      ->check(within(1, 64))
+      ->group("Study");
+  command
+      ->add_option("--frame-step", options->frame_step,
+                   "Pixels by which the picture moves to the left between these frames; 0: it rests")
+      ->type_name("PIXELS")
+      ->check(within(-100, 100))
       ->group("Study");
   command
       ->add_option("--penumbra-pixels", options->penumbra_pixels,

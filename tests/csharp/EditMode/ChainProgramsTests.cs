@@ -13,7 +13,7 @@ namespace Penumbra.Tests
         private static readonly string[] Passes =
         {
             "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "DenoiseHorizontal", "DenoiseVertical",
-            "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace",
+            "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip", "ScreenTrace", "Accumulate",
             "CloudMap", "FarShadows",
         };
 
@@ -27,6 +27,7 @@ namespace Penumbra.Tests
                 {
                     preset = QualityPreset.Custom, custom = custom, contactShadowMetres = custom.contactShadowMetres,
                     farShadows = new FarShadowsSettings { mode = custom.farShadows, clouds = custom.clouds },
+                    noise = custom.accumulates ? NoiseMode.Accumulated : NoiseMode.Static,
                 },
             }, volumes);
 

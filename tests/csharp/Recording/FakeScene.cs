@@ -86,7 +86,10 @@ internal sealed class FakeScene
         graphicsFormat = GraphicsFormat.B8G8R8A8_UNorm, useDynamicScale = DynamicResolution,
     };
 
-    internal Matrix4x4[] ViewMatrices() => new[] { View(0.0f), View(0.064f) };
+    /// <summary>The place of the camera along the x axis, metres.</summary>
+    internal float CameraX;
+
+    internal Matrix4x4[] ViewMatrices() => new[] { View(CameraX), View(CameraX + 0.064f) };
     internal Matrix4x4[] Projections() => new[] { Projection, Perspective(-0.1f) };
 
     /// <summary>A perspective projection, off-centre by `shift` of its width, as an eye's is.</summary>

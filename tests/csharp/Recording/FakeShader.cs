@@ -11,6 +11,7 @@ internal static class FakeShader
     private const string FrameFile = "PenumbraShadows.shader";
     private const string MapFile = "PenumbraMaps.shader";
     private const string TraceFile = "PenumbraScreenTrace.shader";
+    private const string AccumulateFile = "PenumbraAccumulate.shader";
     private const string FarFile = "PenumbraFar.shader";
     private const string SumsFile = "SummedAreas.compute";
     private const string TiledPcssFile = "PenumbraTiledPcss.compute";
@@ -38,6 +39,7 @@ internal static class FakeShader
         Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
         AssetDatabase.Assets[folder + MapFile] = Maps = Install("Hidden/Penumbra/Maps", MapFile);
         AssetDatabase.Assets[folder + TraceFile] = Install("Hidden/Penumbra/ScreenTrace", TraceFile);
+        AssetDatabase.Assets[folder + AccumulateFile] = Install("Hidden/Penumbra/Accumulate", AccumulateFile);
         AssetDatabase.Assets[folder + FarFile] = Far = Install("Hidden/Penumbra/Far", FarFile);
         AssetDatabase.Assets[folder + SumsFile] = Sums = Kernels(SumsFile);
         AssetDatabase.Assets[folder + TiledPcssFile] = TiledPcss = Kernels(TiledPcssFile);

@@ -46,7 +46,7 @@ public sealed class FrameAllocationTests : FeatureTests
     {
         technique();
         feature.Create();
-        feature.Settings.noise = NoiseMode.PerFrame;
+        feature.Settings.noise = NoiseMode.Accumulated;
         var turns = (ShadowOptions[])options;
         var cameras = new SteadyCamera[turns.Length];
         for (int i = 0; i < cameras.Length; ++i) cameras[i] = new SteadyCamera(new FakeScene());

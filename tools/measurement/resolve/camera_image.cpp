@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "parameters/half_angle.h"
 
@@ -103,6 +104,14 @@ void set_screen(UniformValues& values, const CameraImage& camera, const CameraIm
       camera.screen_to_world, second_eye == nullptr ? camera.screen_to_world : second_eye->screen_to_world};
   values.set("_PenumbraScreenToWorld", std::span<const glm::dmat4>(eyes));
   values.set("_PenumbraScreenSize", texture_size(camera.width, camera.height));
+}
+
+void set_previous_screen(UniformValues& values, std::array<const CameraImage*, 2> eyes,
+                         std::array<const CameraImage*, 2> before) {
+  std::array<glm::dmat4, 2> to_previous{};
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye)
+    to_previous[eye] = glm::inverse(before[eye]->screen_to_world) * eyes[eye]->screen_to_world;
+  values.set("_PenumbraToPreviousScreen", std::span<const glm::dmat4>(to_previous));
 }
 
 }  // namespace penumbra::resolve

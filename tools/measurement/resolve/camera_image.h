@@ -5,6 +5,7 @@
 // without a receiver hold the far plane's depth.
 #pragma once
 
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <vector>
 
@@ -48,5 +49,9 @@ glm::vec4 texture_size(const gpu::Image& image);
 
 // Without a second eye, the first eye stands for both.
 void set_screen(UniformValues& values, const CameraImage& camera, const CameraImage* second_eye = nullptr);
+
+// Sets the matrices from the screen to that of the frame before, for each eye.
+void set_previous_screen(UniformValues& values, std::array<const CameraImage*, 2> eyes,
+                         std::array<const CameraImage*, 2> before);
 
 }  // namespace penumbra::resolve

@@ -40,6 +40,7 @@ class GraphResources {
   GraphResources(const gpu::Device& device, const techniques::PassGraph& graph, const GraphExtents& extents);
 
   const gpu::Image& texture(const std::string& name) const { return textures_.at(name); }
+  gpu::Image& texture(const std::string& name) { return textures_.at(name); }
   bool is_texture(const std::string& name) const { return textures_.count(name) != 0; }
 
  private:

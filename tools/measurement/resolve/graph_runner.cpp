@@ -121,11 +121,13 @@ class GraphRunner::Run {
   }
 
   // Returns the time of each pass in nanoseconds, from the times that Sequence::run() gives for its steps.
-  std::vector<double> run(int seed) {
+  // `before` is the frame whose history this one has; null if it has none.
+  std::vector<double> run(int seed, const Run* before = nullptr) {
     UniformValues values = frame_.uniforms(seed);
     values.merge(runner_.own_.uniforms());
     values.merge(runner_.graph_.source.parameters);
     if (camera_ != nullptr) set_screen(values, *camera_, second_eye_);
+    if (runner_.graph().has_history()) take_history(values, before);
     for (Step& step : steps_) {
       UniformValues all = values;
       if (step.part != nullptr) all.merge(frame_.casters()->uniforms());
@@ -200,6 +202,24 @@ class GraphRunner::Run {
   }
 
  private:
+  void take_history(UniformValues& values, const Run* before) {
+    for (const GraphTexture& texture : runner_.graph().textures) {
+      if (texture.previous_of.empty()) continue;
+      gpu::Image& to = resources_.texture(texture.name);
+      for (int layer = 0; layer < to.shape().layers; ++layer) {
+        std::vector<std::byte> content(to.size_bytes());
+        if (before != nullptr)
+          before->resources_.texture(texture.previous_of).download_bytes(content, {.layer = layer});
+        to.upload_bytes(content, {.layer = layer});
+      }
+    }
+    if (camera_ != nullptr) set_previous_screen(values, eyes(), before == nullptr ? eyes() : before->eyes());
+  }
+
+  std::array<const CameraImage*, 2> eyes() const {
+    return {camera_, second_eye_ == nullptr ? camera_ : second_eye_};
+  }
+
   struct Counter {
     std::optional<TexelCounter> buffer;  // set for counting modules
     int divisor = 0;  // pixels of the screen per cell of the grid of counts, each way; 0: one cell for all
@@ -550,10 +570,27 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   GraphResult result;
   fit_to(frame.atlas().format());
   Run plain(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::as_shipped);
+  std::vector<std::unique_ptr<Run>> earlier;
+  if (graph().has_history())
+    for (const EarlierFrame& given : options.earlier)
+      earlier.push_back(std::make_unique<Run>(*this, *given.frame, given.camera, nullptr,
+                                              ProgramOnDevice::Module::as_shipped));
+  // Draws the frames before a frame of this noise, and returns the last; null without any.
+  const auto draw_earlier = [&](int noise) {
+    const Run* before = nullptr;
+    noise -= static_cast<int>(earlier.size());
+    for (const std::unique_ptr<Run>& run : earlier) {
+      run->run(noise++, before);
+      before = run.get();
+    }
+    return before;
+  };
+  const int frames = static_cast<int>(earlier.size()) + 1;
+  const auto noise_of = [&](int seed) { return (options.first_seed + seed + 1) * frames - 1; };
   const int seeds = graph_.source.uses_noise ? options.noise_seeds : std::min(1, options.noise_seeds);
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
-    const std::vector<double> times = plain.run(options.first_seed + seed);
+    const std::vector<double> times = plain.run(noise_of(seed), draw_earlier(noise_of(seed)));
     const bool kept = seed > 0 && options.warm_up_seconds == 0.0;  // the driver may compile in the first run
     if (kept && timed()) add_times(times, result);
     result.visibility.push_back(plain.visibility());
@@ -572,7 +609,7 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   for (std::size_t i = counting_.size(); i < graph_.programs.size(); ++i)
     counting_.push_back(made(i, ProgramOnDevice::Module::counting));
   Run counted(*this, frame, camera, options.second_eye, ProgramOnDevice::Module::counting);
-  counted.run(0);
+  counted.run(noise_of(0), draw_earlier(noise_of(0)));
   counted.add_counts(result);
   if (seeds > 0) return result;
   result.visibility.push_back(counted.visibility());

@@ -17,6 +17,12 @@
 
 namespace penumbra::resolve {
 
+// A frame that was drawn before.
+struct EarlierFrame {
+  const FrameOnDevice* frame = nullptr;
+  const CameraImage* camera = nullptr;
+};
+
 struct RunOptions {
   // Visibility images; graphs without noise are run once. With 0, which needs count_fetches, the modules that
   // count draw the one image, of seed 0: the driver compiles the shipped ones only where times are wanted.
@@ -33,6 +39,9 @@ struct RunOptions {
   // at once and whose textures of the screen have two layers. The visibility then has the second eye's rows
   // after the first's.
   const CameraImage* second_eye = nullptr;
+  // The frames that are drawn before each image of a graph with history, oldest first; without them its
+  // history is empty. Every frame has noise of its own, in order. Times are those of a frame without history.
+  std::vector<EarlierFrame> earlier{};
 };
 
 // What a pass does in a frame, in all its draws or dispatches (shaders/counted_module.h).

@@ -201,10 +201,11 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
   if (known) return;
   scene::Frame frame = rasteriser.frame(frame_settings(setup, request));
   FrameOfCase on_device = on_device_frame(setup, frame);
+  std::vector<FrameOfCase> earlier = earlier_frames(setup, frame.settings, rasteriser);
   std::vector<FrameOfCase> pan = pan_frames(setup, frame.settings, rasteriser);
   std::string key = platform::hash_of(setup.scene, setup.light_degrees, frame, settings_.bake);
-  setup.views.push_back(
-      {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
+  setup.views.push_back({request, std::move(frame), std::move(on_device), std::move(earlier), std::move(pan),
+                         std::nullopt, std::move(key)});
 }
 
 // The estimate is for the actual light, whatever diameter the subjects are given.
@@ -222,17 +223,33 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
                                       run_options("same-map estimate, " + setup.label(), " points"), &cache_);
 }
 
+// Returns the frame in which everything lies so many pixels further to the left.
+FrameOfCase CaseBuilder::moved_frame(const CaseSetup& setup, const scene::FrameSettings& settings,
+                                     double pixels, scene::Rasteriser& rasteriser) const {
+  scene::FrameSettings moved = settings;
+  moved.lens_shift.x += pixels * 2.0 / moved.width;
+  return on_device_frame(setup, rasteriser.frame(moved));
+}
+
+std::vector<FrameOfCase> CaseBuilder::earlier_frames(const CaseSetup& setup,
+                                                     const scene::FrameSettings& settings,
+                                                     scene::Rasteriser& rasteriser) const {
+  std::vector<FrameOfCase> frames;
+  const bool has_history = std::any_of(subjects_.begin(), subjects_.end(), [](const Subject& subject) {
+    return subject.graph.graph.has_history();
+  });
+  for (int k = settings_.frames - 1; has_history && k > 0; --k)
+    frames.push_back(moved_frame(setup, settings, -k * settings_.frame_step, rasteriser));
+  return frames;
+}
+
 // The first frame is the view's own; in each further one everything moves one pixel to the left.
 std::vector<FrameOfCase> CaseBuilder::pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                                  scene::Rasteriser& rasteriser) const {
   std::vector<FrameOfCase> frames;
   if (settings_.pan_frames < 2) return frames;
-  for (int k = 0; k < settings_.pan_frames; ++k) {
-    scene::FrameSettings moved = settings;
-    moved.lens_shift.x += k * 2.0 / moved.width;
-    const scene::Frame frame = rasteriser.frame(moved);
-    frames.push_back(on_device_frame(setup, frame));
-  }
+  for (int k = 0; k < settings_.pan_frames; ++k)
+    frames.push_back(moved_frame(setup, settings, k, rasteriser));
   return frames;
 }
 

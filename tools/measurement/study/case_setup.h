@@ -48,6 +48,7 @@ struct View {
   FrameRequest request;
   scene::Frame frame;
   FrameOfCase on_device_frame;
+  std::vector<FrameOfCase> earlier;  // StudySettings::frames but the last, where a subject has history
   std::vector<FrameOfCase> pan;
   std::optional<reference::VisibilityImage> t2;
   std::string key;  // a hash of the scene, the light, the frame and how its needs are baked
@@ -92,6 +93,10 @@ class CaseBuilder {
   void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
   FrameOfCase on_device_frame(const CaseSetup& setup, const scene::Frame& frame) const;
   resolve::FrameInputs inputs_of(const CaseSetup& setup) const;
+  FrameOfCase moved_frame(const CaseSetup& setup, const scene::FrameSettings& settings, double pixels,
+                          scene::Rasteriser& rasteriser) const;
+  std::vector<FrameOfCase> earlier_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
+                                          scene::Rasteriser& rasteriser) const;
   std::vector<FrameOfCase> pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                       scene::Rasteriser& rasteriser) const;
   reference::VisibilityImage same_map_estimate(const CaseSetup& setup, scene::Rasteriser& rasteriser,

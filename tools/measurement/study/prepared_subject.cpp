@@ -64,17 +64,26 @@ std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
   return answer;
 }
 
-Shimmer PreparedSubject::shimmer(const CaseSetup& setup, const std::vector<FrameOfCase>& pan) {
+std::vector<resolve::EarlierFrame> PreparedSubject::earlier_frames(const View& view) const {
+  std::vector<resolve::EarlierFrame> frames;
+  if (!runner_.graph().has_history()) return frames;
+  for (const FrameOfCase& frame : view.earlier) frames.push_back({&frame.on_device, &*frame.camera});
+  return frames;
+}
+
+Shimmer PreparedSubject::shimmer(const CaseSetup& setup, const View& view) {
+  const bool has_history = runner_.graph().has_history();
   const auto of = [&](bool noise_moves) {
     std::vector<std::vector<float>> pictures;
-    for (std::size_t k = 0; k < pan.size(); ++k) {
-      resolve::RunOptions options{.noise_seeds = 1, .timing_repeats = 0};
-      options.first_seed = noise_moves ? static_cast<int>(k) : 0;
-      pictures.push_back(answer(pan[k], options).visibility.front());
+    resolve::RunOptions options{.noise_seeds = 1, .timing_repeats = 0, .earlier = earlier_frames(view)};
+    for (std::size_t k = 0; k < view.pan.size(); ++k) {
+      options.first_seed = noise_moves && !has_history ? static_cast<int>(k) : 0;
+      pictures.push_back(answer(view.pan[k], options).visibility.front());
+      if (has_history) options.earlier.push_back({&view.pan[k].on_device, &*view.pan[k].camera});
     }
     return shimmer_of(pictures, setup.t1.width, setup.t1.visibility, setup.t1.valid);
   };
-  return {static_cast<int>(pan.size()), of(false), of(true)};
+  return {static_cast<int>(view.pan.size()), has_history ? std::nullopt : of(false), of(true)};
 }
 
 }  // namespace penumbra::study

@@ -35,7 +35,11 @@ class PreparedSubject {
   std::optional<reference::VisibilityImage> unlimited_answer(const CaseSetup& setup, const View& view,
                                                              const reference::ReferenceCache& cache);
 
-  Shimmer shimmer(const CaseSetup& setup, const std::vector<FrameOfCase>& pan);
+  // Returns the frames that the view's is preceded by, of a subject with history.
+  std::vector<resolve::EarlierFrame> earlier_frames(const View& view) const;
+
+  // With history there is no static noise.
+  Shimmer shimmer(const CaseSetup& setup, const View& view);
 
  private:
   PreparedSubject(const gpu::Device& device, const Subject& subject, const StudySettings& settings,

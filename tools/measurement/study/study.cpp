@@ -83,11 +83,11 @@ constexpr double kWarmUpSeconds = 0.5;
 // settings on which records depend beyond the keys of views, subjects and debug views.
 void add_settings(platform::ContentHash& hash, const StudySettings& settings) {
   const auto& [scenes, light_degrees, frame, penumbra_pixels, reference_samples, seed, noise_seeds,
-               timing_repeats, split_error, overlaps, flip, pictures, pan_frames, edge_samples, window,
-               debug_views, answered, bake, jobs, compiler, cache] = settings;
+               timing_repeats, split_error, overlaps, flip, pictures, pan_frames, frames, frame_step,
+               edge_samples, window, debug_views, answered, bake, jobs, compiler, cache] = settings;
   const auto add = [&](const auto&... values) { (platform::add_all(hash, values), ...); };
   add(reference_samples, seed, noise_seeds, timing_repeats, split_error, overlaps, flip, pictures, pan_frames,
-      edge_samples, window);
+      frames, frame_step, edge_samples, window);
 }
 
 class Study {
@@ -166,7 +166,7 @@ class Study {
     }
     const std::vector<std::string> unset = measure_subject(setup, view, prepared);
     if (!view.pan.empty() && prepared.subject().history == 1.0)
-      outcome_.records.back().shimmer = prepared.shimmer(setup, view.pan);
+      outcome_.records.back().shimmer = prepared.shimmer(setup, view);
     if (kept)
       kept_->store(key, {outcome_.frames.back(), outcome_.records.back(), outcome_.pictures.back(), unset});
   }
@@ -191,6 +191,7 @@ class Study {
     options.timing_repeats = settings_.timing_repeats;
     options.count_fetches = true;
     if (!device_.info().is_software) options.warm_up_seconds = kWarmUpSeconds;
+    options.earlier = prepared.earlier_frames(view);
     Answer answer = prepared.answer(view.on_device_frame, options);
     if (averaged) answer.visibility = {mean_image(answer.visibility)};
     if (subject.history < 1.0 && answer.visibility.size() > 1)

@@ -85,6 +85,10 @@ struct StudySettings {
   bool flip = false;        // measures FLIP of the lit picture; scenes need materials that can be lit
   bool pictures = true;     // if false, the outcome's are empty
   int pan_frames = 0;       // frames of a slow pan, for shimmer; none if below 2
+  // Of techniques with history: the frames that are drawn, the last of which is measured, and how far the
+  // picture moves from one to the next, pixels to the left; 0 at rest.
+  int frames = 16;
+  double frame_step = 0.5;
   // With 2, 4 or 8, only pixels whose so many samples see several surfaces count, against the mean of the
   // samples (edge_reference()); without split_error. With 0 every pixel counts, at its centre.
   int edge_samples = 0;

@@ -185,6 +185,11 @@ bool PassGraph::draws(DrawnCasters casters) const {
   });
 }
 
+bool PassGraph::has_history() const {
+  return std::any_of(textures.begin(), textures.end(),
+                     [](const GraphTexture& texture) { return !texture.previous_of.empty(); });
+}
+
 bool PassGraph::needs_camera() const {
   return over_screen() || std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {
            return pass.kind == PassKind::casters && pass.frequency == Frequency::frame;

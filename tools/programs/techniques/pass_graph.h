@@ -146,6 +146,7 @@ struct PassGraph {
   bool over_screen() const { return !visibility.empty(); }
   bool draws_casters() const;
   bool draws(DrawnCasters casters) const;
+  bool has_history() const;   // true if it reads what a texture held a frame ago
   bool needs_camera() const;  // true if it runs over the screen, or draws what the camera sees of the casters
 };
 
