@@ -122,9 +122,32 @@ def noise_pan(results):
     return measured(results, ["technique", *heads], rows, 1)
 
 
+def changes(record):
+    """How much penumbrae change in the pan: with static noise, which the techniques without history have."""
+    shimmer = record["shimmer"]
+    return shimmer["per_frame_noise"] if shimmer["static_noise"] is None else shimmer["static_noise"]
+
+
+def accumulation(moving, resting):
+    """One row per technique, of the mean over frames one in motion and one at rest."""
+    columns = {"RMSE in penumbra": ERROR, "grain": interval_of(flicker, 4), "shimmer": interval_of(changes, 4),
+               "false shadow, %": interval_of("false_shadow_rate", 2, 100.0, 100.0),
+               "operations per pixel": mean_of("operations_per_pixel", 0)}
+
+    def row(own, when=""):
+        return [own[0]["title"] + when, *(shown for cell in columns.values() for shown in by_light(own, cell))]
+
+    rows = [row(own, ", in motion" if own[0]["technique"] == resting["records"][0]["technique"] else "")
+            for _, own in groups(moving["records"], "technique")]
+    rows.insert(1, row(resting["records"], ", at rest"))
+    heads = [f"{what}, {light}" for what in columns for light in light_heads(moving["records"], "{}")]
+    return measured(moving, ["technique", *heads], rows, 1, and_so_on=True)
+
+
 def parts(_):
     return {PAGE: {"screen-figures": screen_figures(read("screen-passes")),
                    "edges": edges(read("edges")),
                    "contact-shadows": with_and_without(read("contact-shadows"), read("contact-shadows-urp-bias")),
                    "contact-settings": trace_settings(read("contact-shadow-settings")),
-                   "noise": noise_rows(read("noise"))}}
+                   "noise": noise_rows(read("noise")),
+                   "accumulation": accumulation(read("accumulation"), read("accumulation-at-rest"))}}

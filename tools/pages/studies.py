@@ -236,6 +236,13 @@ measure("tiled-pcss-pan",
         " --technique preset-medium,preset-high,preset-ultra,pcss-bounded-16-16,pcss-angular-64-64,"
         "screen-pcss-angular-24-16")
 
+# The mean over frames, at rest and in motion, beside the same chain without it, with more samples, and PCSS.
+FRAMES = ("--front-end fxc --cascades 4 --map-size 2048 --timing-repeats 0 --no-split --light 0.53,2,5 --size 480x270"
+          " --reference-samples 128 --seeds 2 --pan-frames 4 --scene street,trees,contact-boxes,colonnade")
+measure("accumulation", FRAMES, "--frame-step 1.3 --technique preset-medium,screen-medium-accumulated,preset-high,preset-ultra,"
+        "pcss-angular-64-64")
+measure("accumulation-at-rest", FRAMES, "--frame-step 0 --technique screen-medium-accumulated")
+
 # How much of a penumbra narrower than a texel the texels' bits tell; soft shadows through distance fields, by the
 # penumbra's width, and of several objects.
 for program, file in (("penumbra_texel_errors", "texel-edges.json"), ("penumbra_field_errors", "distance-fields.json")):
