@@ -1,7 +1,7 @@
 namespace Penumbra.Editor
 {
     // Means over 12 scenes; Documentation~/presets.md says how they were measured.
-    // Written by `penumbra measure --presets` from Documentation~/results/presets/results.tsv; do not edit.
+    // Written by scripts/pages from Documentation~/results/presets/results.tsv; do not edit.
     internal static class PresetFigures
     {
         /// <summary>One row per preset, in QualityPreset's order; by ascending angular diameter.</summary>

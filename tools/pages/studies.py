@@ -1,13 +1,10 @@
-"""The studies that scripts/publish measures, in this order, and what the program itself writes of them into pages."""
+"""The studies that scripts/publish measures, in this order, and the blocks of their results on pages."""
 import json
 import os
-import shlex
-import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
-from command_line import output
-from figures import DOCS, DOCUMENTATION, RESULTS, ROOT, read
+from figures import ROOT
 
 PENUMBRA = "build/release/penumbra"
 URP_PACKAGES = os.environ.get("PENUMBRA_URP_PACKAGES", "")  # without it, the published rows of URP stay
@@ -310,15 +307,10 @@ measure("gpu-times/3840x2160", ON_GPU, "--size 3840x2160 --scene street", COMPAR
 run("pictures", "scripts/pictures")
 
 
-class Shown(NamedTuple):
-    page: Path
-    command: str  # of the program; it writes {page}
-
-
 # One technique of each kind; results.tsv has the others, too.
-EQUAL_BIAS = ("hard,four-tap,tent-5,tent-7,tent-5-plane,pcss-poisson-64,pcss-angular-24-16,pcss-angular-24-16-hdrp,"
-              "variance-32,moments-32,unreal-smrt-7-8,godot-pcss-8,filament-pcss-16-16,filament-dpcf-12,single-loop-32,"
-              "vssm-mip-32,evsm-mip")
+EQUAL_BIAS = ("hard four-tap tent-5 tent-7 tent-5-plane pcss-poisson-64 pcss-angular-24-16 pcss-angular-24-16-hdrp"
+              " variance-32 moments-32 unreal-smrt-7-8 godot-pcss-8 filament-pcss-16-16 filament-dpcf-12 single-loop-32"
+              " vssm-mip-32 evsm-mip").split()
 FULL = {"presets": "presets.md", "techniques": "filters.md", "tiled-pcss": "tiled-pcss.md"}  # with a chart
 BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetches": "filters.md",
          "equal-fetches-small-map": "filters.md",
@@ -327,35 +319,7 @@ BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetc
          "wires": "other-shadows.md", "tiled-pcss-full-hd": "tiled-pcss.md", "tiled-pcss-low-sun": "tiled-pcss.md",
          "tiled-pcss-wide-lights": "tiled-pcss.md", "tiled-pcss-overlaps": "tiled-pcss.md", "tiled-pcss-kept": "tiled-pcss.md"}
 
-
-def shown():
-    of = "measure --from Documentation~/results/{study}/results.tsv".format
-    readme = " --readme {page} --block "
-    # The advice and the cycles of the variants stand in files of their own.
-    # Disks of other sizes have the same errors.
-    rows = ",".join(name for name in NAMES if name not in {f"pcss-poisson-{samples}" for samples in (32, 100, 128)})
-    more = {"techniques": f" --rows {rows} --technique-list {ROOT}/{VARIANTS.split()[1]} --cost Documentation~/results/variants-cost.json"}
-    full = [Shown(DOCUMENTATION / page, of(study=study) + readme + study + more.get(study, "")) for study, page in FULL.items()]
-    brief = [Shown(DOCUMENTATION / page, f"{of(study=study)}{readme}{study} --brief"
-                   f" {'--rows ' + EQUAL_BIAS if study.startswith('equal-bias') else ''}") for study, page in BRIEF.items()]
-    return [Shown(ROOT / "README.md", of(study="presets") + readme + "line --line"
-                  " --rows urp-high,urp-high-normal-bias-0,hdrp-pcss,preset-high"), *full, *brief,
-            Shown(ROOT / "Editor" / "Inspectors" / "PresetFigures.cs", of(study="presets") + " --presets {page}"),
-            Shown(DOCS / "cost.md", "cost --from Documentation~/results/cost.json --readme {page}")]
-
-
-def write_blocks(texts, program):
-    """Adds to the texts what the program writes into pages, by having it write into copies of them."""
-    with tempfile.TemporaryDirectory(prefix="penumbra-pages-") as folder:
-        (Path(folder) / "Documentation~").mkdir()
-        (Path(folder) / "Documentation~" / "results").symlink_to(RESULTS)
-        for page, command in shown():
-            copy = Path(folder) / page.relative_to(ROOT)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_text(texts.get(page) or page.read_text())
-            output(program, *shlex.split(command.format(page=copy.relative_to(folder))), folder=folder)
-            texts[page] = copy.read_text()
-    for page in texts:
-        for study in (*FULL, *BRIEF):
-            results = read(study)
-            texts[page] = texts[page].replace(results["measured_by"], results["command"])
+# The techniques of a block, where it does not have all of its study: disks of other sizes have the same errors.
+ROWS = {"techniques": [name for name in NAMES if name not in {f"pcss-poisson-{samples}" for samples in (32, 100, 128)}],
+        "equal-bias": EQUAL_BIAS, "equal-bias-urp": EQUAL_BIAS}
+HEADLINE = ("urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high")
