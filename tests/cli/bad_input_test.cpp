@@ -53,11 +53,6 @@ TEST_F(BadInput, ACameraThatLooksStraightUp) {
 
 // The answer comes before anything is compiled or traced, because a run may take an hour.
 TEST_F(BadInput, WhatAMeasurementWouldEndWithIsRefusedAtItsBeginning) {
-  const auto page = write("page.md", "no markers\n");
-  const auto markers = run({"measure", "--readme", page.string()});
-  EXPECT_EQ(markers.exit_code, 2);
-  EXPECT_THAT(markers.errors, HasSubstr("marker"));
-  EXPECT_THAT(markers.errors, testing::Not(HasSubstr("compiling")));
   const auto samples = run({"measure", "--reference-samples", "100"});
   EXPECT_EQ(samples.exit_code, 2);
   EXPECT_THAT(samples.errors, HasSubstr("must be a power of two"));

@@ -262,13 +262,5 @@ TEST_F(Cost, WithoutRadvItSaysWhatToInstall) {
               HasSubstrs("RADV, Mesa's Vulkan driver for AMD, cannot be used", "mesa-vulkan-drivers"));
 }
 
-TEST_F(Cost, TheDocumentationIsWrittenFromAFile) {
-  const std::string figures = baseline("{", "{");
-  const auto page = write("page.md", "# Mine\n<!-- cost:begin -->\n<!-- cost:end -->\nend\n");
-  expect_success({"cost", "--from", figures, "--readme", page.string()});
-  EXPECT_THAT(read("page.md"),
-              AllOf(StartsWith("# Mine\n"), HasSubstr("tinted.hlsl Main | "), HasSubstr("\nend\n")));
-}
-
 }  // namespace
 }  // namespace penumbra

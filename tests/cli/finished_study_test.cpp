@@ -46,20 +46,6 @@ TEST_F(FinishedStudy, IsDrawnWhateverItsTitlesAre) {
               HasSubstrs("&#39;Soft&#39; &#39;&#39;tent&#39;&#39;", R"(a\b `id`)"));
 }
 
-TEST_F(FinishedStudy, IsNotBegunForRowsOrPresetsThatItWillLack) {
-  const std::string readme = write("R.md", "<!-- results:begin -->\n<!-- results:end -->\n").string();
-  for (const auto& [options, problem] :
-       {std::pair<std::string, std::string>(" --readme " + readme + " --rows tent5",
-                                            "did you mean 'tent-5'?"),
-        std::pair<std::string, std::string>(" --presets " + path("P.cs").string(),
-                                            "no quality preset was measured")}) {
-    const auto result = shell(command() + options);
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.errors, HasSubstr(problem));
-    EXPECT_FALSE(std::filesystem::exists(path("cache"))) << "it began";
-  }
-}
-
 TEST_F(FinishedStudy, IsNotBegunWhereItsFilesCannotBe) {
   for (const char* name : {"report.html", "results.json", "pareto-fetches.svg", "pictures"}) {
     ASSERT_EQ(

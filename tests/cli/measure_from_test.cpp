@@ -110,31 +110,16 @@ TEST_F(MeasureFrom, PicturesGrowUntilTheyHoldEnoughPenumbra) {
   EXPECT_LE(large["frames"][0]["width"], 128);
 }
 
-TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
+TEST_F(MeasureFrom, TitlesStandInRecordsAndInTheCommand) {
   const auto measured =
       expect_success(small({"--scene", "slabs", "--light", "2", "--technique", "hard,tent-5", "--title",
                             "hard=No filter", "--title", "tent-5=The tent's"}));
   EXPECT_THAT(measured.output, HasSubstr("--title 'hard=No filter'"));
   EXPECT_THAT(Json::parse(measured.output)["command"].get<std::string>(),
               HasSubstr("--title 'tent-5=The tent'\\''s'"));
-  const std::string results = write("results.json", measured.output).string();
-  const auto readme = [&](const std::vector<std::string>& form) {
-    const std::string page =
-        write("README.md", "<!-- results:begin -->\n<!-- results:end -->\nrest\n").string();
-    std::vector<std::string> arguments{"measure", "--from", results, "--readme", page};
-    arguments.insert(arguments.end(), form.begin(), form.end());
-    expect_success(arguments);
-    return read("README.md");
-  };
-  EXPECT_THAT(readme({}), HasSubstrs("| No filter, `hard` |", "| The tent's, `tent-5` |"));
-  EXPECT_THAT(readme({"--brief"}), HasSubstrs("| No filter |", "| The tent's |"));
-  EXPECT_THAT(readme({"--line", "--rows", "tent-5"}),
-              testing::AllOf(HasSubstr("against ray tracing; 2° light"), HasSubstr(": The tent's: "),
-                             testing::Not(HasSubstr("No filter"))));
-  const platform::ChildResult both =
-      run({"measure", "--from", results, "--readme", "README.md", "--line", "--brief"});
-  EXPECT_EQ(both.exit_code, 2);
-  EXPECT_THAT(both.errors, HasSubstrs("--line", "--brief"));
+  const Json records = Json::parse(measured.output)["records"];
+  EXPECT_EQ(records[0]["title"], "No filter");
+  EXPECT_EQ(records[1]["title"], "The tent's");
 }
 
 TEST_F(MeasureFrom, AnUnknownSettingOfAnAdapterIsNamed) {

@@ -104,12 +104,10 @@ TEST_F(Usage, WhatIsTooMuchIsNamed) {
   expect_refused({"measure", "--history", "0"}, {"--history: 0 is outside 0.01 .. 1"});
 }
 
-// An option without the one that it is for would have the whole program measure all night, for nothing.
-TEST_F(Usage, TheFormOfABlockNeedsTheFileItIsIn) {
-  expect_refused({"measure", "--rows", "hard"}, {"--rows needs --readme"});
-  expect_refused({"measure", "--block", "line"}, {"--block needs --readme"});
-  expect_refused({"measure", "--brief"}, {"--brief needs --readme"});
-  expect_refused({"measure", "--line"}, {"--line needs --readme"});
+// Such an option would have the whole program measure all night, for nothing.
+TEST_F(Usage, AnOptionIsRefusedWithoutTheOneThatItIsFor) {
+  expect_refused({"measure", "--earlier", "results.tsv"}, {"--earlier needs --earlier-rows"});
+  expect_refused({"measure", "--earlier-rows", "hard"}, {"--earlier-rows needs --earlier"});
 }
 
 // Names stand in READMEs, captions and messages.

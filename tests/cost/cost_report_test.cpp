@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
+#include "cost/families.h"
 #include "cost/made_up_report.h"
 #include "input/input_error_matcher.h"
 
@@ -126,6 +128,14 @@ TEST(CostReport, CsvHasNoFormulas) {
   EXPECT_THAT(cost_csv(report), HasSubstr(",+DARK +FOG_2,Fragment,"));
   report.rows[0].file = "\t=1";
   EXPECT_THAT(cost_csv(report), HasSubstr(",\\t=1,Fragment,"));
+}
+
+TEST(CostDocumentation, NamesEveryKnownFamilyAndEveryFigure) {
+  std::ifstream page(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "docs" / "cost.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  for (const KnownFamily& family : known_families()) EXPECT_THAT(text, HasSubstr(family.name));
+  for (const FigureName& name : figure_names())
+    EXPECT_THAT(text, HasSubstr("`" + std::string(name.key) + "`"));
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ def target_seeds():
     yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdefanswer', bytes(64)]
     yield 'expanded_text', [*hlsl_texts, *logged(files('tests/shaders/refused/unknown_names.hlsl'))]
     yield 'figures', results()
-    yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/markdown_test.cpp', 'input/visible_text_test.cpp')]
+    yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/visible_text_test.cpp')]
     yield 'model', models()
     yield 'option_values', [*quoted('variants/keyword_expression_test.cpp', 'project/*_test.cpp'),
                             *raw_strings('project/*_test.cpp')]

@@ -6,6 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "pages"))
 import cost  # noqa: E402
+import figures  # noqa: E402
 import markdown  # noqa: E402
 import preset_figures  # noqa: E402
 import result_block  # noqa: E402
@@ -120,6 +121,16 @@ class Blocks(unittest.TestCase):
         for records in (whole[1:], [*whole, whole[0]]):
             with self.assertRaisesRegex(markdown.Problem, "not one record of each technique, scene and light"):
                 result_block.Shown(results(*records))
+
+
+class PublishedPeers(unittest.TestCase):
+    def test_urps_filters_and_ours_are_the_same(self):
+        """At the same bias, what stands once in a table stands for both; a package changed by hand is found."""
+        shown = result_block.Shown(figures.read("equal-bias"))
+        for urp, ours in (("urp-low", "four-tap"), ("urp-medium", "tent-5"), ("urp-high", "tent-7")):
+            for one, same in zip(shown.of(urp), shown.of(ours), strict=True):
+                self.assertEqual((one["scene"], one["fetches_mean"]), (same["scene"], same["fetches_mean"]))
+                self.assertAlmostEqual(one["rmse_penumbra"], same["rmse_penumbra"], delta=0.002)
 
 
 class Facts(unittest.TestCase):

@@ -28,7 +28,6 @@ TEST(FigureText, AnIntervalThatABoundCutsOffStandsWithBothEnds) {
   EXPECT_EQ(figure_text(Estimate{0.07, Interval{0.0, 0.17, 0.05}}), "0.07 [0, 0.17]");
   EXPECT_EQ(figure_text(Estimate{0.07, Interval{0.0, 0.17, 0.05}}, 100.0), "7 [0, 17]");
   EXPECT_EQ(figure_text(Estimate{0.95, Interval{0.883, 1.0, 0.03}}), "0.95 [0.88, 1]");
-  EXPECT_EQ(figure_text_alone(Estimate{0.07, Interval{0.0, 0.17, 0.05}}), "0.07");
 }
 
 TEST(FigureText, TheLongerSideGivesTheDigits) {
@@ -39,7 +38,6 @@ TEST(FigureText, TheLongerSideGivesTheDigits) {
 
 TEST(FigureText, PercentIsScaledFirst) {
   EXPECT_EQ(figure_text(estimate(0.0431, 0.012), 100.0), "4.3 ± 1.2");
-  EXPECT_EQ(figure_text_alone(estimate(0.0431, 0.012), 100.0), "4.3");
 }
 
 TEST(FigureText, WithoutAWidthItStandsAlone) {

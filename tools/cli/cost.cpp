@@ -12,16 +12,13 @@
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cost/baseline.h"
-#include "cost/cost_block.h"
 #include "cost/families.h"
 #include "cost/measure_cost.h"
 #include "cost/module_compiler.h"
 #include "cost/null_radv.h"
 #include "fxc/fxc.h"
 #include "input/input_error.h"
-#include "input/text_file.h"
 #include "input/visible_text.h"
-#include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/terminal.h"
 #include "project/shader_files.h"
@@ -50,9 +47,8 @@ struct CostOptions {
   std::string baseline;
   double tolerance = 0.0;
   bool any_driver = false;
-  std::string from;    // earlier JSON; if given, nothing is measured
-  std::string readme;  // file whose blocks of figures are updated
-  int jobs = 0;        // 0 means all cores
+  std::string from;  // earlier JSON; if given, nothing is measured
+  int jobs = 0;      // 0 means all cores
   WorkerOptions worker{.time_limit = 60};
 };
 
@@ -211,20 +207,13 @@ void run_cost(const CostOptions& options, Context& context) {
   std::vector<std::string> inputs = options.files;
   inputs.insert(inputs.end(), {options.technique_list, options.baseline, options.from});
   refuse_input_as_output("--output", options.output, inputs);
-  if (!options.readme.empty()) check_output_file(options.readme);
   std::optional<cost::CostReport> baseline;
   if (!options.baseline.empty()) baseline = checked_baseline(options);
   const std::optional<cost::CostReport> report =
       options.from.empty() ? measure(options, context) : cost::read_cost_report(options.from);
   if (!report) return;
   if (report->failures() != 0) context.exit_code = findings;
-  if (options.readme.empty()) {
-    write_output(options.output, in_form(*report, options.format));
-  } else {
-    if (!options.output.empty()) write_output(options.output, in_form(*report, options.format));
-    platform::write_file_atomically(
-        options.readme, cost::replace_cost_blocks(read_text_file(options.readme), *report, options.readme));
-  }
+  write_output(options.output, in_form(*report, options.format));
   if (baseline) compare(options, *report, *baseline, context);
 }
 
@@ -287,9 +276,6 @@ void add_cost(CLI::App& app, Context& context) {
   command->add_option("--from", options->from, "Read the figures from this JSON instead of measuring")
       ->type_name("FILE")
       ->default_str("none");
-  command->add_option("--readme", options->readme, "Markdown file whose blocks of figures are updated")
-      ->type_name("FILE")
-      ->default_str("none");
   add_jobs(*command, options->jobs);
   add_worker_limits(*command, options->worker, "one shader");
   end_help(
@@ -304,7 +290,7 @@ void add_cost(CLI::App& app, Context& context) {
        {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
   command->callback([command, options, &context] {
     refuse_beside_from(*command, {"files", "--technique", "--technique-list", "--family", "--fxc", "--format",
-                                  "--output", "--baseline", "--tolerance", "--any-driver", "--readme"});
+                                  "--output", "--baseline", "--tolerance", "--any-driver"});
     refuse_idle(*command, {"--entry", "--stage", "--keyword-set"}, options->files.empty(), "without a file");
     refuse_idle(*command, {"--tolerance", "--any-driver"}, options->baseline.empty(), "without --baseline");
     run_cost(*options, context);

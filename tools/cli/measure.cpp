@@ -22,7 +22,6 @@
 #include "cli/varied_subjects.h"
 #include "cost/cost_report.h"
 #include "input/input_error.h"
-#include "input/text_file.h"
 #include "input/visible_text.h"
 #include "platform/atomic_file.h"
 #include "platform/cache_store.h"
@@ -35,10 +34,8 @@
 #include "study/kept_records.h"
 #include "study/picture_sheet.h"
 #include "study/report.h"
-#include "study/result_block.h"
 #include "study/study.h"
 #include "study/summary.h"
-#include "techniques/settings_emit.h"
 
 namespace penumbra::cli {
 namespace {
@@ -132,16 +129,10 @@ struct MeasureOptions : StudyOptions {
   double frame_step = study::StudySettings{}.frame_step;
   int penumbra_pixels = 0;
   int edge_samples = 0;
-  std::string from;                        // earlier results, JSON or a table; if given, nothing is measured
-  std::string earlier;                     // results from which rows are added to the measured ones
-  std::vector<std::string> earlier_rows;   // techniques of those rows
-  std::string readme;                      // file whose result block is replaced
-  std::string block{study::kResultBlock};  // name of that block
-  std::vector<std::string> rows;           // techniques in the block's tables; empty means all
-  bool brief = false;                      // shows one light's table, and no tables by scene
-  bool line = false;                       // writes one sentence
-  std::string costs;                       // JSON of `penumbra cost`; empty means the library's own
-  std::string presets;                     // C# file of the presets' figures
+  std::string from;                       // earlier results, JSON or a table; if given, nothing is measured
+  std::string earlier;                    // results from which rows are added to the measured ones
+  std::vector<std::string> earlier_rows;  // techniques of those rows
+  std::string costs;                      // JSON of `penumbra cost`; empty means the library's own
 };
 
 // Returns NAME=FOLDER of a package root without the folder, which is the user's own.
@@ -157,8 +148,7 @@ std::string shown(const std::string& option, const std::string& value) {
 
 // Returns the command that gives these results again, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
-  static const std::set<std::string> kPlaces{"-o",        "--output", "--cache", "--readme",
-                                             "--presets", "--block",  "--rows",  "--cost"};
+  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--cost"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& given = arguments[i];
@@ -167,7 +157,7 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
       if (name == given) ++i;
       continue;
     }
-    if (given == "-q" || given == "--quiet" || given == "--brief" || given == "--line") continue;
+    if (given == "-q" || given == "--quiet") continue;
     const bool apart = name == given || !given.starts_with("--");
     command += " " + shell_word(apart ? shown(i > 0 ? arguments[i - 1] : "", given)
                                       : name + "=" + shown(name, given.substr(name.size() + 1)));
@@ -247,20 +237,11 @@ struct Measured {
   std::shared_ptr<study::KeptRecords> kept;  // absent if nothing was measured
 };
 
-// Rows and presets that no technique of this run will have are refused before the measuring.
-void check_shown_techniques(const MeasureOptions& options, const std::vector<study::Subject>& subjects) {
-  std::vector<std::string> measured = options.earlier_rows;
-  for (const study::Subject& subject : subjects) measured.push_back(subject.name);
-  study::check_rows(options.rows, measured);
-  if (!options.presets.empty()) study::check_presets(measured, techniques::preset_prefix);
-}
-
 Measured measure(const CLI::App& command, const MeasureOptions& options, Context& context) {
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
   settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
-  check_shown_techniques(options, subjects);
   refuse_idle_bake_options(command, subjects);
   refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   gpu::Device device = open_device(options);
@@ -297,8 +278,7 @@ std::filesystem::path own_costs() {
 
 // Reads the facts that the manifests and a compiler state about techniques, where something shows them.
 study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
-  const bool readme_shows_them = !options.readme.empty() && !options.brief && !options.line;
-  if (!writes_report(options) && !readme_shows_them && options.costs.empty()) return {};
+  if (!writes_report(options) && options.costs.empty()) return {};
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   study::FactsOfTechniques facts = study::facts_of(list);
   std::error_code ignored;
@@ -307,25 +287,6 @@ study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
     add_cycles(facts, list, cost::read_cost_report(own_costs()));
   if (!options.costs.empty()) add_cycles(facts, list, cost::read_cost_report(options.costs));
   return facts;
-}
-
-// The block's chart is the one beside the results, by its path from the README's folder.
-void rewrite_readme(const MeasureOptions& options, const study::Results& results,
-                    const study::FactsOfTechniques& facts) {
-  const std::filesystem::path readme = options.readme;
-  const std::filesystem::path beside = options.from.empty()
-                                           ? std::filesystem::path(options.output)
-                                           : std::filesystem::path(options.from).parent_path();
-  const std::filesystem::path home = std::filesystem::absolute(readme).parent_path();
-  const std::string chart =
-      std::filesystem::absolute(beside / "pareto-fetches.svg").lexically_relative(home).generic_string();
-  const std::string text = read_text_file(readme);
-  const study::BlockForm form = options.line    ? study::BlockForm::line
-                                : options.brief ? study::BlockForm::brief
-                                                : study::BlockForm::full;
-  const std::string block = study::result_block(results, {chart, options.rows, form, facts});
-  platform::write_file_atomically(readme,
-                                  study::replace_result_block(text, block, options.readme, options.block));
 }
 
 // They are read before the measuring, so that a mistake in the file loses no results.
@@ -340,23 +301,15 @@ void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
   if (writes_report(options)) check_report_files(options.output);
   check_cache_folder(options.cache, platform::cache_directory(), context);
-  check_output_file(options.presets);
-  check_output_file(options.readme);
-  // A page without the markers is refused before the measuring and not after it.
-  if (!options.readme.empty())
-    (void)study::replace_result_block(read_text_file(options.readme), "", options.readme, options.block);
 }
 
 void write_all(const MeasureOptions& options, Measured measured, const study::FactsOfTechniques& facts) {
   if (writes_report(options)) {
     write_report(options.output, measured.results, std::move(measured.pictures), facts);
     print_headlines(options.output, measured.results);
-  } else if (options.readme.empty() && options.presets.empty()) {
+  } else {
     write_output("", study::to_json(measured.results));
   }
-  if (!options.readme.empty()) rewrite_readme(options, measured.results, facts);
-  if (!options.presets.empty())
-    write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
   // Finished records are dropped last, so that a run that could not write its results can continue from them.
   if (measured.kept) measured.kept->drop();
 }
@@ -479,30 +432,11 @@ void add_measure(CLI::App& app, Context& context) {
       "--earlier-rows", options->earlier_rows, "Techniques of --earlier, measured by adapters for example"));
   earlier_rows->type_name("NAME")->default_str("none")->needs(earlier)->group("What to measure");
   earlier->needs(earlier_rows);
-  CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is updated");
-  command->add_option("--block", options->block, "Name of the block of --readme, as in its markers")
-      ->type_name("NAME")
-      ->needs(readme);
-  as_list(command->add_option("--rows", options->rows, "Techniques in the tables of --readme, in this order"))
-      ->type_name("NAME")
-      ->default_str("all")
-      ->needs(readme);
-  CLI::Option* brief = command->add_flag(
-      "--brief", options->brief,
-      "In --readme, show the table of the middle light size, fold the others, and leave out all else");
-  brief->needs(readme);
-  command
-      ->add_flag("--line", options->line,
-                 "In --readme, write one sentence: penumbra RMSE and fetches under the middle light size")
-      ->needs(readme)
-      ->excludes(brief);
   command
       ->add_option("--cost", options->costs,
                    "JSON of penumbra cost, for the cycles of each technique's programs")
       ->type_name("FILE")
       ->default_str("the library's own");
-  file("--presets", options->presets,
-       "Write the quality presets' figures as C# to this file; - is standard output");
   command
       ->add_option("-o,--output", options->output,
                    "Folder for results.json and results.tsv, report.html, charts and pictures")
@@ -518,8 +452,7 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
        {"penumbra measure --from report/results.json -o again", "the same report again, without measuring"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(*command, {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--cost",
-                                  "--technique-list", "--output"});
+    refuse_beside_from(*command, {"--cost", "--technique-list", "--output"});
     run(*command, *options, context);
   });
 }

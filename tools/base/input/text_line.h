@@ -1,6 +1,6 @@
 // The rules for one line of text. They are the same for every language and format that is written, C#, HLSL,
-// JSON, Markdown and CSV among them, and for terminals. Texts of untrusted files become comments and titles
-// there; a text that ended its line would continue as code.
+// JSON and CSV among them, and for terminals. Texts of untrusted files become comments and titles there; a
+// text that ended its line would continue as code.
 #pragma once
 
 #include <cstddef>

@@ -69,6 +69,62 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   return text;
 }
 
+// Returns each once, in order; none for a user's file.
+std::vector<std::string> technique_names(const CostRow& row) {
+  std::vector<std::string> names;
+  for (const CostVariant& variant : row.variants)
+    if (!variant.technique.empty()) add_once(names, variant.technique);
+  return names;
+}
+
+// Returns " +A +B or none", or nothing.
+std::string keywords_text(const CostRow& row) {
+  std::vector<std::string> sets;
+  for (const CostVariant& variant : row.variants) {
+    std::string set;
+    for (const std::string& keyword : variant.keywords) set += " +" + keyword;
+    add_once(sets, set);
+  }
+  std::string text = sets.empty() ? "" : sets.front();
+  for (std::size_t i = 1; i < sets.size(); ++i) text += " or" + (sets[i].empty() ? " none" : sets[i]);
+  return text;
+}
+
+std::string figure_text(const Figure& figure) {
+  return figure ? std::to_string(*figure) : "-";
+}
+
+// A family's columns are every figure but those that are 0 in all its rows, the lanes of a subgroup and the
+// counts of SPIR-V.
+std::vector<std::string> column_heads(const CostReport& report, const std::string& family) {
+  std::vector<std::string> heads{"shader"};
+  for (const FigureName& name : figure_names())
+    if (shown(report, family, name)) heads.emplace_back(name.heading);
+  if (family == direct3d_family.name) return heads;
+  for (const char* head : {"lanes", "SPIR-V", "ALU", "texture"}) heads.emplace_back(head);
+  return heads;
+}
+
+std::vector<std::string> column_cells(const CostReport& report, const CostRow& row) {
+  std::vector<std::string> cells{row_name(row)};
+  for (const FigureName& name : figure_names())
+    if (shown(report, row.family, name)) cells.push_back(figure_text(row.measured.figures.*name.value));
+  if (row.family == direct3d_family.name) return cells;
+  for (const std::size_t count :
+       {std::size_t{row.measured.subgroup_size}, row.spirv.instructions, row.spirv.alu, row.spirv.texture})
+    cells.push_back(std::to_string(count));
+  return cells;
+}
+
+// Returns the names of the figures that are 0 in all tables.
+std::string absent_figures(const CostReport& report) {
+  if (report.failures() == report.rows.size()) return "";
+  std::string names;
+  for (const FigureName& name : figure_names())
+    if (is_zero(report, name)) names += (names.empty() ? "" : ", ") + std::string(name.heading);
+  return names.empty() ? "" : "0 in every row: " + names + "\n";
+}
+
 // Lists the techniques that "(and 3 more)" omits.
 std::string shared_modules(const CostReport& report) {
   std::set<std::string> said;
@@ -140,29 +196,6 @@ std::string cost_table(const CostReport& report) {
   return text + absent_figures(report) + shared_modules(report) + failures;
 }
 
-std::vector<std::string> technique_names(const CostRow& row) {
-  std::vector<std::string> names;
-  for (const CostVariant& variant : row.variants)
-    if (!variant.technique.empty()) add_once(names, variant.technique);
-  return names;
-}
-
-std::string keywords_text(const CostRow& row) {
-  std::vector<std::string> sets;
-  for (const CostVariant& variant : row.variants) {
-    std::string set;
-    for (const std::string& keyword : variant.keywords) set += " +" + keyword;
-    add_once(sets, set);
-  }
-  std::string text = sets.empty() ? "" : sets.front();
-  for (std::size_t i = 1; i < sets.size(); ++i) text += " or" + (sets[i].empty() ? " none" : sets[i]);
-  return text;
-}
-
-std::string figure_text(const Figure& figure) {
-  return figure ? std::to_string(*figure) : "-";
-}
-
 std::string row_name(const CostRow& row) {
   const std::vector<std::string> names = technique_names(row);
   std::string name = names.empty() ? row.file + " " + row.entry : names.front();
@@ -170,34 +203,6 @@ std::string row_name(const CostRow& row) {
   // A technique has a row for each of its programs.
   if (!names.empty() && !row.file.ends_with(".hlsl")) name += ": " + row.entry;
   return visible(name + keywords_text(row));
-}
-
-std::vector<std::string> column_heads(const CostReport& report, const std::string& family) {
-  std::vector<std::string> heads{"shader"};
-  for (const FigureName& name : figure_names())
-    if (shown(report, family, name)) heads.emplace_back(name.heading);
-  if (family == direct3d_family.name) return heads;
-  for (const char* head : {"lanes", "SPIR-V", "ALU", "texture"}) heads.emplace_back(head);
-  return heads;
-}
-
-std::vector<std::string> column_cells(const CostReport& report, const CostRow& row) {
-  std::vector<std::string> cells{row_name(row)};
-  for (const FigureName& name : figure_names())
-    if (shown(report, row.family, name)) cells.push_back(figure_text(row.measured.figures.*name.value));
-  if (row.family == direct3d_family.name) return cells;
-  for (const std::size_t count :
-       {std::size_t{row.measured.subgroup_size}, row.spirv.instructions, row.spirv.alu, row.spirv.texture})
-    cells.push_back(std::to_string(count));
-  return cells;
-}
-
-std::string absent_figures(const CostReport& report) {
-  if (report.failures() == report.rows.size()) return "";
-  std::string names;
-  for (const FigureName& name : figure_names())
-    if (is_zero(report, name)) names += (names.empty() ? "" : ", ") + std::string(name.heading);
-  return names.empty() ? "" : "0 in every row: " + names + "\n";
 }
 
 }  // namespace penumbra::cost

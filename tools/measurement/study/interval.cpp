@@ -48,21 +48,6 @@ std::string end_text(double end, int decimals) {
   return end == std::round(end) ? fmt::format("{:.0f}", end) : fmt::format("{:.{}f}", end, decimals);
 }
 
-std::string text_of(const std::optional<Estimate>& estimate, double scale, int most_decimals,
-                    bool with_interval) {
-  if (!estimate) return "–";
-  const double value = scale * estimate->value;
-  const double half = half_width(*estimate, scale);
-  if (half < 0.5 * std::pow(10.0, -most_decimals)) return plain(value, most_decimals);
-  const int decimals = decimals_of(half, most_decimals);
-  const std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (!with_interval) return text;
-  if (!is_cut_off(*estimate->interval, estimate->value))
-    return text + fmt::format(" ± {:.{}f}", half, decimals);
-  return text + fmt::format(" [{}, {}]", end_text(scale * estimate->interval->low, decimals),
-                            end_text(scale * estimate->interval->high, decimals));
-}
-
 constexpr std::size_t kBlockReplicates = 1000;
 constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
 
@@ -162,11 +147,16 @@ std::optional<Interval> mean_interval(std::span<const SceneFigure> scenes, doubl
 }
 
 std::string figure_text(const std::optional<Estimate>& estimate, double scale, int most_decimals) {
-  return text_of(estimate, scale, most_decimals, true);
-}
-
-std::string figure_text_alone(const std::optional<Estimate>& estimate, double scale, int most_decimals) {
-  return text_of(estimate, scale, most_decimals, false);
+  if (!estimate) return "–";
+  const double value = scale * estimate->value;
+  const double half = half_width(*estimate, scale);
+  if (half < 0.5 * std::pow(10.0, -most_decimals)) return plain(value, most_decimals);
+  const int decimals = decimals_of(half, most_decimals);
+  const std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (!is_cut_off(*estimate->interval, estimate->value))
+    return text + fmt::format(" ± {:.{}f}", half, decimals);
+  return text + fmt::format(" [{}, {}]", end_text(scale * estimate->interval->low, decimals),
+                            end_text(scale * estimate->interval->high, decimals));
 }
 
 std::string fetches_text(const std::optional<Estimate>& fetches) {

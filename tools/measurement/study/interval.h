@@ -69,10 +69,6 @@ struct Estimate {
 // "–".
 std::string figure_text(const std::optional<Estimate>& estimate, double scale = 1.0, int most_decimals = 4);
 
-// Returns the same without its interval, where the interval is shown elsewhere.
-std::string figure_text_alone(const std::optional<Estimate>& estimate, double scale = 1.0,
-                              int most_decimals = 4);
-
 // Returns fetches per pixel: a tenth is the finest that distinguishes techniques.
 std::string fetches_text(const std::optional<Estimate>& fetches);
 

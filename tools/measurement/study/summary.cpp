@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -64,22 +63,12 @@ std::optional<double> of_all_passes(const std::optional<double>& fetches, const 
   return fetches ? std::optional(*fetches + metrics.preprocess_fetches_per_pixel) : std::nullopt;
 }
 
-std::optional<double> step_ratio(const std::optional<GroupStep>& step) {
-  if (!step || !step->across || !step->inside || *step->inside == 0.0) return std::nullopt;
-  return *step->across / *step->inside;
-}
-
 SummaryLine line_of(const Results& results, const Choice& choice, double light_degrees) {
   SceneFigures rmse;
   SceneFigures rmse_all;
   SceneFigures leaks;
   SceneFigures false_shadows;
-  SceneFigures overlap;
-  SceneFigures flip;
-  SceneFigures grain;
-  SceneFigures group_steps;
   SceneFigures fetches;
-  SceneFigures fetches_in_penumbra;
   SceneFigures operations;
   Mean time;
   for (const std::string& scene : scene_names(results)) {
@@ -90,12 +79,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
     rmse_all.add(metrics.rmse_all, metrics.intervals.rmse_all);
     leaks.add(metrics.leak_rate, metrics.intervals.leak_rate);
     false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
-    if (record->overlap) overlap.add(record->overlap->rmse, std::nullopt);
-    flip.add(record->flip, std::nullopt);
-    if (metrics.variance) grain.add(std::sqrt(*metrics.variance), std::nullopt);
-    group_steps.add(step_ratio(record->group_step), std::nullopt);
     fetches.add(of_all_passes(metrics.fetches_mean, metrics), metrics.intervals.fetches_mean);
-    fetches_in_penumbra.add(of_all_passes(metrics.fetches_penumbra_mean, metrics), std::nullopt);
     operations.add(record->operations_per_pixel, std::nullopt);
     if (record->time) time.add(record->time->median_ms);
   }
@@ -104,12 +88,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   line.rmse_all = rmse_all.mean(1.0);
   line.leak_rate = leaks.mean(1.0);
   line.false_shadow_rate = false_shadows.mean(1.0);
-  line.rmse_overlap = overlap.mean(1.0);
-  line.flip = flip.mean(1.0);
-  line.grain = grain.mean(1.0);
-  line.group_step = group_steps.mean(std::numeric_limits<double>::infinity());
   line.fetches = fetches.mean(std::numeric_limits<double>::infinity());
-  line.fetches_in_penumbra = fetches_in_penumbra.mean(std::numeric_limits<double>::infinity());
   line.operations = operations.mean(std::numeric_limits<double>::infinity());
   line.time_ms = time.value();
   line.complete = rmse.count() > 0 && rmse.count() == sample_of(results, light_degrees).scenes;

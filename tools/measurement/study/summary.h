@@ -34,16 +34,9 @@ struct SummaryLine {
   std::optional<Estimate> rmse_all{};
   std::optional<Estimate> leak_rate{};
   std::optional<Estimate> false_shadow_rate{};
-  std::optional<Estimate> rmse_overlap{};  // where shadows overlap; absent where it was not measured
-  std::optional<Estimate> flip{};          // of the lit picture; absent where it was not measured
-  // The root of the mean variance between noise seeds, in penumbra; absent where a scene has one seed.
-  std::optional<Estimate> grain{};
-  // The step of the error across borders of groups of pixels, as a multiple of that inside (GroupStep).
-  std::optional<Estimate> group_step{};
-  std::optional<Estimate> fetches{};              // per pixel of the frame, preparation included
-  std::optional<Estimate> fetches_in_penumbra{};  // the same of the pixels in penumbra alone
-  std::optional<Estimate> operations{};           // scalar operations per pixel; absent in older files
-  std::optional<double> time_ms{};                // median of a frame
+  std::optional<Estimate> fetches{};     // per pixel of the frame, preparation included
+  std::optional<Estimate> operations{};  // scalar operations per pixel; absent in older files
+  std::optional<double> time_ms{};       // median of a frame
 };
 
 // The sample behind the means of one light.
