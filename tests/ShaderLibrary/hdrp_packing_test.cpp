@@ -1,5 +1,5 @@
-// Compares the scales and parameters that Pipelines/Hdrp.hlsl derives from HDRP's shadow data with the golden
-// vectors of tools/parameters: the same matrices, taken apart as HDRP uploads them.
+// Compares the scales and parameters that Pipelines/Hdrp.hlsl derives from HDRP's shadow data with those of
+// tests/golden/parameters.json: the same matrices, taken apart as HDRP uploads them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 #include "ShaderLibrary/exactness.h"
 #include "ShaderLibrary/hdrp_frame.h"
-#include "parameters/shader_uniforms.h"
+#include "parameters/cascades.h"
+#include "parameters/half_angle.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
@@ -79,7 +80,7 @@ std::vector<float> run_one(const HdrpFunction& function, HdrpVersion version, co
   frame.shadows = {golden.shadow};
   frame.atlas_texels = golden.atlas_texels;
   frame.pcss = {glm::vec4(7.0f, 9.0f, 3.0f, 2.0f), glm::vec4(0.25f, 0.75f, 0.125f, 0.375f)};
-  const auto tan_half = static_cast<float>(parameters::tan_half_of(golden.record.at("degrees")));
+  const auto tan_half = static_cast<float>(parameters::tan_half(golden.record.at("degrees").get<double>()));
   return run(function, version, DepthDirection::reversed, frame, {tan_half});
 }
 

@@ -12,7 +12,6 @@
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "parameters/emit_constants.h"
-#include "parameters/golden_vectors.h"
 #include "parameters/matrices_input.h"
 #include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
@@ -50,8 +49,6 @@ struct ConstantsOptions {
   std::optional<std::string> soft_quality;
   std::optional<std::string> clip_depth;
   std::optional<bool> reversed_z;
-  int golden = 0;
-  std::uint32_t seed = 1;
 };
 
 template <typename Value>
@@ -175,23 +172,6 @@ void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& ma
   fit("/shadows/reversed_z", options.reversed_z)->check(one_of({"true", "false"}));
 }
 
-// Golden vectors have their own set-ups: options that describe one cannot be combined with them.
-void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
-  const std::vector<CLI::Option*> others =
-      command.get_options([](const CLI::Option* option) { return !option->check_name("--help"); });
-  CLI::Option* golden = command
-                            .add_option("--golden", options.golden,
-                                        "Print this many random test cases of each kind, with inputs and "
-                                        "expected results, as JSON for testing other implementations")
-                            ->type_name("COUNT")
-                            ->check(within(1, 100000))
-                            ->default_str("none");
-  for (CLI::Option* other : others) golden->excludes(other);
-  command.add_option("--seed", options.seed, "Seed of --golden's random inputs")
-      ->type_name("N")
-      ->needs(golden);
-}
-
 }  // namespace
 
 void add_constants(CLI::App& app, Context& /*context*/) {
@@ -207,7 +187,6 @@ void add_constants(CLI::App& app, Context& /*context*/) {
           ->default_str("none");
   add_fit_flags(*command, *options, *matrices);
   add_format(*command, options->format, {"table", "json", "hlsl", "csharp", "cpp"});
-  add_golden_flags(*command, *options);
   add_output_file(*command, options->output);
   command->add_flag_callback(
       "--list-settings",
@@ -226,11 +205,8 @@ void add_constants(CLI::App& app, Context& /*context*/) {
   command->callback([options, matrices] {
     check_output_file(options->output);
     refuse_input_as_output("--output", options->output, {options->config, options->matrices});
-    const auto text = [&] {
-      if (options->golden > 0) return parameters::golden_vectors_json(options->golden, options->seed);
-      return matrices->count() > 0 ? constants_from_matrices(*options) : constants_from_settings(*options);
-    };
-    write_output(options->output, text());
+    write_output(options->output, matrices->count() > 0 ? constants_from_matrices(*options)
+                                                        : constants_from_settings(*options));
   });
 }
 

@@ -1,7 +1,7 @@
 namespace Penumbra.Tests;
 
 /// <summary>
-/// One set of inputs and answers of tests/golden/parameters.json, which `penumbra constants --golden` writes.
+/// One set of inputs and answers of tests/golden/parameters.json, which tests/parameters compares with the C++.
 /// </summary>
 internal sealed class GoldenRecord
 {

@@ -4,9 +4,9 @@ public class UpdateScheduleTests
 {
     private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
 
-    // The expected phases are the C++ library's answers.
+    
     [Test]
-    public void PhasesAreThoseOfTheOtherImplementation()
+    public void PhasesAreThoseOfTheFile()
     {
         var records = GoldenRecord.Of("schedules").ToList();
         Assert.That(records.Count, Is.GreaterThanOrEqualTo(64));
@@ -24,6 +24,38 @@ public class UpdateScheduleTests
             }
             Assert.That(schedule.Due(record.Int("frame")), Is.EqualTo(record.Int("due")), record.Label);
         }
+    }
+
+    [Test]
+    public void NoOtherPhasesNeedFewerCascadesInAFrame()
+    {
+        var choices = new[] { 1, 2, 4, 8 };
+        for (var i = 0; i < 256; ++i)
+        {
+            int[] periods = { choices[i & 3], choices[i >> 2 & 3], choices[i >> 4 & 3], choices[i >> 6 & 3] };
+            var schedule = new UpdateSchedule(periods);
+            int most = Enumerable.Range(0, 8).Max(frame => System.Numerics.BitOperations.PopCount((uint)schedule.Due(frame)));
+            Assert.That(most, Is.EqualTo(FewestPossible(periods)), string.Join(", ", periods));
+        }
+    }
+
+    // The largest number of cascades in a frame that the best phases give, by trying every combination of phases.
+    private static int FewestPossible(int[] periods)
+    {
+        int combinations = periods.Aggregate(1, (product, period) => product * period);
+        int fewest = periods.Length;
+        for (var combination = 0; combination < combinations; ++combination)
+        {
+            var due = new int[8];
+            int rest = combination;
+            foreach (int period in periods)
+            {
+                for (int frame = rest % period; frame < 8; frame += period) ++due[frame];
+                rest /= period;
+            }
+            fewest = Math.Min(fewest, due.Max());
+        }
+        return fewest;
     }
 
     [TestCase(0, 1)]
