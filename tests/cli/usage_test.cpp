@@ -58,7 +58,6 @@ TEST_F(Usage, AnUnknownValueIsFollowedByTheKnownOnesOnALineOfTheirOwn) {
   expect_refused(
       {"validate", "a.hlsl", "--stage", "foo"},
       {"--stage: unknown value 'foo'\n  known are: vertex hull domain geometry fragment compute\n"});
-  expect_refused({"completion", "foo"}, {"there is no completion for 'foo'\n  known are: bash"});
 }
 
 TEST_F(Usage, WhatIsCalledOtherwiseElsewhereIsNamed) {
@@ -85,10 +84,6 @@ TEST_F(Usage, BoundsThatAreOutsideThemselvesAreInHelpAndInForce) {
 TEST_F(Usage, ANoiseMaskIsNoDisk) {
   expect_refused({"tables", "--noise-mask", "--format", "hlsl"}, {"table or json", "--format json"});
   expect_refused({"tables", "--noise-mask", "--generate"}, {"--noise-mask", "--generate"});
-}
-
-TEST_F(Usage, OfThreeShellsAllAreNamed) {
-  expect_refused({"completion", "tcsh"}, {"bash, zsh, fish"});
 }
 
 TEST_F(Usage, WhatIsTooMuchIsNamed) {

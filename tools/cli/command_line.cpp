@@ -259,7 +259,6 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   add_render(*app, context);
   add_measure(*app, context);
   add_bake(*app, context);
-  add_completion(*app);
   add_help(*app);
   refuse_empty_values(*app);
   return app;

@@ -19,6 +19,11 @@
 namespace penumbra::cli {
 namespace {
 
+struct KnownName {
+  std::string name;
+  std::string description;  // may be empty
+};
+
 void described(std::vector<KnownName>& names, const std::string& name, const std::string& description) {
   for (KnownName& known : names)
     if (known.name == name) known.description = description;
@@ -73,8 +78,20 @@ std::vector<KnownName> rules() {
   return names;
 }
 
+struct NameKind {
+  const char* placeholder;  // shown in help for the options that take such a name
+  const char* flag;         // the option that prints them
+  std::vector<KnownName> (*names)();
+};
+
+constexpr NameKind kKinds[] = {{"SCENE", "--list-scenes", scenes},
+                               {"TECHNIQUE", "--list-techniques", techniques},
+                               {"FAMILY", "--list-families", families},
+                               {"TARGET", "--list-targets", targets},
+                               {"RULE", "--list-rules", rules}};
+
 const NameKind& kind_of(const std::string& placeholder) {
-  for (const NameKind& kind : name_kinds())
+  for (const NameKind& kind : kKinds)
     if (kind.placeholder == placeholder) return kind;
   throw std::out_of_range("unknown kind of name " + placeholder);
 }
@@ -102,15 +119,6 @@ void print(const std::vector<KnownName>& names) {
 }
 
 }  // namespace
-
-const std::vector<NameKind>& name_kinds() {
-  static const std::vector<NameKind> kinds{{"SCENE", "--list-scenes", scenes},
-                                           {"TECHNIQUE", "--list-techniques", techniques},
-                                           {"FAMILY", "--list-families", families},
-                                           {"TARGET", "--list-targets", targets},
-                                           {"RULE", "--list-rules", rules}};
-  return kinds;
-}
 
 void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
   const NameKind& kind = kind_of(placeholder);

@@ -68,8 +68,6 @@ ValueHint value_hint(const CLI::Option& option) {
   hint.rule = text.substr(colon + 1);
   if (const std::size_t to = hint.rule.find(kTo); to != std::string::npos) {
     hint.bounds = {number_or_nan(hint.rule.substr(0, to)), number_or_nan(hint.rule.substr(to + kTo.size()))};
-  } else if (hint.rule.find(' ') == std::string::npos) {
-    hint.choices = split(hint.rule, '|');
   }
   return hint;
 }

@@ -1,5 +1,5 @@
-// The values of options. Each function sets the option's placeholder in help, its check and its shell
-// completion, so that the three agree.
+// The values of options. Each function sets the option's placeholder in help and its check, so that the two
+// agree.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,6 @@ CLI::Option* not_empty(CLI::Option* option);
 struct ValueHint {
   std::string placeholder;                          // "FILE"; empty for a flag
   std::string rule;                                 // "0 .. 30", "table|json"; empty if anything is allowed
-  std::vector<std::string> choices;                 // names for one_of()
   std::optional<std::pair<double, double>> bounds;  // bounds for within()
 };
 ValueHint value_hint(const CLI::Option& option);

@@ -64,6 +64,5 @@ void add_merge(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
 void add_measure(CLI::App& app, Context& context);
 void add_bake(CLI::App& app, Context& context);
-void add_completion(CLI::App& app);
 
 }  // namespace penumbra::cli
