@@ -64,6 +64,16 @@ TEST(ContactSheet, HoldsTheReferenceOncePerLightAndEveryResult) {
   }
 }
 
+TEST(ContactSheet, ARecordsSheetHasItsFourPicturesEnlargedForTheLegends) {
+  MadeUp study;
+  study.add("boxes", 2.0, "a");
+  const PictureRow& row = study.rows[0];
+  const Picture sheet = record_sheet(study.records[0], row);
+  for (const PackedPicture* picture : {&row.reference, &row.result, &row.error, &row.fetches})
+    EXPECT_EQ(occurrences(sheet, enlarged(*picture, 15)), 1);
+  EXPECT_EQ(sheet.width / (30 * 15), 2) << "columns";
+}
+
 TEST(ContactSheet, ALightTakesARow) {
   MadeUp study;
   for (const double degrees : {2.0, 5.0}) {

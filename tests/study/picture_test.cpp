@@ -9,8 +9,6 @@
 #include "study/colour_map.h"
 #include "study/composition.h"
 #include "study/picture_search.h"
-#include "study/picture_sheet.h"
-#include "study/synthetic_study.h"
 
 namespace penumbra::study {
 namespace {
@@ -272,21 +270,6 @@ TEST(Composition, NarrowPicturesMakeRoomForTheirCaptions) {
 TEST(Composition, UnequalPicturesAreRefused) {
   EXPECT_THROW(compose({{"a", noise(4, 4, 3), {}}, {"b", noise(5, 4, 3), {}}}, 2), std::invalid_argument);
   EXPECT_THROW(compose({}, 2), std::invalid_argument);
-}
-
-// Scenes that need a larger picture for enough penumbra have one.
-TEST(Overview, LeavesOutScenesOfAnotherPictureSize) {
-  const Results results = synthetic::results({"bilinear"});
-  std::vector<PictureRow> rows{synthetic::picture_row("boxes", "bilinear"),
-                               synthetic::picture_row("fence", "bilinear")};
-  const Picture both = overview(results, rows, 4);
-  for (PackedPicture* picture : {&rows[1].reference, &rows[1].result, &rows[1].error, &rows[1].fetches}) {
-    *picture = enlarged(*picture, 20);
-  }
-  const Picture one = overview(results, rows, 4);
-  EXPECT_EQ(one.width, both.width);
-  EXPECT_LT(one.height, both.height);
-  EXPECT_GT(one.height, both.height / 3);
 }
 
 }  // namespace

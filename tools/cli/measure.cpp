@@ -30,9 +30,9 @@
 #include "platform/source_commit.h"
 #include "reference/trace_visibility.h"
 #include "study/chart.h"
+#include "study/contact_sheet.h"
 #include "study/earlier_rows.h"
 #include "study/kept_records.h"
-#include "study/picture_sheet.h"
 #include "study/report.h"
 #include "study/study.h"
 #include "study/summary.h"
@@ -42,7 +42,7 @@ namespace {
 
 // The charts, pages and pictures that an earlier run drew in this folder show other results.
 void remove_earlier_report(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> drawn{folder / "report.html", folder / "overview.png"};
+  std::vector<std::filesystem::path> drawn{folder / "report.html"};
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     if (entry.path().filename().string().starts_with("pareto-") && entry.path().extension() == ".svg")
@@ -91,12 +91,9 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   if (!content.pictures.empty()) make_folder(folder / "pictures");
   for (std::size_t i = 0; i < content.pictures.size(); ++i) {
     const study::PictureRow& row = content.pictures[i];
-    const study::Record& record = results.records[i];
     write_picture(folder / "pictures" / (study::file_stem(row) + ".png"),
-                  study::side_by_side(row, study::short_title(record.technique, record.title)));
+                  study::record_sheet(results.records[i], row));
   }
-  const study::Picture overview = study::overview(results, content.pictures, 4);
-  if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
   const std::string page = study::render_report(content);
   std::vector<std::string> charts;
   for (const study::ReportChart& chart : content.charts) charts.push_back(study::render_svg(chart.chart));

@@ -26,7 +26,6 @@
 #include "study/contact_sheet.h"
 #include "study/kept_records.h"
 #include "study/lit_view.h"
-#include "study/picture_sheet.h"
 #include "study/study.h"
 
 namespace penumbra::cli {
@@ -331,7 +330,7 @@ void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& 
     write_picture(folder / (name + "_error.png"), row.error);
     write_picture(folder / (name + "_fetches.png"), row.fetches);
     if (!row.mask.empty()) write_picture(folder / (name + "_mask.png"), row.mask);
-    write_picture(folder / (name + ".png"), study::side_by_side(row, outcome.records[i].title));
+    write_picture(folder / (name + ".png"), study::record_sheet(outcome.records[i], row));
     write_output("", (folder / (name + ".png")).string() + "\n");
   }
 }

@@ -6,8 +6,10 @@
 #include <array>
 #include <stdexcept>
 
+#include "input/file_name.h"
 #include "study/colour_map.h"
 #include "study/composition.h"
+#include "study/summary.h"
 
 namespace penumbra::study {
 namespace {
@@ -185,6 +187,22 @@ Picture contact_sheet(const std::vector<Record>& records, const std::vector<Pict
     least_width = std::max(least_width, caption_width(cell.caption, text) + text / 2);
   }
   return compose(cells.all, columns, least_width, text);
+}
+
+Picture record_sheet(const Record& record, const PictureRow& row) {
+  constexpr int kLeastPixels = 440;  // across, which a legend needs
+  Record titled = record;
+  titled.title = short_title(record.technique, record.title);
+  SheetOptions options;
+  const int width = Picture(row.reference).width;
+  options.zoom = (kLeastPixels + width - 1) / width;
+  options.columns = 2;
+  options.pictures = {SheetPicture::result, SheetPicture::error, SheetPicture::fetches};
+  return contact_sheet({titled}, {row}, options);
+}
+
+std::string file_stem(const PictureRow& row) {
+  return file_name_part(fmt::format("{}_{}_{}", row.scene, row.technique, row.light_degrees));
 }
 
 int inset_factor(int width, const std::vector<PictureWindow>& windows) {

@@ -44,6 +44,12 @@ struct SheetOptions {
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 
+// Returns the record's four pictures as one sheet: reference, result, error and fetches.
+Picture record_sheet(const Record& record, const PictureRow& row);
+
+// Returns "<scene>_<technique>_<degrees>", as file_name_part() of input/file_name.h writes it.
+std::string file_stem(const PictureRow& row);
+
 // Returns the picture, every pixel as zoom x zoom, its windows marked. Beneath it, in their order, are the
 // windows themselves, all enlarged by the same whole number, the largest with which they fit side by side. No
 // pixel of a window is covered by a frame beneath. Windows are in pixels of the picture. Throws

@@ -102,8 +102,4 @@ std::string base64(std::span<const std::byte> bytes) {
   return text;
 }
 
-std::string png_data_uri(std::span<const std::byte> png) {
-  return "data:image/png;base64," + base64(png);
-}
-
 }  // namespace penumbra::study

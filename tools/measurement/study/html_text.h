@@ -23,7 +23,4 @@ std::string json_script(std::string_view id, const nlohmann::ordered_json& data)
 // The encoding is that of RFC 4648, padded.
 std::string base64(std::span<const std::byte> bytes);
 
-// Returns "data:image/png;base64,...".
-std::string png_data_uri(std::span<const std::byte> png);
-
 }  // namespace penumbra::study
