@@ -192,7 +192,7 @@ std::set<std::string> public_headers(const Tree& tree) {
 
 Violations public_headers_stay_light(const Tree& tree) {
   static const std::regex heavy(
-      "(nlohmann|vulkan|glslang|spirv-tools|spirv_cross|embree[34]|assimp|CLI|fmt|tbb|oneapi|EGL|GL)/.*|"
+      "(nlohmann|vulkan|glslang|spirv-tools|spirv_cross|embree[34]|assimp|CLI|fmt|oneapi|EGL|GL)/.*|"
       "stb_.*\\.h|png\\.h|blake2\\.h");
   const std::vector<Include> includes = includes_of(tree, "tools/");
   Violations found;

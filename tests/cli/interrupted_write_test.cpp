@@ -1,4 +1,4 @@
-// The program is ended in the middle: the old file survives, and long work goes on where it stopped.
+// The program is ended in the middle: the old file survives, and what was finished is kept.
 #include "cli/program.h"
 
 namespace penumbra {
@@ -17,14 +17,13 @@ TEST_F(Interrupted, KilledInsideAWriteKeepsTheOldFile) {
   EXPECT_EQ(read("out.json"), "old");
 }
 
-// The command is interrupted as soon as the first rows of the reference are kept; the same command then has
-// less left to do.
+// The command is interrupted as soon as the first light's reference is kept.
 TEST_F(Interrupted, MeasureStopsCleanlyAndKeepsWhatWasFinished) {
   const std::string kept = path("cache").string() + "/reference";
   const auto stopped =
       shell("export PENUMBRA_CACHE=" + path("cache").string() +
             "; " PENUMBRA_PROGRAM
-            " measure --scene contact-boxes --light 2 --technique tent-5 --size 160x90"
+            " measure --scene contact-boxes --light 2,5 --technique tent-5 --size 160x90"
             " --map-size 512 --seeds 1 --reference-samples 65536 -o " +
             path("out").string() + " & program=$!; while kill -0 $program && [ -z \"$(ls " + kept +
             " 2>/dev/null)\" ]; do sleep 0.1; done; kill -INT $program; wait $program");

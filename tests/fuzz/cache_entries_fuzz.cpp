@@ -17,19 +17,14 @@ void targets::cache_entries(std::string_view bytes) {
   require(found || answers.damaged() == damaged + 1, "an entry is whole, or it is counted");
 
   const reference::ReferenceCache references(folder.path() / "references");
-  for (const std::filesystem::path& file : {references.image_file(key), references.beginning_file(key)})
-    folder.write("references/01/" + file.filename().string(), bytes);
+  folder.write("references/01/" + references.image_file(key).filename().string(), bytes);
   references.find(key);
-  references.find_beginning(key);
   const platform::CacheStore whole(folder.path() / "references");
   require(whole.store("visibility", key, bytes) && whole.find("visibility", key) == bytes,
           "what is kept is found");
-  whole.store("rows", key, bytes);
   if (const auto read = references.find(key)) {
     require(read->visibility.size() == read->valid.size(), "an image has both of each pixel");
   }
-  require(references.find_beginning(key).size() * sizeof(reference::HalfCounts) <= bytes.size(),
-          "rows of the file");
 }
 
 }  // namespace penumbra::fuzz

@@ -75,9 +75,11 @@ TEST(CacheStore, ATruncatedEntryIsFoundAndWrittenAgain) {
   EXPECT_EQ(cache.find("compile", key), "the answer");
 }
 
-TEST(CacheStore, AnEntryThatIsTooLargeIsNotRead) {
+TEST(CacheStore, AnEntryThatIsTooLargeIsNeitherWrittenNorRead) {
   const ScratchFolder files;
   CacheStore cache(files.path() / "cache");
+  EXPECT_FALSE(cache.store("compile", key, std::string(std::size_t{1} << 28U, ' ')));
+  EXPECT_FALSE(fs::exists(cache.file("compile", key)));
   cache.store("compile", key, "the answer");
   fs::resize_file(cache.file("compile", key), std::uintmax_t{100} << 30U);  // the file takes no space
   EXPECT_EQ(cache.find("compile", key), std::nullopt);

@@ -95,29 +95,12 @@ TEST(ReferenceCache, AnEntryUnderAnotherNameIsNotBelieved) {
   EXPECT_FALSE(cache.find(another).has_value());
 }
 
-TEST(ReferenceCache, BeginningsAreKeptApartFromImages) {
-  const ScratchFolder folder;
-  const ReferenceCache cache(folder.path());
-  const std::vector<HalfCounts> counts{{1, 2}, {512, 0}, {7, 9}};
-  cache.store_beginning(key, counts);
-  EXPECT_EQ(cache.find_beginning(key), counts);
-  EXPECT_FALSE(cache.find(key).has_value());
-  std::string damaged = read(cache.beginning_file(key));
-  damaged[damaged.size() / 2] ^= 1;
-  write(cache.beginning_file(key), damaged);
-  EXPECT_TRUE(cache.find_beginning(key).empty());
-  cache.drop_beginning(key);
-  EXPECT_FALSE(std::filesystem::exists(cache.beginning_file(key)));
-  cache.drop_beginning(key);
-}
-
 TEST(ReferenceCache, WhatCannotBeWrittenIsNotKept) {
   const ScratchFolder folder;
   write(folder.path() / "file", "in the way");
   const ReferenceCache cache(folder.path() / "file" / "below");
   EXPECT_FALSE(cache.find(key).has_value());
   EXPECT_FALSE(cache.store(key, some_image()));
-  EXPECT_FALSE(cache.store_beginning(key, std::vector<HalfCounts>(3)));
   EXPECT_EQ(read(folder.path() / "file"), "in the way");
 }
 

@@ -104,9 +104,7 @@ class Bake {
     bake::BakeOptions options;
     options.jobs = options_.jobs;
     options.store = &store_;
-    options.progress = [&](std::size_t done, std::size_t total) {
-      progress.update(static_cast<double>(done), static_cast<double>(total), unit);
-    };
+    options.progress = [&](double done, double total) { progress.update(done, total, unit); };
     return work(options);
   }
 
@@ -336,14 +334,14 @@ void add_bake(CLI::App& app, Context& context) {
   add_jobs(*command, options->jobs)->group(run);
   add_worker_limits(*command, options->worker, "one model or image");
   for (const char* limit : {"--time-limit", "--memory-limit"}) command->get_option(limit)->group(run);
-  add("--cache", options->cache, "FOLDER", "Folder in which finished rows and slices are cached", run)
+  add("--cache", options->cache, "FOLDER", "Folder in which finished bakes are cached", run)
       ->default_str("the user's cache");
   command
       ->add_option("-o,--output", options->output, "JSON file to write; its pictures are written beside it")
       ->type_name("FILE")
       ->required();
   end_help(
-      *command, "An interrupted bake continues with the rows or slices that it had finished.",
+      *command, "The same bake again is read from the cache; one that was interrupted begins anew.",
       {{"penumbra bake heightfield --image terrain.raw --heights 0,600 --area 0,0,1000,1000 -o terrain.json",
         "of Unity's terrain of 1000 x 600 x 1000 metres"},
        {"penumbra bake horizon --field terrain.json --texels 1024 --nearest 50 -o horizon.json",

@@ -201,7 +201,9 @@ bool CacheStore::store(std::string_view kind, const std::string& key, std::strin
   if (directory_.empty()) return false;
   const fs::path place = file(kind, key);
   if (!cache_folder_problem(place.parent_path()).empty()) return false;
-  std::string entry = head_of(kind, key).append(content);
+  std::string entry = head_of(kind, key);
+  if (entry.size() + content.size() + hash_size > largest_entry) return false;
+  entry += content;
   entry += hash_of(entry);
   if (!write_file(place, entry)) return false;
   written_ += entry.size();

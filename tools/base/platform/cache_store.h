@@ -27,7 +27,8 @@ class CacheStore {
   // `kind` is the type of the content, in lower-case letters and digits, and the extension of its files. A
   // change of its format needs a new kind. `key` is a ContentHash::hex().
   std::optional<std::string> find(std::string_view kind, const std::string& key) const;
-  // Returns false if it cannot be written (full disk, permissions): no partial file is left.
+  // Returns false if it cannot be written (full disk, permissions) or is larger than what find() reads: no
+  // partial file is left.
   bool store(std::string_view kind, const std::string& key, std::string_view content) const;
   void drop(std::string_view kind, const std::string& key) const;
 

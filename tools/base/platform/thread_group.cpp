@@ -22,7 +22,7 @@ void run_on_threads(unsigned threads, const std::function<void()>& work) {
   for (std::thread& other : others) other.join();
 }
 
-void run_all(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
+void run_all(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr failure;
@@ -35,7 +35,9 @@ void run_all(std::size_t count, unsigned threads, const std::function<void(std::
       if (!failure) failure = std::current_exception();
     }
   };
-  run_on_threads(static_cast<unsigned>(std::min<std::size_t>(threads, count)), work);
+  const std::size_t most =
+      threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
+  run_on_threads(static_cast<unsigned>(std::min(most, count)), work);
   if (failure) std::rethrow_exception(failure);
 }
 

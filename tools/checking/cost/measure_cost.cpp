@@ -219,7 +219,7 @@ std::vector<CostRow> measured_by_radv(const CostRequest& request, const std::vec
   }
   std::mutex mutex;
   std::size_t done = 0;
-  platform::run_all(batches.size(), request.jobs, [&](std::size_t batch) {
+  platform::run_all(batches.size(), static_cast<int>(request.jobs), [&](std::size_t batch) {
     platform::throw_if_interrupted();
     std::vector<ModuleToMeasure> measured;
     for (const std::size_t i : batches[batch]) {

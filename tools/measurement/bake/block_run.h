@@ -1,39 +1,28 @@
-// A bake's run: it computes blocks of numbers on all threads and stores each one when it is done, so that an
-// interrupted bake continues where it stopped.
+// A bake's run: it computes blocks of numbers on all threads, and stores them once all are done, so that the
+// same bake is then only read.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "platform/cache_store.h"
-#include "platform/interrupt.h"
+#include "reference/row_blocks.h"
 
 namespace penumbra::bake {
 
-struct BakeOptions {
-  int jobs = 0;  // threads; 0 takes all. The result does not depend on it.
-  // It is called from any thread, one call at a time, after each block.
-  std::function<void(std::size_t done, std::size_t total)> progress;
-  // It is polled from any thread before each block.
-  std::function<bool()> cancelled = platform::interrupted;
-  const platform::CacheStore* store = nullptr;  // keeps finished blocks; may be null
+struct BakeOptions : reference::RunOptions {    // progress counts blocks
+  const platform::CacheStore* store = nullptr;  // keeps finished bakes; may be null
 };
 
 struct BakeJob {
-  std::string key;  // hash of everything that the blocks depend on, but for their number
-  std::size_t blocks = 0;
-  std::function<std::vector<float>(std::size_t block)> block;  // reentrant
+  std::string key;  // hash of everything that the blocks depend on
+  int blocks = 0;
+  std::function<std::vector<float>(int block)> block;  // reentrant
 };
 
-inline constexpr const char* baked_block_kind = "bakedblock";  // the kind of the store's entries
-
-// Returns all blocks, one after the other. Throws platform::Interrupted when cancelled, with the finished
-// blocks stored, and whatever the job's function throws.
+// Returns all blocks, one after the other. Throws platform::Interrupted when cancelled, and whatever the
+// job's function throws; then nothing is stored.
 std::vector<float> run_bake(const BakeJob& job, const BakeOptions& options);
-
-// Removes the job's blocks from the store, once its result is written.
-void drop_blocks(const BakeJob& job, const platform::CacheStore& store);
 
 }  // namespace penumbra::bake

@@ -89,14 +89,13 @@ DistanceField bake_distance_field(const scene::Scene& scene, const DistanceField
   const reference::ClosestSurface surface(rays, solid);
   field.open_edges = surface.open_edges();
   // Each block is a slice of one z.
-  const BakeJob job{
-      key_of(scene, field), static_cast<std::size_t>(field.voxels[2]), [&](std::size_t z) {
-        std::vector<float> metres;
-        for (int y = 0; y < field.voxels[1]; ++y)
-          for (int x = 0; x < field.voxels[0]; ++x)
-            metres.push_back(static_cast<float>(surface.distance(field.centre(x, y, static_cast<int>(z)))));
-        return metres;
-      }};
+  const BakeJob job{key_of(scene, field), field.voxels[2], [&](int z) {
+                      std::vector<float> metres;
+                      for (int y = 0; y < field.voxels[1]; ++y)
+                        for (int x = 0; x < field.voxels[0]; ++x)
+                          metres.push_back(static_cast<float>(surface.distance(field.centre(x, y, z))));
+                      return metres;
+                    }};
   field.metres = run_bake(job, run);
   return field;
 }

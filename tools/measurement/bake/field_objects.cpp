@@ -168,11 +168,11 @@ ObjectFields bake_object_fields(const scene::Scene& scene, const ObjectFieldsOpt
   if (each.margin >= 0.0) each.margin = std::max(each.margin, 1.0 / (each.voxels - 2));
   std::vector<scene::Scene> scenes;
   std::vector<std::array<int, 3>> sizes;
-  std::size_t slices = 0, done_before = 0;
+  int slices = 0, done_before = 0;
   for (const SceneObject& object : found.objects) {
     scenes.push_back(scene_of(scene, object));
     sizes.push_back(placed_field(scenes.back(), each).voxels);
-    slices += static_cast<std::size_t>(sizes.back()[2]);
+    slices += sizes.back()[2];
   }
   const PackedBoxes packed = packed_boxes(sizes, largest_field_texture);
   ObjectFields fields;
@@ -181,11 +181,10 @@ ObjectFields bake_object_fields(const scene::Scene& scene, const ObjectFieldsOpt
   fields.flat_triangles = found.flat_triangles;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     BakeOptions own = run;
-    if (run.progress)
-      own.progress = [&](std::size_t done, std::size_t) { run.progress(done_before + done, slices); };
+    if (run.progress) own.progress = [&](double done, double) { run.progress(done_before + done, slices); };
     ObjectField object;
     object.field = bake_distance_field(scenes[i], each, own);
-    done_before += static_cast<std::size_t>(sizes[i][2]);
+    done_before += sizes[i][2];
     object.first = packed.first[i];
     object.largest_metres = largest_of(object.field);
     object.triangles = found.objects[i].triangles.size();

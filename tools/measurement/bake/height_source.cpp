@@ -65,8 +65,7 @@ HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const 
   const reference::EmbreeScene rays(scene);
   const reference::HighestSurface surface(rays, scene);
   // Each block is a row.
-  const BakeJob job{height_key(scene, area, counts), static_cast<std::size_t>(counts.depth),
-                    [&](std::size_t row) {
+  const BakeJob job{height_key(scene, area, counts), counts.depth, [&](int row) {
                       std::vector<float> metres;
                       for (int x = 0; x < field.width; ++x) {
                         const glm::dvec2 place = area.corner + field.spacing() * glm::dvec2(x, row);

@@ -128,10 +128,10 @@ HorizonAngles bake_horizon_angles(const HeightField& field, const HorizonOptions
   HorizonAngles angles{options.width, options.depth, field.area, {}};
   const HorizonSearch search(field);
   // Each block is a row: for each texel its eight angles.
-  const BakeJob job{key_of(field, options), static_cast<std::size_t>(options.depth), [&](std::size_t row) {
+  const BakeJob job{key_of(field, options), options.depth, [&](int row) {
                       std::vector<float> radians;
                       for (int x = 0; x < options.width; ++x) {
-                        const glm::dvec2 from = angles.centre(x, static_cast<int>(row));
+                        const glm::dvec2 from = angles.centre(x, row);
                         const double height = field.height(from);
                         for (int number = 0; number < horizon_directions; ++number) {
                           const double slope = search.steepest(from, height, horizon_direction(number),

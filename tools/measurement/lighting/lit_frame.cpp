@@ -118,7 +118,7 @@ std::vector<glm::vec3> LitFrame::picture(std::span<const float> visibility) cons
   if (visibility.size() != by_sun_.size()) throw std::invalid_argument("the visibility is of another frame");
   std::vector<glm::vec3> colours(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   const int samples = supersampling_ * supersampling_;
-  for_each_row(height_, {}, [&](int row) {
+  reference::for_each_row(height_, {}, [&](int row) {
     for (int column = 0; column < width_; ++column) {
       glm::vec3 sum(0.0F);
       for (int k = 0; k < samples; ++k) {

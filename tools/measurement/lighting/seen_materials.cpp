@@ -1,8 +1,5 @@
 #include "lighting/seen_materials.h"
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -215,7 +212,7 @@ SeenMaterials seen_materials(const scene::Scene& scene, const scene::Frame& fram
   seen.points.resize(pixels);
   seen.view_direction.resize(pixels);
   const MaterialReader reader(scene, frame);
-  for_each_row(seen.height, {}, [&](int row) {
+  reference::for_each_row(seen.height, {}, [&](int row) {
     for (int column = 0; column < seen.width; ++column) {
       const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.width) +
                                 static_cast<std::size_t>(column);
@@ -240,23 +237,6 @@ std::vector<glm::vec3> mean_colours(const scene::Scene& scene) {
     colours.push_back(unit_range(material.base_colour * (textured ? texture->mean() : glm::vec3(1.0F))));
   }
   return colours;
-}
-
-void for_each_row(int height, const reference::RunOptions& run, const std::function<void(int)>& row) {
-  constexpr int kRowsPerReport = 32;
-  const int most = tbb::info::default_concurrency();
-  tbb::task_arena arena(run.jobs > 0 ? std::min(run.jobs, most) : most);
-  for (int begin = 0; begin < height; begin += kRowsPerReport) {
-    const int end = std::min(begin + kRowsPerReport, height);
-    if (run.progress) run.progress(begin, height);
-    arena.execute([&] {
-      tbb::parallel_for(begin, end, [&](int i) {
-        if (run.cancelled && run.cancelled()) throw platform::Interrupted();
-        row(i);
-      });
-    });
-  }
-  if (run.progress) run.progress(height, height);
 }
 
 }  // namespace penumbra::lighting

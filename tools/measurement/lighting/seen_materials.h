@@ -41,8 +41,4 @@ SeenMaterials seen_materials(const scene::Scene& scene, const scene::Frame& fram
 // mean of its texture.
 std::vector<glm::vec3> mean_colours(const scene::Scene& scene);
 
-// Calls row(0) .. row(height - 1), each once, in any order and from several threads; progress counts rows.
-// Throws platform::Interrupted when cancelled, and whatever row throws.
-void for_each_row(int height, const reference::RunOptions& run, const std::function<void(int)>& row);
-
 }  // namespace penumbra::lighting

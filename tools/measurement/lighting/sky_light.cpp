@@ -47,7 +47,7 @@ std::vector<glm::vec3> one_pass(const SeenMaterials& seen, const std::vector<glm
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.width) +
            static_cast<std::size_t>(column);
   };
-  for_each_row(seen.height, run, [&](int row) {
+  reference::for_each_row(seen.height, run, [&](int row) {
     for (int column = 0; column < seen.width; ++column) {
       const std::size_t pixel = index(column, row);
       if (seen.seen[pixel] == 0) continue;
@@ -283,7 +283,7 @@ std::vector<glm::vec3> sky_light(const scene::Scene& scene, const SeenMaterials&
                                  const reference::RunOptions& run) {
   const Gatherer gatherer(scene, surroundings, std::max(rays, 1));
   std::vector<glm::vec3> light(seen.points.size(), glm::vec3(0.0F));
-  for_each_row(seen.height, run, [&](int row) {
+  reference::for_each_row(seen.height, run, [&](int row) {
     const std::size_t begin = static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.width);
     for (std::size_t pixel = begin; pixel < begin + static_cast<std::size_t>(seen.width); ++pixel) {
       if (seen.seen[pixel] != 0) light[pixel] = gatherer.gather(seen.points[pixel], pixel);

@@ -11,7 +11,6 @@ namespace penumbra::reference {
 namespace {
 
 constexpr std::string_view image_kind = "visibility";
-constexpr std::string_view beginning_kind = "rows";
 
 }  // namespace
 
@@ -20,10 +19,6 @@ ReferenceCache::ReferenceCache(std::filesystem::path directory)
 
 std::filesystem::path ReferenceCache::image_file(const std::string& key) const {
   return store_.file(image_kind, key);
-}
-
-std::filesystem::path ReferenceCache::beginning_file(const std::string& key) const {
-  return store_.file(beginning_kind, key);
 }
 
 std::optional<VisibilityImage> ReferenceCache::find(const std::string& key) const {
@@ -55,24 +50,6 @@ bool ReferenceCache::store(const std::string& key, const VisibilityImage& image)
   writer.values(image.visibility);
   writer.values(image.valid);
   return store_.store(image_kind, key, writer.take());
-}
-
-std::vector<HalfCounts> ReferenceCache::find_beginning(const std::string& key) const {
-  const std::optional<std::string> entry = store_.find(beginning_kind, key);
-  if (!entry) return {};
-  platform::ByteReader reader(*entry);
-  std::vector<HalfCounts> counts = reader.values<HalfCounts>();
-  return reader.exhausted() ? counts : std::vector<HalfCounts>{};
-}
-
-bool ReferenceCache::store_beginning(const std::string& key, std::span<const HalfCounts> counts) const {
-  platform::ByteWriter writer;
-  writer.values(counts);
-  return store_.store(beginning_kind, key, writer.take());
-}
-
-void ReferenceCache::drop_beginning(const std::string& key) const {
-  store_.drop(beginning_kind, key);
 }
 
 }  // namespace penumbra::reference

@@ -2,12 +2,9 @@
 // processes may share a directory: writers of one key write the same bytes.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "platform/cache_store.h"
 #include "reference/visibility_image.h"
@@ -25,13 +22,7 @@ class ReferenceCache {
   // Returns false when the file cannot be written (full disk, permissions); nothing partial is left.
   bool store(const std::string& key, const VisibilityImage& image) const;
 
-  // A partial result holds the pixels of the first rows.
-  std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
-  bool store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
-  void drop_beginning(const std::string& key) const;
-
   std::filesystem::path image_file(const std::string& key) const;
-  std::filesystem::path beginning_file(const std::string& key) const;
 
  private:
   platform::CacheStore store_;

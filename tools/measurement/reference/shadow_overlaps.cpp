@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "platform/thread_group.h"
 #include "reference/disc_samples.h"
@@ -57,8 +56,7 @@ std::vector<std::uint8_t> shadow_overlaps(const scene::Scene& scene, const scene
   const parameters::Bounds bounds = scene.bounds();
   const double beyond = 2.0 * glm::length(bounds.maximum - bounds.minimum) + 1.0;
   std::vector<std::uint8_t> overlaps(pixels, 0);
-  const auto threads = jobs > 0 ? static_cast<unsigned>(jobs) : std::thread::hardware_concurrency();
-  platform::run_all((pixels + kPixelsOfTask - 1) / kPixelsOfTask, threads, [&](std::size_t task) {
+  platform::run_all((pixels + kPixelsOfTask - 1) / kPixelsOfTask, jobs, [&](std::size_t task) {
     const std::size_t end = std::min((task + 1) * kPixelsOfTask, pixels);
     for (std::size_t pixel = task * kPixelsOfTask; pixel < end; ++pixel) {
       if (visibility.valid[pixel] == 0 || visibility.visibility[pixel] >= 1.0F) continue;

@@ -269,8 +269,8 @@ resolve::FrameInputs CaseBuilder::inputs_of(const CaseSetup& setup) const {
   bake::BakeOptions run;
   run.jobs = settings_.jobs;
   run.store = &bakes_;
-  run.progress = [&](std::size_t done, std::size_t total) {
-    progress_("baking " + setup.scene.name, static_cast<double>(done), static_cast<double>(total), " rows");
+  run.progress = [&](double done, double total) {
+    progress_("baking " + setup.scene.name, done, total, " rows");
   };
   return baked_inputs(device_, setup.scene, needs, settings_.bake, run);
 }

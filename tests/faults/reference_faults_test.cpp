@@ -1,6 +1,5 @@
-// References are kept and continued when memory or the disk fails: the image is right, or there is none.
+// References are kept when memory or the disk fails: the image is right, or there is none.
 #include "faults/every_fault.h"
-#include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "reference/row_blocks.h"
 #include "reference/scratch_folder.h"
@@ -12,7 +11,7 @@ namespace fs = std::filesystem;
 using namespace reference;
 
 constexpr int width = 10;
-constexpr int height = 24;  // three blocks
+constexpr int height = 24;
 
 RowJob job() {
   RowJob made;
@@ -30,19 +29,8 @@ RowJob job() {
 RunOptions options() {
   RunOptions run;
   run.jobs = 1;
-  run.checkpoint_seconds = 0.0;  // after every block
   run.cancelled = [] { return false; };
   return run;
-}
-
-// Leaves the beginning of an interrupted run: one block.
-void leave_beginning(const ReferenceCache& cache) {
-  RunOptions run = options();
-  run.cancelled = [&, asked = 0]() mutable { return ++asked > 3; };
-  try {
-    run_rows(job(), run, &cache);
-  } catch (const platform::Interrupted&) {
-  }
 }
 
 void expect_right(const std::optional<VisibilityImage>& image, bool must_be_there) {
@@ -51,14 +39,13 @@ void expect_right(const std::optional<VisibilityImage>& image, bool must_be_ther
   EXPECT_TRUE(!image || image->visibility == expected.visibility);
 }
 
-TEST(ResumeFaults, AContinuedImageIsRightWhateverFails) {
+TEST(ReferenceFaults, AnImageIsRightWhateverFails) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "cache";
   const ReferenceCache cache(folder);
   std::optional<VisibilityImage> image;
   with_every_fault({[&] {
                       fs::remove_all(folder);
-                      leave_beginning(cache);
                       image.reset();
                     },
                     [&] { image = run_rows(job(), options(), &cache); },
@@ -69,7 +56,7 @@ TEST(ResumeFaults, AContinuedImageIsRightWhateverFails) {
                     }});
 }
 
-TEST(ResumeFaults, AKeptImageIsOldOrNewWhole) {
+TEST(ReferenceFaults, AKeptImageIsOldOrNewWhole) {
   const ScratchFolder scratch;
   const ReferenceCache cache(scratch.path());
   const VisibilityImage right = run_rows(job(), options(), nullptr);
@@ -79,7 +66,7 @@ TEST(ResumeFaults, AKeptImageIsOldOrNewWhole) {
 }
 
 // A single fault may be got over: the folder is made, and the file opened again.
-TEST(ResumeFaults, AnImageThatIsNotKeptIsSaid) {
+TEST(ReferenceFaults, AnImageThatIsNotKeptIsSaid) {
   const ScratchFolder scratch;
   const std::filesystem::path folder = scratch.path() / "cache";
   const VisibilityImage right = run_rows(job(), options(), nullptr);
@@ -95,7 +82,7 @@ TEST(ResumeFaults, AnImageThatIsNotKeptIsSaid) {
                       }});
 }
 
-TEST(ResumeFaults, ReadingGivesTheImageOrNone) {
+TEST(ReferenceFaults, ReadingGivesTheImageOrNone) {
   const ScratchFolder scratch;
   const ReferenceCache cache(scratch.path());
   cache.store("faulty", run_rows(job(), options(), nullptr));
