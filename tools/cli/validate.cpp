@@ -174,7 +174,7 @@ std::vector<std::string> package_folders(const project::IncludeRoots& roots, con
     const fs::path package = normal(fs::absolute(folder));
     const bool is_own = std::any_of(own.begin(), own.end(), [&](const fs::path& named) {
       const fs::path mine = normal(fs::absolute(named));
-      return project::is_below(package, mine) || project::is_below(mine, package);
+      return platform::is_below(package, mine) || platform::is_below(mine, package);
     });
     if (!is_own) packages.push_back(normal(folder).string());
   }

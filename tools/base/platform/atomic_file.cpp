@@ -1,5 +1,6 @@
 #include "platform/atomic_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -36,11 +37,6 @@ fs::path checkout_of(const fs::path& path) {
   for (fs::path folder = path.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
     if (folder == current || fs::exists(folder / ".git", error)) checkout = folder;
   return checkout;
-}
-
-bool lies_below(const fs::path& path, const fs::path& folder) {
-  const fs::path inside = path.lexically_normal().lexically_relative(folder);
-  return !inside.empty() && *inside.begin() != ".." && *inside.begin() != ".";
 }
 
 #ifdef _WIN32
@@ -104,46 +100,6 @@ std::filesystem::path random_name(const std::filesystem::path& file, const char*
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(word) + ending);
 }
 
-// A temporary file has a random name and must not exist before.
-class Temporary {
- public:
-  // Throws InputError that names `named`.
-  Temporary(const std::filesystem::path& file, const std::filesystem::path& named) {
-    for (int attempt = 0; attempt < kMostAttempts && stream_ == nullptr; ++attempt) {
-      path_ = random_name(file, ".part");
-      stream_ = std::fopen(path_.string().c_str(), "wbx");
-      if (stream_ == nullptr && errno != EEXIST) break;
-    }
-    if (stream_ == nullptr) fail(named, errno);
-  }
-  ~Temporary() {
-    close();
-    std::error_code ignored;
-    if (!renamed_) std::filesystem::remove(path_, ignored);
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-
-  std::FILE* stream() { return stream_; }
-  bool close() {
-    std::FILE* stream = std::exchange(stream_, nullptr);
-    return stream == nullptr || std::fclose(stream) == 0;
-  }
-  std::error_code rename(const std::filesystem::path& file) {
-    std::error_code error;
-    std::filesystem::rename(path_, file, error);
-    renamed_ = !error;
-    return error;
-  }
-
- private:
-  static constexpr int kMostAttempts = 16;
-
-  std::filesystem::path path_;
-  std::FILE* stream_ = nullptr;
-  bool renamed_ = false;
-};
-
 // Returns false where the file's kind cannot be read: then it may be a file. A checkout's link to a device is
 // replaced as its links to files are.
 bool is_device(const std::filesystem::path& file) {
@@ -172,7 +128,8 @@ void refuse_folders(const std::filesystem::path& file) {
 void try_to_write(const std::filesystem::path& file, const std::filesystem::path& named) {
   refuse_linked_folder(file, named);
   const FileWrite writing;
-  const Temporary temporary(file, named);
+  TemporaryFile temporary(file);
+  if (temporary.stream() == nullptr) fail(named, errno);
 }
 
 // The old content of a file, until the files that belong to it are replaced, too.
@@ -221,7 +178,8 @@ class OldFile {
 // A file that is whole and on the disk, but not in its place yet.
 class NewFile {
  public:
-  NewFile(const std::filesystem::path& file, std::string_view content) : file_(file), temporary_(file, file) {
+  NewFile(const std::filesystem::path& file, std::string_view content) : file_(file), temporary_(file) {
+    if (temporary_.stream() == nullptr) fail(file, errno);
     errno = 0;
     const bool written =
         std::fwrite(content.data(), 1, content.size(), temporary_.stream()) == content.size() &&
@@ -240,7 +198,7 @@ class NewFile {
 
  private:
   std::filesystem::path file_;
-  Temporary temporary_;
+  TemporaryFile temporary_;
   std::optional<OldFile> old_;
 };
 
@@ -257,6 +215,34 @@ void place_all(std::list<NewFile>& files) {
 }
 
 }  // namespace
+
+TemporaryFile::TemporaryFile(const fs::path& file) {
+  constexpr int kMostAttempts = 16;
+  for (int attempt = 0; attempt < kMostAttempts && stream_ == nullptr; ++attempt) {
+    path_ = random_name(file, ".part");
+    stream_ = std::fopen(path_.string().c_str(), "wbx");
+    if (stream_ == nullptr && errno != EEXIST) break;
+  }
+  if (stream_ == nullptr) path_.clear();  // that file is not this one's to remove
+}
+
+TemporaryFile::~TemporaryFile() {
+  close();
+  std::error_code ignored;
+  if (!renamed_ && !path_.empty()) fs::remove(path_, ignored);
+}
+
+bool TemporaryFile::close() {
+  std::FILE* stream = std::exchange(stream_, nullptr);
+  return stream == nullptr || std::fclose(stream) == 0;
+}
+
+std::error_code TemporaryFile::rename(const fs::path& file) {
+  std::error_code error;
+  fs::rename(path_, file, error);
+  renamed_ = !error;
+  return error;
+}
 
 std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -296,13 +282,20 @@ void write_file_atomically(const std::filesystem::path& file, std::span<const st
   write_file_atomically(file, text_of(content));
 }
 
+bool is_below(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
 std::optional<fs::path> link_below(const fs::path& folder, const fs::path& path) {
   std::error_code error;
-  const fs::path top = fs::absolute(folder, error).lexically_normal();
+  const fs::path normal = fs::absolute(folder, error).lexically_normal();
+  const fs::path top = normal.has_filename() ? normal : normal.parent_path();
   fs::path reached;  // keeps every "..": after a link, it leads elsewhere than the text says
   for (const fs::path& part : fs::absolute(path, error)) {
     reached /= part;
-    if (lies_below(reached, top) && fs::is_symlink(fs::symlink_status(reached, error))) return reached;
+    const fs::path inside = reached.lexically_normal();
+    if (inside != top && is_below(inside, top) && fs::is_symlink(fs::symlink_status(reached, error)))
+      return reached;
   }
   return std::nullopt;
 }

@@ -11,10 +11,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 #include <system_error>
 #include <vector>
 
+#include "platform/atomic_file.h"
 #include "platform/content_hash.h"
 
 namespace penumbra::platform {
@@ -75,51 +75,15 @@ std::optional<std::string> read_file(const fs::path& file) {
   return content;
 }
 
-// Returns a name that is unique among processes and threads, including forked ones.
-std::string part_name() {
-  static const std::uint64_t process = [] {
-    std::random_device random;
-    return (static_cast<std::uint64_t>(random()) << 32U) | random();
-  }();
-  static std::atomic<std::uint64_t> count{0};
-  return "." + std::to_string(process) + "-" + std::to_string(::getpid()) + "-" + std::to_string(count++) +
-         std::string(part_extension);
-}
-
-// A temporary file that is removed unless it is renamed, even if memory runs out.
-class PartFile {
- public:
-  explicit PartFile(const fs::path& folder) : path_(folder / part_name()) {}
-  ~PartFile() {
-    std::error_code ignored;
-    if (!renamed_) fs::remove(path_, ignored);
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-
-  const fs::path& path() const { return path_; }
-  bool rename(const fs::path& file) {
-    std::error_code error;
-    fs::rename(path_, file, error);
-    renamed_ = !error;
-    return renamed_;
-  }
-
- private:
-  fs::path path_;
-  bool renamed_ = false;
-};
-
 bool write_file(const fs::path& file, std::string_view content) {
-  PartFile part(file.parent_path());
-  std::ofstream stream(part.path(), std::ios::binary);
-  if (!stream) {
+  std::optional<TemporaryFile> part(std::in_place, file);
+  if (part->stream() == nullptr) {
     if (!make_cache_folder(file.parent_path())) return false;
-    stream.open(part.path(), std::ios::binary);
+    part.emplace(file);
+    if (part->stream() == nullptr) return false;
   }
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  return stream && part.rename(file);
+  const bool written = std::fwrite(content.data(), 1, content.size(), part->stream()) == content.size();
+  return part->close() && written && !part->rename(file);
 }
 
 // A symbolic link in a folder that others can write to may refer to a file outside of the cache.

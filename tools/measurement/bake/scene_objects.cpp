@@ -7,10 +7,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 
 #include "input/input_error.h"
+#include "scene/joined_sets.h"
 
 namespace penumbra::bake {
 namespace {
@@ -56,29 +56,6 @@ parameters::Bounds nothing() {
   return {glm::dvec3(std::numeric_limits<double>::infinity()),
           glm::dvec3(-std::numeric_limits<double>::infinity())};
 }
-
-// Disjoint sets that are joined one after the other; each is named by one of its members.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : next_(count) { std::iota(next_.begin(), next_.end(), 0U); }
-
-  std::uint32_t of(std::uint32_t member) {
-    while (next_[member] != member) {
-      next_[member] = next_[next_[member]];
-      member = next_[member];
-    }
-    return member;
-  }
-
-  // The lower name stays, so that the result does not depend on the order.
-  void join(std::uint32_t one, std::uint32_t other) {
-    const std::uint32_t first = of(one), second = of(other);
-    next_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<std::uint32_t> next_;
-};
 
 struct Part {
   std::vector<std::uint32_t> triangles;
@@ -143,7 +120,7 @@ std::vector<Part> parts_of(const scene::Mesh& mesh, std::size_t& flat) {
   std::vector<std::uint32_t> places;  // the welded position of each index
   places.reserve(mesh.indices.size());
   for (const std::uint32_t index : mesh.indices) places.push_back(welded.number(mesh.positions[index]));
-  Joined joined_places(welded.count());
+  scene::JoinedSets joined_places(welded.count());
   for (std::size_t i = 0; i < places.size(); i += 3) {
     joined_places.join(places[i], places[i + 1]);
     joined_places.join(places[i], places[i + 2]);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "input/input_error.h"
+#include "scene/joined_sets.h"
 
 namespace penumbra::scene {
 namespace {
@@ -111,37 +112,27 @@ int sum_of_signs(const Side* first, const Side* last) {
 // The pieces of a mesh are triangles that are joined by edges.
 class Pieces {
  public:
-  explicit Pieces(const std::vector<Corners>& triangles) : above_(triangles.size()) {
-    std::iota(above_.begin(), above_.end(), 0U);
+  explicit Pieces(const std::vector<Corners>& triangles) : sets_(triangles.size()) {
     const std::vector<Side> sides = sorted_sides(triangles);
     for_each_edge(sides, [this](const Side* first, const Side* last) {
-      for (const Side* side = first + 1; side != last; ++side)
-        above_[top(side->triangle)] = top(first->triangle);
+      for (const Side* side = first + 1; side != last; ++side) sets_.join(side->triangle, first->triangle);
     });
     is_open_.assign(triangles.size(), false);
     for_each_edge(sides, [this](const Side* first, const Side* last) {
-      if (sum_of_signs(first, last) != 0) is_open_[top(first->triangle)] = true;
+      if (sum_of_signs(first, last) != 0) is_open_[sets_.of(first->triangle)] = true;
     });
   }
 
-  bool is_open(std::uint32_t triangle) { return is_open_[top(triangle)]; }
+  bool is_open(std::uint32_t triangle) { return is_open_[sets_.of(triangle)]; }
 
   void count(ShadowVolume& volume) {
-    for (std::uint32_t triangle = 0; triangle < above_.size(); ++triangle)
-      if (top(triangle) == triangle) ++(is_open_[triangle] ? volume.open_pieces : volume.closed_pieces);
+    for (std::uint32_t triangle = 0; triangle < is_open_.size(); ++triangle)
+      if (sets_.of(triangle) == triangle) ++(is_open_[triangle] ? volume.open_pieces : volume.closed_pieces);
   }
 
  private:
-  std::uint32_t top(std::uint32_t triangle) {
-    while (above_[triangle] != triangle) {
-      above_[triangle] = above_[above_[triangle]];
-      triangle = above_[triangle];
-    }
-    return triangle;
-  }
-
-  std::vector<std::uint32_t> above_;  // a piece's first triangle has itself
-  std::vector<bool> is_open_;         // indexed by a piece's first triangle
+  JoinedSets sets_;
+  std::vector<bool> is_open_;  // indexed by a piece's first triangle
 };
 
 // The casting triangles, wound so that their normals point towards the light.

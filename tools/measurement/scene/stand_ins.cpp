@@ -11,6 +11,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "scene/joined_sets.h"
+
 namespace penumbra::scene {
 namespace {
 
@@ -28,30 +30,14 @@ Triangle triangle_of(const Mesh& mesh, std::size_t triangle) {
   return {corners, glm::cross(corners[1] - corners[0], corners[2] - corners[0])};
 }
 
-// Sets that are joined: Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm" (1975).
-class JoinedSets {
- public:
-  explicit JoinedSets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-  std::size_t of(std::size_t element) {
-    while (parents_[element] != element) element = parents_[element] = parents_[parents_[element]];
-    return element;
-  }
-  void join(std::size_t a, std::size_t b) { parents_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> parents_;
-};
-
 void join_equal_positions(const Mesh& mesh, JoinedSets& sets) {
-  std::vector<std::size_t> order(mesh.positions.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place = [&](std::size_t i) {
+  std::vector<std::uint32_t> order(mesh.positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto place = [&](std::uint32_t i) {
     const glm::vec3& at = mesh.positions[i];
     return std::tuple(at.x, at.y, at.z);
   };
-  const auto before = [&](std::size_t a, std::size_t b) { return place(a) < place(b); };
+  const auto before = [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); };
   std::sort(order.begin(), order.end(), before);
   for (std::size_t i = 1; i < order.size(); ++i)
     if (place(order[i]) == place(order[i - 1])) sets.join(order[i], order[i - 1]);
@@ -116,7 +102,7 @@ std::vector<Ball> object_balls(const Mesh& mesh, std::size_t most) {
     for (const std::size_t k : {1U, 2U}) sets.join(mesh.indices[3 * i], mesh.indices[3 * i + k]);
   }
   join_equal_positions(mesh, sets);
-  std::map<std::size_t, Part> parts;
+  std::map<std::uint32_t, Part> parts;
   for (const std::size_t i : standing) parts[sets.of(mesh.indices[3 * i])].add(triangle_of(mesh, i));
   std::vector<Ball> balls;
   for (const auto& [root, part] : parts)

@@ -4,26 +4,12 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "input/text_line.h"
+
 namespace penumbra::study {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-// Returns the bytes of the well-formed UTF-8 sequence at the start of text (Unicode 15, table 3-7), or 0.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  }
-  const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-  const bool surrogate = first == 0xED && byte(1) > 0x9F;
-  const bool beyond = first == 0xF4 && byte(1) > 0x8F;
-  return overlong || surrogate || beyond ? 0 : length;
-}
 
 void append_ascii(std::string& html, char c) {
   switch (c) {
@@ -56,13 +42,13 @@ void append_ascii(std::string& html, char c) {
 std::string escape_html(std::string_view text) {
   std::string html;
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 1) {
+    const TextCharacter character = character_at(text, 0);
+    if (character.is_valid && character.bytes == 1) {
       append_ascii(html, text.front());
     } else {
-      html += length == 0 ? kReplacement : text.substr(0, length);
+      html += character.is_valid ? text.substr(0, character.bytes) : kReplacement;
     }
-    text.remove_prefix(length == 0 ? 1 : length);
+    text.remove_prefix(character.bytes);
   }
   return html;
 }

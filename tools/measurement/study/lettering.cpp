@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "input/input_error.h"
+#include "input/text_line.h"
 
 namespace penumbra::study {
 namespace {
@@ -69,20 +70,13 @@ const stbtt_fontinfo& font() {
   return kept.info;
 }
 
-// Removes one UTF-8 character from the front of the text and returns it.
+// Removes one character from the front of the text and returns it.
 char32_t next_letter(std::string_view& text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
-  bool whole = length > 0 && length <= text.size() && first < 0xF5;
-  char32_t letter = length == 1 ? first : first & (0x7FU >> length);
-  for (std::size_t i = 1; whole && i < length; ++i) {
-    whole = (byte(i) & 0xC0U) == 0x80U;
-    letter = letter << 6U | (byte(i) & 0x3FU);
-  }
-  text.remove_prefix(whole ? length : 1);
-  const bool drawable = whole && letter >= 32 && stbtt_FindGlyphIndex(&font(), static_cast<int>(letter)) != 0;
-  return drawable ? letter : U'?';
+  const TextCharacter letter = character_at(text, 0);
+  text.remove_prefix(letter.bytes);
+  const bool drawable = letter.is_valid && letter.code >= 32 &&
+                        stbtt_FindGlyphIndex(&font(), static_cast<int>(letter.code)) != 0;
+  return drawable ? letter.code : U'?';
 }
 
 std::u32string letters_of(std::string_view text) {

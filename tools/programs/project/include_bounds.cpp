@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "input/input_error.h"
+#include "platform/atomic_file.h"
 #include "platform/cache_store.h"
 #include "project/folder_entries.h"
 #include "project/package_manifest.h"
@@ -41,10 +42,6 @@ fs::path nearest_above(const fs::path& file, IsOne is_one) {
 }
 
 }  // namespace
-
-bool is_below(const fs::path& file, const fs::path& root) {
-  return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-}
 
 // HOME may be missing or name another folder, as under cron: the system's own entry of the user holds too.
 bool no_file_owns(const fs::path& folder) {
@@ -85,7 +82,7 @@ bool IncludeBounds::contain(const fs::path& file) const {
   const fs::path real = without_links(file);
   if (std::find(real.begin(), real.end(), git_folder) != real.end()) return false;
   return std::any_of(roots_.begin(), roots_.end(),
-                     [&](const fs::path& root) { return is_below(real, root); });
+                     [&](const fs::path& root) { return platform::is_below(real, root); });
 }
 
 void IncludeBounds::require(const fs::path& file) const {

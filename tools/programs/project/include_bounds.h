@@ -13,9 +13,6 @@ namespace penumbra::project {
 // folder, it is the file alone.
 std::filesystem::path own_tree(const std::filesystem::path& file);
 
-// Returns whether the file is the folder or below it, by their names alone.
-bool is_below(const std::filesystem::path& file, const std::filesystem::path& root);
-
 // Returns the nearest Unity project above the file or folder, if it is in that project's Assets or Packages,
 // where Unity imports it; else empty.
 std::filesystem::path project_of(const std::filesystem::path& file);
