@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
-#include <string_view>
 
 #include "input/input_error.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "reference/closest_surface.h"
 #include "reference/embree_scene.h"
 
@@ -53,15 +51,8 @@ void place_voxels(const scene::Scene& scene, const DistanceFieldOptions& options
 }
 
 std::string key_of(const scene::Scene& scene, const DistanceField& field) {
-  platform::ContentHash hash;
-  hash.update(std::string_view("distances")).update(kDistancesVersion);
-  for (const glm::vec3& position : scene.mesh.positions)
-    hash.update(position.x).update(position.y).update(position.z);
-  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
-  for (const int count : field.voxels) hash.update(count);
-  for (const glm::dvec3& corner : {field.box.minimum, field.box.maximum})
-    hash.update(corner.x).update(corner.y).update(corner.z);
-  return hash.hex();
+  return platform::hash_of("distances", kDistancesVersion, scene.mesh.positions, scene.mesh.indices,
+                           field.voxels, field.box);
 }
 
 }  // namespace

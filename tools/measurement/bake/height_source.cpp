@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <string_view>
 
 #include "input/input_error.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "reference/closest_surface.h"
 #include "reference/embree_scene.h"
 #include "scene/content_hash.h"
@@ -21,12 +19,7 @@ constexpr int kHeightsVersion = 2;  // increased whenever a change affects any r
 constexpr float kNothing = std::numeric_limits<float>::lowest();
 
 std::string height_key(const scene::Scene& scene, const Area& area, const SampleCounts& counts) {
-  platform::ContentHash hash;
-  hash.update(std::string_view("heights")).update(kHeightsVersion);
-  hash.update(std::string_view(scene::content_hash(scene)));
-  for (const glm::dvec2& pair : {area.corner, area.size}) hash.update(pair.x).update(pair.y);
-  hash.update(counts.width).update(counts.depth);
-  return hash.hex();
+  return platform::hash_of("heights", kHeightsVersion, scene::content_hash(scene), area, counts);
 }
 
 }  // namespace

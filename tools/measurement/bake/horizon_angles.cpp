@@ -7,11 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
-#include <string_view>
 
 #include "input/input_error.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 
 namespace penumbra::bake {
 namespace {
@@ -101,13 +99,7 @@ void check(const HorizonOptions& options) {
 }
 
 std::string key_of(const HeightField& field, const HorizonOptions& options) {
-  platform::ContentHash hash;
-  hash.update(std::string_view("horizon")).update(kHorizonVersion);
-  hash.update(field.width).update(field.depth);
-  for (const glm::dvec2& pair : {field.area.corner, field.area.size}) hash.update(pair.x).update(pair.y);
-  hash.update(std::span<const float>(field.metres));
-  hash.update(options.width).update(options.depth).update(options.nearest_metres);
-  return hash.hex();
+  return platform::hash_of("horizon", kHorizonVersion, field, options);
 }
 
 }  // namespace

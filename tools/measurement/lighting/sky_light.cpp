@@ -10,14 +10,13 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "lighting/seen_materials.h"
 #include "platform/byte_stream.h"
 #include "platform/cache_store.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "reference/embree_scene.h"
 #include "reference/lit_receiver.h"
 #include "scene/cut_out.h"
@@ -77,26 +76,12 @@ constexpr int kVersion = 1;  // increased whenever a change affects any result
 
 std::string key_of(const scene::Scene& scene, const SeenMaterials& seen, const Surroundings& surroundings,
                    int rays) {
-  platform::ContentHash hash;
-  hash.update(kKind).update(kVersion).update(rays);
-  hash.update(std::span<const glm::vec3>(scene.mesh.positions));
-  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
-  hash.update(std::span<const std::uint16_t>(scene.mesh.triangle_materials));
-  scene::CutOuts(scene).add_to(hash);
-  hash.update(std::span<const glm::vec3>(mean_colours(scene)));
-  for (const scene::Material& material : scene.materials) hash.update(double(material.translucency));
-  hash.update(surroundings.sky.table());
-  hash.update(std::span<const glm::vec3>(&surroundings.to_sun, 1));
-  hash.update(std::span<const glm::vec3>(&surroundings.sun, 1));
-  hash.update(seen.width).update(seen.height);
-  hash.update(std::span<const std::uint8_t>(seen.seen));
-  for (const SurfacePoint& point : seen.points) {
-    hash.update(std::span<const glm::vec3>(&point.position, 1));
-    hash.update(std::span<const glm::vec3>(&point.flat_normal, 1));
-    hash.update(std::span<const glm::vec3>(&point.normal, 1));
-    hash.update(double(point.translucency));
-  }
-  return hash.hex();
+  std::vector<float> translucencies;
+  for (const scene::Material& material : scene.materials) translucencies.push_back(material.translucency);
+  return platform::hash_of(kKind, kVersion, rays, scene.mesh.positions, scene.mesh.indices,
+                           scene.mesh.triangle_materials, scene::CutOuts(scene), mean_colours(scene),
+                           translucencies, surroundings.sky.table(), surroundings.to_sun, surroundings.sun,
+                           seen.width, seen.height, seen.seen, seen.points);
 }
 
 constexpr int kPacket = 16;

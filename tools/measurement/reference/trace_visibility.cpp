@@ -4,16 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "input/input_error.h"
-#include "platform/content_hash.h"
+#include "platform/hashed_fields.h"
 #include "reference/disc_samples.h"
 #include "reference/disc_tracer.h"
 #include "reference/embree_scene.h"
@@ -49,38 +46,23 @@ double passing(const scene::CloudLayer& layer, const glm::dvec3& from,
 
 constexpr int tracing_version = 1;  // increased whenever a change affects any result
 
-void add_to(platform::ContentHash& hash, const glm::dvec3& vector) {
-  hash.update(vector.x).update(vector.y).update(vector.z);
+std::string hash_of_light(const parameters::Light& light) {
+  return platform::hash_of(light);
 }
 
-void add_to(platform::ContentHash& hash, const parameters::Light& light) {
-  add_to(hash, light.direction);
-  hash.update(light.angular_diameter_degrees);
-}
-
-// Adds those properties of a spot light that decide visibility and the receivers.
-void add_to(platform::ContentHash& hash, const parameters::SpotLight& light) {
-  hash.update(std::string_view("spot light"));
-  add_to(hash, light.position);
-  add_to(hash, light.direction);
-  hash.update(light.outer_angle_degrees).update(light.source_radius_metres).update(light.range_metres);
+// Covers those properties of a spot light that decide visibility and the receivers.
+std::string hash_of_light(const parameters::SpotLight& light) {
+  return platform::hash_of("spot light", light.position, light.direction, light.outer_angle_degrees,
+                           light.source_radius_metres, light.range_metres);
 }
 
 template <typename Light>
 std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers, const Light& light,
                    const TraceOptions& options) {
-  platform::ContentHash hash;
-  hash.update(std::string_view("T1")).update(tracing_version);
-  hash.update(std::span<const glm::vec3>(scene.mesh.positions));
-  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
-  scene::CutOuts(scene).add_to(hash);
-  hash.update(receivers.width).update(receivers.height);
-  hash.update(std::span<const glm::vec4>(receivers.position_relative));
-  hash.update(std::span<const glm::vec4>(receivers.position_ws));
-  hash.update(std::span<const glm::vec4>(receivers.normal_ws));
-  add_to(hash, light);
-  hash.update(options.samples).update(options.seed);
-  return hash.hex();
+  return platform::hash_of("T1", tracing_version, scene.mesh.positions, scene.mesh.indices,
+                           scene::CutOuts(scene), receivers.width, receivers.height,
+                           receivers.position_relative, receivers.position_ws, receivers.normal_ws,
+                           hash_of_light(light), options);
 }
 
 struct Traced {

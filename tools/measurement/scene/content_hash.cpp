@@ -51,7 +51,7 @@ std::string content_hash(const Scene& scene) {
   }
   if (scene.seen_distance_metres > 0.0) hash.update(scene.seen_distance_metres);
   if (scene.clouds) update(hash, *scene.clouds);
-  CutOuts(scene).add_to(hash);
+  add_fields(hash, CutOuts(scene));
   if (scene.spot_light) update(hash, *scene.spot_light);
   return hash.hex();
 }

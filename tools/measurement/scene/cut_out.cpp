@@ -202,13 +202,13 @@ float CutOuts::opacity(std::size_t triangle, float u, float v) const {
   return std::clamp(alpha(entry_of(triangle), triangle, u, v), 0.0F, 1.0F);
 }
 
-void CutOuts::add_to(platform::ContentHash& hash) const {
-  if (!any()) return;
+void add_fields(platform::ContentHash& hash, const CutOuts& cut_outs) {
+  if (!cut_outs.any()) return;
   hash.update(std::string_view("cut-outs"));
-  hash.update(std::span<const std::uint32_t>(of_triangle_));
-  hash.update(std::span<const Entry>(entries_));
-  hash.update(std::span<const std::uint32_t>(texels_));
-  hash.update(std::span<const glm::vec2>(mesh_.uvs));
+  hash.update(std::span<const std::uint32_t>(cut_outs.of_triangle_));
+  hash.update(std::span<const CutOuts::Entry>(cut_outs.entries_));
+  hash.update(std::span<const std::uint32_t>(cut_outs.texels_));
+  hash.update(std::span<const glm::vec2>(cut_outs.mesh_.uvs));
 }
 
 }  // namespace penumbra::scene

@@ -64,7 +64,7 @@ class CutOuts {
   const std::vector<std::uint32_t>& texels() const { return texels_; }
 
   // Adds everything that affects where surfaces are open; adds nothing if there are no cut-outs.
-  void add_to(platform::ContentHash& hash) const;
+  friend void add_fields(platform::ContentHash& hash, const CutOuts& cut_outs);
 
  private:
   std::uint32_t add_entry(const Scene& scene, const Material& material);
