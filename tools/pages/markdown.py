@@ -17,8 +17,6 @@ def written(page, parts):
     """The page's text with the parts, a text by name, put into their places."""
     for name, text in parts.items():
         begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
-        if f"<!-- {name}:begin -->" in page:
-            begin, end = f"<!-- {name}:begin -->", f"<!-- {name}:end -->"
         if page.count(begin) != 1 or page.count(end) != 1:
             raise Problem(f"the page needs {begin} and {end} once each")
         head, rest = page.split(begin)
