@@ -2,7 +2,7 @@
 //
 // Computes:   Screen/Accumulation.hlsl at this pixel, and the history for the next frame.
 // Source:     see there.
-// Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size, with noise that is new in every frame;
+// Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size, with noise that is new in each frame;
 //             _PenumbraHistory: this pass's second output of the frame before, 0 where there was none;
 //             _PenumbraToPreviousScreen   per eye: (uv, stored camera depth, 1) to the same of the frame before,
 //                                         homogeneous.

@@ -85,6 +85,7 @@ namespace Penumbra
                 if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);
             }
+            FrameUniforms.StopNoise(commands, frame);
 #if UNITY_EDITOR
             UnityEditor.ShaderUtil.RestoreAsyncCompilation(commands);
 #endif

@@ -46,6 +46,18 @@ namespace Penumbra
             commands.SetGlobalMatrixArray(ToPreviousScreenMatrices, toPreviousScreen);
         }
 
+        /// <summary>
+        /// Makes the noise static for what is drawn after the chain: nothing averages the frames of forward shaders that
+        /// filter themselves.
+        /// </summary>
+        internal static void StopNoise(CommandBuffer commands, in ShadowFrame frame)
+        {
+            if (!frame.options.Accumulates) return;
+            Vector4 parameters = frame.uniforms.MainLightParams;
+            parameters.z = 0.0f;
+            commands.SetGlobalVector(MainLightParams, parameters);
+        }
+
         // Forward shaders may use any filter that needs no passes; where two share a struct, the technique's is last.
         private static void SetParameters(CommandBuffer commands, in ShadowOptions options)
         {

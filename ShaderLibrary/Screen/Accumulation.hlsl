@@ -3,8 +3,8 @@
 // Computes:   the exponential mean of a pixel's visibility and of what the same place had in the frames before.
 // Source:     Yang, Liu and Salvi, "A Survey of Temporal Antialiasing Techniques" (2020): reprojection, rejection by
 //             depth, clipping to the mean and deviation of the pixels around.
-// Inputs:     visibility of a pixel and of the eight around it at AccumulationOffset(); words of PackAccumulated() of the
-//             frame before, of the four pixels around the place where the surface was seen then.
+// Inputs:     visibility of a pixel and of the eight around it at AccumulationOffset(); words of PackAccumulated() of
+//             the frame before, of the four pixels around the place where the surface was seen then.
 // Cost:       no fetches.
 // Guarantees: [0, 1]. Without history, and where all pixels around are equal, the visibility stays to the last bit.
 // Use it:     where noise is new in every frame. Not: with static noise, which is the same in the mean.
@@ -104,8 +104,8 @@ struct AccumulationHistory
 };
 
 // History of a place between four pixels, rows after each other; `share` is its place between them. `expected` is the
-// depth that the surface had then, and `slope` how much that changes within a pixel. Pixels of other surfaces, or without
-// history, do not count.
+// depth that the surface had then, and `slope` how much that changes within a pixel. Pixels of other surfaces, or
+// without history, do not count.
 AccumulationHistory HistoryBetween(uint words[4], float2 share, float expected, float slope)
 {
     const float tolerance = kAccumulationDepth * expected + min(slope, 4.0 * kAccumulationDepth * expected);

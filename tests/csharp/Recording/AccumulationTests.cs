@@ -32,6 +32,18 @@ public sealed class AccumulationTests : FeatureTests
         Assert.That(Noise(), Is.EqualTo(5.0f));
     }
 
+    // Forward shaders filter after the chain, and nothing averages their frames.
+    [TestCase(NoiseMode.Accumulated, 0.0f)]
+    [TestCase(NoiseMode.PerFrame, 5.0f)]
+    public void BehindTheChainTheNoiseStandsStill(NoiseMode noise, float expected)
+    {
+        feature.Settings.noise = noise;
+        Time.frameCount = 5;
+        Render();
+        Assert.That(Noise(), Is.EqualTo(5.0f));
+        Assert.That(((Vector4)urp.Device.Uniforms["_PenumbraMainLightParams"]).z, Is.EqualTo(expected));
+    }
+
     [Test]
     public void TheHistoryIsWhatWasWrittenAFrameAgo()
     {
