@@ -15,7 +15,6 @@ void put_static_first(TokenText& text);
 void rename_type_semantics(TokenText& text);
 void match_prototypes(TokenText& text);
 void plain_registers(TokenText& text);
-void read_framebuffer(TokenText& text);
 void hoist_cbuffer_resources(TokenText& text);
 void place_cbuffer_members(TokenText& text);
 void separate_dx9_samplers(TokenText& text);
