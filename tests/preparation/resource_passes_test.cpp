@@ -52,33 +52,6 @@ void expect_error(void (*run)(TokenText&), const std::string& hlsl, const std::s
   EXPECT_THAT(passed.notes[0].message, HasSubstr(part));
 }
 
-TEST(CbufferResources, StandBeforeTheirCbuffer) {
-  expect(hoist_cbuffer_resources,
-         "cbuffer C : register(b1) { float a; Texture2D<half4> t : register(t3), u[2]; SamplerState s; float "
-         "b; }",
-         "Texture2D<half4> t : register(t3), u[2]; SamplerState s; cbuffer C : register(b1) { float a; float "
-         "b; }");
-  expect(hoist_cbuffer_resources, "cbuffer C { uint a; static const int b = 3, c = 4; float d; };",
-         "static const int b = 3, c = 4; cbuffer C { uint a; float d; };");
-  expect(hoist_cbuffer_resources, "tbuffer C { StructuredBuffer<float> b; };",
-         "StructuredBuffer<float> b; ;");
-  expect_untouched(hoist_cbuffer_resources,
-                   "cbuffer C { float4 Texture; }; Texture2D t; struct S { Texture2D u; };");
-}
-
-TEST(CbufferResources, KeepTheirLine) {
-  TokenText text("cbuffer C\n{\n float a;\n Texture2D t;\n}", "m");
-  hoist_cbuffer_resources(text);
-  const auto line_of = [&](std::string_view word) {
-    const auto found = std::find_if(text.tokens().begin(), text.tokens().end(),
-                                    [&](const hlsl::Token& token) { return token.spelling == word; });
-    return found == text.tokens().end() ? 0 : found->line;
-  };
-  EXPECT_EQ(line_of("t"), 4);
-  EXPECT_EQ(line_of("C"), 1);
-  EXPECT_EQ(line_of("a"), 3);
-}
-
 TEST(BufferAliases, AreTheBufferItself) {
   expect(resolve_buffer_aliases,
          "StructuredBuffer<int> A; struct S { StructuredBuffer<int> b; float x; };"
@@ -136,6 +109,12 @@ TEST(BufferAliases, OfTwoBuffersAreAnError) {
                "'b' is an alias of");
   expect_error(resolve_buffer_aliases, head + "void f(int A) { } void g() { S s; s.b = A; }",
                "rename that one");
+}
+
+TEST(CbufferStatics, StandBeforeTheirCbuffer) {
+  expect(move_statics_of_cbuffers, "cbuffer C { uint a; static const int b[2] = {3, 4}, c = 4; float d; };",
+         "static const int b[2] = {3, 4}, c = 4; cbuffer C { uint a; float d; };");
+  expect_untouched(move_statics_of_cbuffers, "static int a; struct S { static const int b = 1; };");
 }
 
 TEST(Dx9Samplers, DeclarationsBecomeTwo) {
@@ -281,9 +260,6 @@ TEST_P(RefusedWithoutTheStage, IsAcceptedWithIt) {
 INSTANTIATE_TEST_SUITE_P(
     Resources, RefusedWithoutTheStage,
     testing::Values(
-        Refused{"cbuffer",
-                "cbuffer C { float a; TextureCube t; SamplerState s; }"
-                "float4 f(float4 uv) { return t.Sample(s, uv.xyz) * a; }"},
         Refused{"buffer_in_struct",
                 "ByteAddressBuffer B; struct S { ByteAddressBuffer b; };"
                 "float4 f(float4 uv) { S s; s.b = B; return asfloat(s.b.Load4(0)); }"},

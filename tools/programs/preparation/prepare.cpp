@@ -7,7 +7,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 25> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 24> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"uniform-parameters", drop_uniform_of_parameters},
                                              {"texture-precision", drop_texture_precision},
@@ -16,8 +16,7 @@ std::span<const Pass> passes() {
                                              {"type-semantics", rename_type_semantics},
                                              {"prototypes", match_prototypes},
                                              {"plain-registers", plain_registers},
-                                             {"cbuffer-resources", hoist_cbuffer_resources},
-                                             {"cbuffer-offsets", place_cbuffer_members},
+                                             {"cbuffer-statics", move_statics_of_cbuffers},
                                              {"dx9-samplers", separate_dx9_samplers},
                                              {"buffer-aliases", resolve_buffer_aliases},
                                              {"texture-reads", separate_texture_reads},

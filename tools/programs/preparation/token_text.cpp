@@ -85,12 +85,6 @@ void TokenText::match_brackets() {
   }
 }
 
-bool TokenText::holds(std::initializer_list<std::string_view> spellings) const {
-  return std::any_of(tokens_.begin(), tokens_.end(), [&](const hlsl::Token& token) {
-    return std::find(spellings.begin(), spellings.end(), token.spelling) != spellings.end();
-  });
-}
-
 bool TokenText::has(std::size_t first, std::size_t end, std::string_view spelling) const {
   for (std::size_t at = first; at < end; ++at)
     if (is(at, spelling)) return true;

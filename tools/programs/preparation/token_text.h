@@ -54,7 +54,6 @@ class TokenText {
   bool is_number(std::size_t at) const { return tokens_[at].kind == hlsl::Token::Kind::number; }
   std::string_view word(std::size_t at) const { return tokens_[at].spelling; }
   std::string name(std::size_t at) const { return std::string(word(at)); }
-  bool holds(std::initializer_list<std::string_view> spellings) const;  // in any of its tokens
   // Returns the first character of a token; '\0' past the last.
   char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
   // Returns the number of the identifier at this index, equal for equal spellings, below identifier_count();

@@ -188,6 +188,26 @@ void make_constants_uniforms(TokenText& text) {
   ConstantUniforms(text).run();
 }
 
+// `cbuffer C { static const int a = 3; }`, as URP's DOTS_INSTANCED_PROP writes it: glslang makes it a member
+// of the block, which silently loses its value. Such a declaration is moved before the cbuffer, with its
+// line.
+void move_statics_of_cbuffers(TokenText& text) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
+    if (declaration.kind != Kind::buffer) continue;
+    std::size_t first = declaration.open + 1;
+    for (std::size_t at = first; at < declaration.close; at = text.after(at)) {
+      if (!text.is(at, ";")) continue;
+      const std::size_t count = at + 1 - first;
+      if (text.has(first, at, "static")) {
+        text.insert_from(first, declaration.first, text.spelled(first, count));
+        text.erase(first, count);
+      }
+      first = at + 1;
+    }
+  }
+  text.apply();
+}
+
 // Writes to uniforms: HLSL lets a shader assign to a global variable or a member of a cbuffer, which changes
 // only this invocation's copy (docs "Variable Syntax": extern globals are initialised from outside). glslang
 // rejects an assignment ("can't modify a uniform") and silently drops writes through out and inout
