@@ -236,15 +236,5 @@ TEST(ExecutedSwitches, OfAFloatTakeItsWholePart) {
       {10 + 2 + 0.1F, 20 + 3 + 0.2F, 10 + 3 + 0.1F});
 }
 
-TEST(ExecutedConstants, OfIntegerMatricesAreWorkedOut) {
-  expect_prepared({kMain + "{ int2x2 a = min(int2x2(1, 2, 3, 4), int2x2(4, 3, 2, 1)); uint2x2 b = "
-                           "max(uint2x2(1, 2, 3, 4), uint2x2(4, 3, 2, 1)); Out[0] = a[0][1] * 10 + a[1][0]; "
-                           "Out[1] = b[0][0] * 10 + b[1][1]; }",
-                   {0},
-                   {},
-                   2},
-                  {22, 44});
-}
-
 }  // namespace
 }  // namespace penumbra::preparation

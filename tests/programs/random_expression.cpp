@@ -53,6 +53,14 @@ Expression RandomExpression::tame(const Expression& value) {
   return chance_.percent(70) ? whole : binary("*", type, std::move(whole), number(Base::real, 0.25));
 }
 
+// What glslang does with whole matrices by elements are + - * / % alone, so a matrix has tame rows.
+Expression RandomExpression::tame_of(const Type& type, int depth) {
+  if (!type.is_matrix()) return tame(of(type, depth));
+  std::vector<Expression> rows;
+  for (int row = 0; row < type.rows; ++row) rows.push_back(tame(of(vector(type.base, type.columns), depth)));
+  return build::with_parts(Expression::Kind::construct, type, "", std::move(rows));
+}
+
 // A whole number that a float holds.
 Expression RandomExpression::small(const Expression& value) {
   if (value.kind == Expression::Kind::literal || value.type.base == Base::boolean) return value;
@@ -95,7 +103,7 @@ Expression RandomExpression::other_shape(const Type& type, int depth) {
 
 // An operand beside one of that type: of the same type, of a lower base, or a scalar.
 Expression RandomExpression::operand(const Type& type, int depth) {
-  if (chance_.percent(20)) return other_shape(type, depth);
+  if (chance_.percent(20)) return type.is_matrix() ? of(scalar(type.base), depth) : other_shape(type, depth);
   if (chance_.percent(80) || type.base == Base::boolean || type.is_matrix()) return of(type, depth);
   return small(of(type.of_base(static_cast<Base>(chance_.below(static_cast<int>(type.base)))), depth));
 }
@@ -168,13 +176,16 @@ Expression RandomExpression::real(const Type& type, int depth) {
     return binary(chance_.percent(50) ? "+" : "-", type, std::move(left), std::move(right));
   }
   if (way < 6) {
-    Expression left = tame(of(type, depth));
-    Expression right = tame(of(chance_.percent(70) ? type : scalar(Base::real), depth));
+    Expression left = tame_of(type, depth);
+    const bool alike = !type.is_matrix() && chance_.percent(70);
+    Expression right = tame_of(alike ? type : scalar(Base::real), depth);
     if (chance_.percent(50)) std::swap(left, right);
     return binary("*", type, std::move(left), std::move(right));
   }
-  if (way < 7) return binary("%", type, tame(of(type, depth)), divisor(type, depth));
-  if (way < 8) return binary("/", type, tame(of(type, depth)), number(Base::real, 1 << chance_.below(3)));
+  if (way < 7)
+    return binary("%", type, tame_of(type, depth),
+                  divisor(type.is_matrix() ? scalar(type.base) : type, depth));
+  if (way < 8) return binary("/", type, tame_of(type, depth), number(Base::real, 1 << chance_.below(3)));
   if (way < 9) return unary("-", type, of(type, depth));
   if (type.is_scalar() && chance_.percent(25)) {
     const Type several = vector(Base::real, chance_.between(2, 4));
@@ -184,12 +195,12 @@ Expression RandomExpression::real(const Type& type, int depth) {
     const int other = chance_.between(2, 4);
     const Expression row = tame(of(vector(Base::real, other), depth));
     if (chance_.percent(50))
-      return intrinsic("mul", type, {row, tame(of({Base::real, other, type.columns}, depth))});
-    return intrinsic("mul", type, {tame(of({Base::real, type.columns, other}, depth)), row});
+      return intrinsic("mul", type, {row, tame_of({Base::real, other, type.columns}, depth)});
+    return intrinsic("mul", type, {tame_of({Base::real, type.columns, other}, depth), row});
   }
   if (type == vector(Base::real, 3) && chance_.percent(20))
     return intrinsic("cross", type, {tame(of(type, depth)), tame(of(type, depth))});
-  return componentwise(type, depth);
+  return type.is_matrix() ? matrix(type, depth) : componentwise(type, depth);
 }
 
 Expression RandomExpression::matrix(const Type& type, int depth) {
@@ -199,7 +210,7 @@ Expression RandomExpression::matrix(const Type& type, int depth) {
     const int inner = chance_.between(2, 4);
     return intrinsic(
         "mul", type,
-        {tame(of({type.base, type.rows, inner}, depth)), tame(of({type.base, inner, type.columns}, depth))});
+        {tame_of({type.base, type.rows, inner}, depth), tame_of({type.base, inner, type.columns}, depth)});
   }
   return construct(type, depth);
 }
@@ -221,7 +232,7 @@ Expression RandomExpression::componentwise(const Type& type, int depth) {
   }
   if (is_real && chance_.percent(10))
     return intrinsic("fmod", type, {tame(of(type, depth)), divisor(type, depth)});
-  if (!is_real && !type.is_matrix() && chance_.percent(25)) {
+  if (!is_real && chance_.percent(25)) {
     static const std::vector<std::string> on_bits{"countbits", "reversebits", "firstbithigh", "firstbitlow"};
     if (type.base == Base::natural) return intrinsic(chance_.of(on_bits), type, {of(type, depth)});
     return intrinsic("sign", type, {of(chance_.percent(50) ? type : type.of_base(Base::real), depth)});
@@ -230,7 +241,7 @@ Expression RandomExpression::componentwise(const Type& type, int depth) {
   const auto& [name, count] = chance_.of(!is_real ? of_wholes : tamed ? of_tame_reals : of_reals);
   std::vector<Expression> arguments;
   for (int i = 0; i < count; ++i) {
-    const bool splat = i > 0 && !type.is_matrix() && chance_.percent(20);
+    const bool splat = i > 0 && chance_.percent(20);
     Expression argument = of(splat ? scalar(type.base) : type, depth);
     arguments.push_back(tamed ? tame(argument) : std::move(argument));
   }

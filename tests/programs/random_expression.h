@@ -33,6 +33,7 @@ class RandomExpression {
   Expression leaf(const Type& type);
   Expression literal(Base base);
   Expression tame(const Expression& value);
+  Expression tame_of(const Type& type, int depth);
   Expression small(const Expression& value);
   Expression divisor(const Type& type, int depth);
   Expression index(int size, bool simple);  // simple: the index may be read twice

@@ -34,25 +34,6 @@ NumberShape shape_of_number(std::string_view number) {
   return {number.find_first_of("uU") != std::string_view::npos ? Base::natural : Base::integer};
 }
 
-std::string type_of_shape(const NumberShape& shape) {
-  std::string type = shape.base == Base::boolean   ? "bool"
-                     : shape.base == Base::integer ? "int"
-                     : shape.base == Base::natural ? "uint"
-                                                   : "float";
-  if (shape.rows > 0) type += std::to_string(shape.rows) + "x";
-  if (shape.columns > 0) type += std::to_string(shape.columns);
-  return type;
-}
-
-NumberShape combined_shape(const NumberShape& a, const NumberShape& b) {
-  if (!a.known() || !b.known()) return {};
-  const Base base = std::max({a.base, b.base, Base::integer});
-  if (a.is_scalar()) return b.of_base(base);
-  if (b.is_scalar()) return a.of_base(base);
-  if (a.is_matrix() != b.is_matrix()) return {};
-  return {base, std::min(a.rows, b.rows), std::min(a.columns, b.columns)};
-}
-
 std::size_t components(std::string_view type) {
   const NumberShape shape = shape_of_type(type);
   return static_cast<std::size_t>(std::max(shape.rows, 1) * std::max(shape.columns, 1));

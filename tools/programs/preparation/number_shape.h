@@ -1,5 +1,4 @@
-// The shape of a numeric type - scalar, vector or matrix, and its base type - and the result shapes of HLSL's
-// operators. Internal to this folder.
+// The shape of a numeric type - scalar, vector or matrix, and its base type. Internal to this folder.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 namespace penumbra::preparation {
 
 struct NumberShape {
-  enum class Base { unknown, boolean, integer, natural, real };  // the order is that of promotion
+  enum class Base { unknown, boolean, integer, natural, real };
   Base base = Base::unknown;
   int rows = 0;     // rows of a matrix; 0 otherwise
   int columns = 0;  // columns of a matrix or vector; 0 for a scalar
@@ -17,20 +16,10 @@ struct NumberShape {
   bool known() const { return base != Base::unknown; }
   bool is_matrix() const { return known() && rows > 0; }
   bool is_vector() const { return known() && rows == 0 && columns > 0; }
-  bool is_scalar() const { return known() && columns == 0; }
-  bool operator==(const NumberShape&) const = default;
-
-  NumberShape of_base(Base other) const { return {known() ? other : base, rows, columns}; }
 };
 
 NumberShape shape_of_type(std::string_view type);      // for "half3x4", ...; unknown for other identifiers
 NumberShape shape_of_number(std::string_view number);  // for 1.5h, 12u, 0xF; a suffix L does not count
-std::string type_of_shape(const NumberShape& shape);   // for a known shape; half is float
-
-// Returns the shape of an arithmetic operator's result: the higher base type, the smaller shape, where a
-// scalar is extended to any shape. It is unknown if one is unknown, and for a vector with a matrix, which
-// HLSL does not combine.
-NumberShape combined_shape(const NumberShape& a, const NumberShape& b);
 
 // Returns 3 for float3, 16 for float4x4, 1 for float.
 std::size_t components(std::string_view number_type);

@@ -26,7 +26,6 @@ void drop_stray_semicolons(TokenText& text);
 void drop_statement_attributes(TokenText& text);
 void widen_matrix_casts(TokenText& text);
 void write_out_matrix_swizzles(TokenText& text);
-void write_out_matrix_operators(TokenText& text);
 void define_intrinsics(TokenText& text);
 void hide_constant_operands(TokenText& text);
 void copy_written_uniforms(TokenText& text);

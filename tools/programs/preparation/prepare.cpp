@@ -7,7 +7,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 24> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 23> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"uniform-parameters", drop_uniform_of_parameters},
                                              {"texture-precision", drop_texture_precision},
@@ -27,7 +27,6 @@ std::span<const Pass> passes() {
                                              {"statement-attributes", drop_statement_attributes},
                                              {"matrix-casts", widen_matrix_casts},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
-                                             {"matrix-operators", write_out_matrix_operators},
                                              {"intrinsic-definitions", define_intrinsics},
                                              {"constant-operands", hide_constant_operands},
                                              {"uniform-writes", copy_written_uniforms}}};

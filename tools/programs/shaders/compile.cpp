@@ -14,7 +14,6 @@
 #include "shaders/generated_words.h"
 #include "shaders/hlsl_problems.h"
 #include "shaders/include_resolver.h"
-#include "shaders/matrix_operations.h"
 #include "shaders/module_corrections.h"
 #include "shaders/parse_failure.h"
 #include "shaders/source_memory.h"
@@ -103,14 +102,6 @@ bool report(const Source& source, const hlsl::SourceFiles& sources,
   return !problems.empty();
 }
 
-// Corrects the syntax tree where its meaning differs from HLSL's.
-bool correct_tree(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
-                  CompileResult& result) {
-  correct_operations(tree);
-  lay_out_buffers(tree);
-  return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
-}
-
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
@@ -155,7 +146,9 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
   if (report(source, sources, reads_without_comparing(tree), result)) return false;
   if (report(source, sources, converted_arguments(tree), result)) return false;
-  if (!correct_tree(source, sources, tree, result)) return false;
+  if (report(source, sources, operations_on_matrices(tree, source.text, source.name), result)) return false;
+  correct_operations(tree);
+  lay_out_buffers(tree);
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (source.request.optimise) find_target_problems(source, sources, tree, result);
   result.signature = tree_signature(tree, result.spirv);

@@ -1,11 +1,14 @@
 #include "shaders/tree_problems.h"
 
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <glslang/MachineIndependent/localintermediate.h>
 
 #include "hlsl/name_set.h"
+#include "hlsl/tokens.h"
 #include "shaders/tree_rewrite.h"
 
 namespace penumbra::shaders {
@@ -108,6 +111,92 @@ class ArgumentSearch final : public glslang::TIntermTraverser {
   }
 };
 
+bool is_matrix(const TIntermNode* node) {
+  const glslang::TIntermTyped* typed = node == nullptr ? nullptr : node->getAsTyped();
+  return typed != nullptr && typed->isMatrix() && !typed->isArray();
+}
+
+bool is_matrix_of_floats(const glslang::TIntermTyped& node) {
+  return is_matrix(&node) && node.getType().isFloatingDomain();
+}
+
+bool is_function_of_matrices(glslang::TOperator op) {
+  return hlsl::is_one_of(op, {glslang::EOpTranspose, glslang::EOpDeterminant, glslang::EOpMatrixInverse,
+                              glslang::EOpMatrixTimesMatrix});
+}
+
+// Returns whether it is a function or a comparison that the back end does not have for matrices.
+bool is_of_numbers(glslang::TOperator op) {
+  return (op >= glslang::EOpEqual && op <= glslang::EOpGreaterThanEqual) ||
+         (op >= glslang::EOpRadians && op < glslang::EOpKill && !is_function_of_matrices(op));
+}
+
+class MatrixSearch final : public glslang::TIntermTraverser {
+ public:
+  MatrixSearch(const std::string& text, const std::string& main_file) : main_file_(main_file) {
+    for (const hlsl::Token& token : hlsl::lex(text)) {
+      if (token.spelling != "*") continue;
+      const auto at = static_cast<std::size_t>(token.spelling.data() - text.data());
+      products_.emplace(token.file.empty() ? main_file : std::string(token.file), token.line,
+                        static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1);
+    }
+  }
+
+  bool visitUnary(glslang::TVisit /*when*/, glslang::TIntermUnary* node) override {
+    const glslang::TIntermTyped& operand = *node->getOperand();
+    const bool of_floats = is_matrix_of_floats(operand) && (!node->isMatrix() || is_matrix_of_floats(*node));
+    if (is_matrix(&operand) && !node->isConstructor() && !is_function_of_matrices(node->getOp()) &&
+        (is_of_numbers(node->getOp()) || !of_floats))
+      tell(*node);
+    return true;
+  }
+
+  bool visitBinary(glslang::TVisit /*when*/, glslang::TIntermBinary* node) override {
+    const glslang::TOperator op = node->getOp();
+    if (!is_matrix(node->getLeft()) && !is_matrix(node->getRight())) return true;
+    if (hlsl::is_one_of(op, {glslang::EOpAssign, glslang::EOpIndexDirect, glslang::EOpIndexIndirect}))
+      return true;
+    const bool is_product = hlsl::is_one_of(
+        op, {glslang::EOpMatrixTimesMatrix, glslang::EOpMatrixTimesVector, glslang::EOpVectorTimesMatrix,
+             glslang::EOpMatrixTimesMatrixAssign, glslang::EOpVectorTimesMatrixAssign});
+    if (is_product && stands_at(node->getLoc()))
+      found.push_back(error_at(*node,
+                               "not supported here: '*' of two matrices, or of a vector and a matrix, which "
+                               "glslang multiplies as mul() does; multiply their rows"));
+    else if (is_of_numbers(op) || !node->getType().isFloatingDomain())
+      tell(*node);
+    return true;
+  }
+
+  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
+    bool takes_matrix = false;
+    for (const TIntermNode* child : node->getSequence()) takes_matrix = takes_matrix || is_matrix(child);
+    const bool is_made_of_bools =
+        node->isConstructor() && node->isMatrix() && node->getBasicType() == glslang::EbtBool;
+    const bool is_function = is_of_numbers(node->getOp()) || node->getOp() == glslang::EOpMod;
+    if (is_made_of_bools || (takes_matrix && is_function)) tell(*node);
+    return true;
+  }
+
+  std::vector<hlsl::Diagnostic> found;
+
+ private:
+  // Returns whether a '*' is there: mul() gives the same nodes.
+  bool stands_at(const glslang::TSourceLoc& place) const {
+    const std::string file = place.getFilename() == nullptr ? main_file_ : place.getFilename();
+    return products_.contains({file, place.line, place.column});
+  }
+
+  void tell(const TIntermNode& node) {
+    found.push_back(error_at(node,
+                             "not supported here: functions and comparisons of whole matrices, and operators "
+                             "of matrices of whole numbers or bools; use their rows, as in abs(m[0])"));
+  }
+
+  std::string main_file_;
+  std::set<std::tuple<std::string, int, int>> products_;  // file, line and column of each '*'
+};
+
 template <typename Search>
 std::vector<hlsl::Diagnostic> found_by(const glslang::TIntermediate& tree) {
   Search search;
@@ -183,6 +272,13 @@ std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermedia
 
 std::vector<hlsl::Diagnostic> converted_arguments(const glslang::TIntermediate& tree) {
   return found_by<ArgumentSearch>(tree);
+}
+
+std::vector<hlsl::Diagnostic> operations_on_matrices(const glslang::TIntermediate& tree,
+                                                     const std::string& text, const std::string& main_file) {
+  MatrixSearch search(text, main_file);
+  if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
+  return std::move(search.found);
 }
 
 void correct_operations(glslang::TIntermediate& tree) {

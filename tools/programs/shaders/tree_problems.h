@@ -17,6 +17,14 @@ std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermedia
 // directions, glslang on input only, so that the result would be lost.
 std::vector<hlsl::Diagnostic> converted_arguments(const glslang::TIntermediate& tree);
 
+// Operations that HLSL applies to every element of a matrix, and glslang does not: it multiplies m * n as
+// mul() does, its SPIR-V back end has no functions or comparisons of matrices and no matrices of whole
+// numbers or bools, and emits wrong instructions for them or crashes. FXC decides on such a text.
+//
+// `text` is what glslang has parsed; lines before its first #line are in `main_file`.
+std::vector<hlsl::Diagnostic> operations_on_matrices(const glslang::TIntermediate& tree,
+                                                     const std::string& text, const std::string& main_file);
+
 // Calls of intrinsic functions for which glslang's SPIR-V back end emits instructions with another meaning
 // than in HLSL. They are corrected in the syntax tree, where the types of the arguments are known.
 //
