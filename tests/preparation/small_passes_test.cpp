@@ -38,15 +38,6 @@ TEST(PrecisionMatrices, AreThoseThatGlslangKnows) {
   EXPECT_EQ(after<name_precision_matrices>(others), others);
 }
 
-TEST(MissingReturns, OnlyFunctionsWithoutAnyReturnGetOne) {
-  const auto run = after<return_from_empty_functions>;
-  EXPECT_EQ(run("static float2 f(float x) { x += 1; }"),
-            "static float2 f(float x) { x += 1; return (float2)0; }");
-  for (const char* text : {"void f() { }", "float f() { if (a) return 1; }", "float f();",
-                           "struct S { float a; };", "float f() { a); return 1; }"})
-    EXPECT_EQ(run(text), text);
-}
-
 shaders::CompileResult compile_text(const std::string& text, bool prepare) {
   shaders::CompileRequest request;
   request.file = "small.hlsl";

@@ -128,17 +128,6 @@ void drop_uniform_of_parameters(TokenText& text) {
   text.apply();
 }
 
-// Semantics with the name of a type, `float3x3 basis : float3x3;`: Unity's compiler accepts any identifier,
-// glslang reports "expected a semantic". They are renamed, identically in all stages that share the struct.
-void rename_type_semantics(TokenText& text) {
-  for (std::size_t at = 2; at + 1 < text.size(); ++at) {
-    if (!text.is(at - 1, ":") || !text.is_identifier(at) || !is_number_type(text.word(at))) continue;
-    const bool ends = text.is_any(at + 1, ";", ",", ")", "{");
-    if (ends) text.replace(at, 1, "TYPE_" + text.name(at) + "_");
-  }
-  text.apply();
-}
-
 // Texture and sampler types with a precision suffix, Texture2D_half, sampler2D_float and similar (Unity's,
 // docs.unity3d.com/Manual/SL-DataTypesAndPrecision.html), become the plain type. half is float here, so only
 // the name changes.
