@@ -1,13 +1,11 @@
 #include "shaders/spirv_module.h"
 
+#include <map>
 #include <set>
-#include <unordered_map>
-#include <unordered_set>
 
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
-#include "hlsl/name_set.h"
 #include "shaders/debug_lines.h"
 #include "shaders/word_blocks.h"
 #include "spirv/words.h"
@@ -54,19 +52,16 @@ spvtools::MessageConsumer collect_errors(std::vector<std::string>& problems) {
   };
 }
 
-// These are the first passes of RegisterLegalizationPasses().
-void inline_all(spvtools::Optimizer& to) {
-  to.RegisterPass(spvtools::CreateWrapOpKillPass())
-      .RegisterPass(spvtools::CreateDeadBranchElimPass())
-      .RegisterPass(spvtools::CreateMergeReturnPass())
-      .RegisterPass(spvtools::CreateInlineExhaustivePass());
-}
-
 // The effect of RegisterLegalizationPasses() on HLSL, but each pass of it and of RegisterPerformancePasses()
 // only runs where it still changes Unity's shaders: the same result in half the time. Code that inlining
 // leaves unused is removed before scalar replacement of structs, which saves an eighth of the rest.
 void legalise(spvtools::Optimizer& to) {
-  to.RegisterPass(spvtools::CreatePrivateToLocalPass())
+  to.RegisterPass(spvtools::CreateWrapOpKillPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateMergeReturnPass())
+      .RegisterPass(spvtools::CreateInlineExhaustivePass())
+      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+      .RegisterPass(spvtools::CreatePrivateToLocalPass())
       .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
       .RegisterPass(spvtools::CreateScalarReplacementPass(0))
@@ -138,48 +133,6 @@ void for_each_decoration(SpirvModule& module, spv::Decoration decoration, Visit 
         instruction[2] == decoration)
       visit(instruction[3]);
   });
-}
-
-using Ids = std::unordered_set<std::uint32_t>;
-
-// Returns an empty list for malformed words.
-std::vector<spirv::Words> instructions(const SpirvModule& module) {
-  std::vector<spirv::Words> found;
-  const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) { found.push_back(words); });
-  return whole ? found : std::vector<spirv::Words>();
-}
-
-Ids called_functions(const std::vector<spirv::Words>& all) {
-  std::vector<std::uint32_t> to_visit;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> calls;
-  std::uint32_t function = 0;
-  for (const spirv::Words instruction : all) {
-    const spv::Op op = spirv::opcode(instruction);
-    if (op == spv::OpEntryPoint) to_visit.push_back(spirv::operand(instruction, 2));
-    if (op == spv::OpFunction) function = spirv::operand(instruction, 2);
-    if (op == spv::OpFunctionCall) calls[function].push_back(spirv::operand(instruction, 3));
-  }
-  Ids called;
-  while (!to_visit.empty()) {
-    const std::uint32_t next = to_visit.back();
-    to_visit.pop_back();
-    if (!called.insert(next).second) continue;
-    to_visit.insert(to_visit.end(), calls[next].begin(), calls[next].end());
-  }
-  return called;
-}
-
-// Returns the id that the instruction defines, or 0.
-std::uint32_t result(spirv::Words instruction) {
-  bool has_result = false;
-  bool has_type = false;
-  spv::HasResultAndType(spirv::opcode(instruction), &has_result, &has_type);
-  return has_result ? spirv::operand(instruction, has_type ? 2 : 1) : 0;
-}
-
-bool describes(spirv::Words instruction) {
-  const spv::Op op = spirv::opcode(instruction);
-  return hlsl::is_one_of(op, {spv::OpName, spv::OpDecorate, spv::OpDecorateId, spv::OpDecorateString});
 }
 
 class ConstantTables {
@@ -278,8 +231,6 @@ void move_sets(SpirvModule& module, std::uint32_t by) {
 
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
               SpirvModule* legalised) {
-  if (!run_passes(module, vulkan, inline_all, problems)) return false;
-  drop_uncalled_functions(module);
   if (!run_passes(module, vulkan, legalise, problems)) return false;
   if (legalised != nullptr) *legalised = module;
   return run_passes(module, vulkan, optimise_legalised, problems);
@@ -313,26 +264,6 @@ hlsl::Diagnostic error_at(const SourcePlace& place, std::string message) {
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan) {
   const std::optional<std::size_t> instruction = problem_instruction(module, vulkan);
   return instruction ? place_of_instruction(module, *instruction) : SourcePlace{};
-}
-
-void drop_uncalled_functions(SpirvModule& module) {
-  const std::vector<spirv::Words> all = instructions(module);
-  const Ids called = called_functions(all);
-  Ids gone;
-  bool inside = false;
-  std::vector<bool> goes;
-  for (const spirv::Words instruction : all) {
-    const spv::Op op = spirv::opcode(instruction);
-    if (op == spv::OpFunction) inside = called.count(spirv::operand(instruction, 2)) == 0;
-    goes.push_back(inside);
-    if (inside) gone.insert(result(instruction));
-    if (op == spv::OpFunctionEnd) inside = false;
-  }
-  if (gone.empty()) return;
-  std::size_t number = 0;
-  module = spirv::with_instructions(module, [&](spirv::Words instruction) {
-    return !goes[number++] && !(describes(instruction) && gone.count(spirv::operand(instruction, 1)) != 0);
-  });
 }
 
 void initialise_tables(SpirvModule& module) {

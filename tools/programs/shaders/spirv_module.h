@@ -41,12 +41,6 @@ hlsl::Diagnostic error_at(const SourcePlace& place, std::string message);
 // Returns the location of the first problem of an invalid module with debug lines.
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);
 
-// Removes functions that no entry point calls from a SPIR-V module, with their names and decorations.
-//
-// After inlining that is nearly all of the module. SPIRV-Tools' own pass unlinks every instruction from its
-// tables; on words, two scans suffice. Malformed words are not changed.
-void drop_uncalled_functions(SpirvModule& module);
-
 // Constant arrays that code indexes. glslang copies the whole array into a local variable before each access
 // (before SPIR-V 1.4, which its HLSL front end does not produce), and lavapipe executes the copies: a filter
 // that reads a table of 100 points in a loop spends nearly all of its time on them.
