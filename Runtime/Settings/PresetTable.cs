@@ -19,7 +19,7 @@ namespace Penumbra
             new ShadowOptions
             {
                 technique = ShadowTechnique.TiledPcss, angularDiameterDegrees = AngularDiameter.SunDegrees,
-                blockerSamples = 12, filterSamples = 16, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
+                blockerSamples = 12, filterSamples = 22, softnessCapMetres = 100.0f, minFilterTexels = 1.25f,
                 lightBleeding = 0.2f, mapBlurTexels = 1.5f, rays = 7, samplesPerRay = 8, discRadiusMetres = 0.05f,
                 mapFormat = MapFormat.Bits32, mask = false, conservativeMask = false, halfResolution = false,
                 denoise = false

@@ -1,11 +1,12 @@
 // Penumbra: smoothing of noisy penumbrae by their width, over eight pixels around each.
 //
-// Computes:   the mean of a pixel's visibility and of those pixels around it that lie in its surface and differ from it
-//             no more than noise does; the wider the penumbra on the screen, the more these count. Single pixels that
-//             stand out from all around them are brought back first.
-// Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998). Stored depth is linear over
-//             the screen on a plane, so two pixels on opposite sides lie in the surface where their mean is the
-//             pixel's depth.
+// Computes:   the mean of a pixel's visibility and of those pairs of opposite pixels around it that lie in its surface
+//             and whose mean differs from it no more than noise does; the wider the penumbra on the screen, the more
+//             these count. Single pixels that stand out from all around them are brought back first.
+// Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998); pairs are Penumbra's own.
+//             Across a penumbra visibility rises evenly, so the mean of two pixels on opposite sides is the pixel's
+//             own but for noise, however much each differs from it. Stored depth is linear over the screen on a
+//             plane, so two such pixels lie in the surface where the mean of their depths is the pixel's.
 // Inputs:     words of PackNoisy() and stored camera depths of the pixel and of the eight around it, opposite ones in
 //             turn.
 // Cost:       no fetches.
@@ -55,7 +56,7 @@ struct SmoothingReach
 {
     float narrowest; // radius of a penumbra, pixels, up to which the pixels around do not count
     float widest;    // and from which they count in full
-    float amplitude; // a larger difference of visibility is none of noise
+    float amplitude; // a mean of two pixels that differs more is an edge, not noise
     bool clips;      // but a pixel that is brighter or darker than all around it is, however much
 };
 
@@ -128,8 +129,9 @@ NoisyVisibility SmoothPenumbra(SmoothingTaps taps, SmoothingReach reach)
         if (!inSurface[j / 2]) continue;
         const float2 around =
             float2(UnpackNoisy(taps.words[j]).visibility, UnpackNoisy(taps.words[j + 1]).visibility);
-        const float2 alike = weight * max(1.0 - abs(around - own) / reach.amplitude, 0.0);
-        sums += float2(dot(alike, around), alike.x + alike.y);
+        const float pair = 0.5 * (around.x + around.y);
+        const float alike = weight * max(1.0 - abs(pair - own) / reach.amplitude, 0.0);
+        sums += 2.0 * alike * float2(pair, 1.0);
     }
     smoothed.visibility = min(sums.x / sums.y, 1.0);
     return smoothed;

@@ -43,14 +43,14 @@ std::vector<float> smoothed(const std::vector<Pixels>& cases) {
 // The mean as the file's head describes it, with the constants of NearSmoothing().
 std::array<long double, 2> expected(const Pixels& pixels) {
   const Pixel& here = pixels[0];
-  std::vector<Pixel> around;
+  std::vector<long double> pairs;
   long double radius = here.radius, lowest = 1.0L, highest = 0.0L;
   for (std::size_t i = 1; i < pixels.size(); i += 2) {
     const long double after = static_cast<long double>(pixels[i].depth) - here.depth;
     const long double before = static_cast<long double>(here.depth) - pixels[i + 1].depth;
     if (!(std::abs(after - before) < 0.125L * std::abs(after + before) + 0.001L * here.depth)) continue;
+    pairs.push_back((static_cast<long double>(pixels[i].visibility) + pixels[i + 1].visibility) / 2.0L);
     for (const std::size_t k : {i, i + 1}) {
-      around.push_back(pixels[k]);
       radius = std::max<long double>(radius, pixels[k].radius);
       lowest = std::min<long double>(lowest, pixels[k].visibility);
       highest = std::max<long double>(highest, pixels[k].visibility);
@@ -58,11 +58,11 @@ std::array<long double, 2> expected(const Pixels& pixels) {
   }
   const long double share = std::clamp((radius - 0.5L) / 1.5L, 0.0L, 1.0L);
   long double own = here.visibility;
-  if (!around.empty()) own += share * (std::clamp(own, lowest, highest) - own);
+  if (!pairs.empty()) own += share * (std::clamp(own, lowest, highest) - own);
   long double sum = own, weights = 1.0L;
-  for (const Pixel& pixel : around) {
-    const long double weight = share * std::max(1.0L - std::abs(pixel.visibility - own) / 0.3L, 0.0L);
-    sum += weight * pixel.visibility;
+  for (const long double pair : pairs) {
+    const long double weight = 2.0L * share * std::max(1.0L - std::abs(pair - own) / 0.3L, 0.0L);
+    sum += weight * pair;
     weights += weight;
   }
   return {sum / weights, radius};
@@ -84,7 +84,7 @@ Pixels random_pixels(Random& random, int kind) {
   return pixels;
 }
 
-TEST(PenumbraSmoothing, IsTheMeanOfPixelsInTheSurfaceThatDifferNoMoreThanNoise) {
+TEST(PenumbraSmoothing, IsTheMeanOfPairsInTheSurfaceThatDifferNoMoreThanNoise) {
   Random random(97);
   std::vector<Pixels> cases;
   for (int i = 0; i < kRandomCases; ++i) cases.push_back(random_pixels(random, i));
@@ -114,6 +114,20 @@ TEST(PenumbraSmoothing, ChangesNothingWhereNothingDiffers) {
     ASSERT_EQ(out[3 * i + 2], 0.0f) << i;
     ASSERT_NEAR(out[3 * i], cases[i][0].visibility, 1e-5) << i;
   }
+}
+
+// Where visibility rises by 0.4 from pixel to pixel, more than the amplitude, an even rise stays as it is,
+// and the pixel's own noise is smoothed.
+TEST(PenumbraSmoothing, SmoothsAcrossASteepPenumbraAndKeepsIt) {
+  Pixels ramp;
+  const float rises[] = {0.0f, 0.4f, -0.4f, 0.0f, 0.0f, 0.4f, -0.4f, 0.4f, -0.4f};
+  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = {0.5f + rises[i], 4.0f, 0.25f};
+  Pixels noisy = ramp;
+  noisy[0].visibility = 0.56f;
+  const std::vector<float> out = smoothed({ramp, noisy});
+  EXPECT_NEAR(out[0], 0.5f, 1e-4f);
+  // Each pair's mean differs by 0.06, a fifth of the amplitude, so each of the four weighs 1.6.
+  EXPECT_NEAR(out[3], 0.5f + 0.06f / (1.0f + 4.0f * 1.6f), 1e-4f);
 }
 
 // Neither the shadow of another surface nor an edge of the shadow is mixed into a pixel, but a pixel that
