@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <set>
+
 namespace penumbra::variants {
 namespace {
 
@@ -11,9 +14,11 @@ using testing::Key;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
-// Without the settings of a platform, which are the same on all of its graphics APIs.
+// Without the settings of a platform, which are nearly the same on all of its graphics APIs.
 std::map<std::string, std::string> without_settings(std::map<std::string, std::string> defines) {
-  const Platform plain{GraphicsApi::d3d11, defines.contains("SHADER_API_MOBILE"), 202230, false};
+  const GraphicsApi api = defines.contains("SHADER_API_D3D11") ? GraphicsApi::d3d11 : GraphicsApi::glcore;
+  const Platform plain{api, defines.contains("SHADER_API_MOBILE"), std::stoi(defines.at("UNITY_VERSION")),
+                       false};
   for (const auto& [name, value] : pragma_defines(plain))
     if (!name.starts_with("SHADER_API_") && name != "UNITY_VERSION") {
       EXPECT_EQ(defines.erase(name), 1U) << name;
@@ -43,19 +48,77 @@ TEST(PlatformDefines, AreThoseOfTheTable) {
 
 // The lists are those of Unity's own error messages, "Platform defines:".
 TEST(PlatformDefines, HaveTheSettingsOfDesktopsAndOfMobileDevices) {
-  EXPECT_THAT(pragma_defines({GraphicsApi::d3d11, false, 60000023, false}),
-              UnorderedElementsAre(Key("SHADER_API_D3D11"), Key("UNITY_VERSION"), Key("SHADER_API_DESKTOP"),
-                                   Key("UNITY_ENABLE_DETAIL_NORMALMAP"),
-                                   Key("UNITY_ENABLE_REFLECTION_BUFFERS"), Key("UNITY_LIGHTMAP_FULL_HDR"),
-                                   Key("UNITY_LIGHT_PROBE_PROXY_VOLUME"), Key("UNITY_PBS_USE_BRDF1"),
-                                   Key("UNITY_SPECCUBE_BLENDING"), Key("UNITY_SPECCUBE_BOX_PROJECTION"),
-                                   Key("UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS")));
+  EXPECT_THAT(
+      pragma_defines({GraphicsApi::d3d11, false, 60000023, false}),
+      UnorderedElementsAre(Key("SHADER_API_D3D11"), Key("UNITY_VERSION"), Key("SHADER_API_DESKTOP"),
+                           Key("UNITY_ENABLE_DETAIL_NORMALMAP"), Key("UNITY_ENABLE_REFLECTION_BUFFERS"),
+                           Key("UNITY_LIGHTMAP_FULL_HDR"), Key("UNITY_LIGHT_PROBE_PROXY_VOLUME"),
+                           Key("UNITY_PBS_USE_BRDF1"), Key("UNITY_PLATFORM_SUPPORTS_DEPTH_FETCH"),
+                           Key("UNITY_SPECCUBE_BLENDING"), Key("UNITY_SPECCUBE_BOX_PROJECTION"),
+                           Key("UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS")));
   EXPECT_THAT(
       pragma_defines({GraphicsApi::gles3, true, 202230, false}),
       UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("UNITY_VERSION"), Key("SHADER_API_MOBILE"),
                            Key("UNITY_ENABLE_REFLECTION_BUFFERS"), Key("UNITY_LIGHTMAP_DLDR_ENCODING"),
                            Key("UNITY_NO_DXT5nm"), Key("UNITY_NO_RGBM"), Key("UNITY_NO_SCREENSPACE_SHADOWS"),
                            Key("UNITY_PBS_USE_BRDF2")));
+}
+
+// Returns every name that any program of a Unity version may have.
+std::set<std::string> names_of(const std::string& version) {
+  std::set<std::string> names;
+  for (const GraphicsApi api : all_graphics_apis)
+    for (int choice = 0; choice < 12; ++choice)
+      for (const char* mode : {"ForwardBase", "ForwardAdd", "Deferred", "PrepassBase", "PrepassFinal",
+                               "ShadowCaster", "Meta", "MotionVectors"})
+        for (const Stage stage : hlsl::all_stages) {
+          Platform platform{api, choice % 2 == 1, unity_version_number(version).value(), choice % 4 > 1};
+          platform.light_mode = mode;
+          platform.gamma = true;
+          platform.lightmaps = static_cast<LightmapEncoding>(choice / 4);
+          for (const auto& [name, value] : platform_defines(platform, stage, 45)) names.insert(name);
+        }
+  return names;
+}
+
+// Returns the names in the first cell of a row, between backticks.
+std::vector<std::string> names_in_cell(std::string_view cell) {
+  std::vector<std::string> names;
+  while (cell.find('`') != std::string_view::npos) {
+    cell.remove_prefix(cell.find('`') + 1);
+    names.emplace_back(cell.substr(0, cell.find('`')));
+    cell.remove_prefix(std::min(cell.find('`') + 1, cell.size()));
+  }
+  return names;
+}
+
+// The table of docs/validating.md for a Unity version.
+std::set<std::string> names_on_the_page(bool is_6_0, bool is_6_3) {
+  std::ifstream page(std::string(PENUMBRA_SOURCE_DIR) + "/docs/validating.md");
+  std::set<std::string> names;
+  bool in_table = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line == "| names | value | where | Unity | source |") in_table = true;
+    if (!in_table || !line.starts_with("| `")) continue;
+    const std::string first = line.substr(0, line.find(" | "));
+    const bool holds = line.find("| all |") != std::string::npos ||
+                       (line.find("| before 6.0 |") != std::string::npos && !is_6_0) ||
+                       (line.find("| from 6.0 |") != std::string::npos && is_6_0) ||
+                       (line.find("| from 6.3 |") != std::string::npos && is_6_3);
+    for (const std::string& name : names_in_cell(first))
+      if (holds) names.insert(name);
+    if (line.find("`_Object2World`") != std::string::npos) break;
+  }
+  return names;
+}
+
+TEST(PlatformDefines, AreThoseOfTheTableOnThePage) {
+  for (const char* version : {"2021.3.1f1", "2022.3.62f1"})
+    EXPECT_EQ(names_of(version), names_on_the_page(false, false)) << version;
+  for (const char* version : {"6000.0.23f1", "6000.1.0f1", "6000.2.3f1"})
+    EXPECT_EQ(names_of(version), names_on_the_page(true, false)) << version;
+  for (const char* version : {"6000.3.0f1", "6000.4.1f1", "6000.5.0b1", "6000.6.0a1"})
+    EXPECT_EQ(names_of(version), names_on_the_page(true, true)) << version;
 }
 
 TEST(PlatformDefines, NameThePassOfALightMode) {

@@ -38,7 +38,7 @@ constexpr const char* desktop_settings[] = {"UNITY_PBS_USE_BRDF1",
                                             "UNITY_ENABLE_DETAIL_NORMALMAP",
                                             "UNITY_LIGHT_PROBE_PROXY_VOLUME",
                                             "UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS"};
-constexpr const char* mobile_settings[] = {"UNITY_PBS_USE_BRDF2", "UNITY_NO_DXT5nm", "UNITY_NO_RGBM",
+constexpr const char* mobile_settings[] = {"UNITY_PBS_USE_BRDF2", "UNITY_NO_DXT5nm",
                                            "UNITY_NO_SCREENSPACE_SHADOWS"};
 constexpr const char* lightmap_encodings[] = {"UNITY_LIGHTMAP_DLDR_ENCODING", "UNITY_LIGHTMAP_RGBM_ENCODING",
                                               "UNITY_LIGHTMAP_FULL_HDR"};
@@ -52,6 +52,34 @@ constexpr std::pair<const char*, const char*> renamed[] = {{"_Object2World", "un
                                                            {"_LightMatrix0", "unity_WorldToLight"},
                                                            {"_Projector", "unity_Projector"},
                                                            {"_ProjectorClip", "unity_ProjectorClip"}};
+
+constexpr int unity_6_0 = 60'000'000;
+constexpr int unity_6_3 = 60'030'000;
+
+// Returns the macro of the build target as far as the graphics API tells it, else an empty text.
+std::string build_target(const Platform& platform) {
+  switch (platform.api) {
+    case GraphicsApi::nintendo_switch:
+      return "UNITY_PLATFORM_SWITCH";
+    case GraphicsApi::metal:
+      return platform.mobile ? "UNITY_PLATFORM_IOS" : "UNITY_PLATFORM_OSX";
+    case GraphicsApi::vulkan:
+    case GraphicsApi::gles3:
+      return platform.mobile ? "UNITY_PLATFORM_ANDROID" : "";
+    case GraphicsApi::d3d11:
+    case GraphicsApi::glcore:
+      return "";
+  }
+  return "";
+}
+
+void add_names_of_version(const Platform& platform, std::map<std::string, std::string>& defines) {
+  if (platform.unity_version < unity_6_0 && platform.mobile) defines["UNITY_NO_RGBM"] = "1";
+  if (platform.unity_version >= unity_6_0 && platform.api == GraphicsApi::d3d11 && !platform.mobile)
+    defines["UNITY_PLATFORM_SUPPORTS_DEPTH_FETCH"] = "1";
+  const std::string target = build_target(platform);
+  if (platform.unity_version >= unity_6_3 && !target.empty()) defines[target] = "1";
+}
 
 void add_settings(const Platform& platform, std::map<std::string, std::string>& defines) {
   defines["UNITY_ENABLE_REFLECTION_BUFFERS"] = "1";
@@ -110,6 +138,7 @@ std::map<std::string, std::string> pragma_defines(const Platform& platform) {
   if (platform.api != GraphicsApi::nintendo_switch)
     defines[platform.mobile ? "SHADER_API_MOBILE" : "SHADER_API_DESKTOP"] = "1";
   add_settings(platform, defines);
+  add_names_of_version(platform, defines);
   return defines;
 }
 

@@ -1,40 +1,6 @@
 // The macros that Unity's importer defines before it compiles a program: per graphics API, stage and version.
-//
-//   SHADER_API_D3D11, _VULKAN,   1, one of them. Unity Manual, "Platform and graphics API macros"
-//   _METAL, _GLCORE, _GLES3      (shader-branching-api)
-//   SHADER_API_SWITCH            1. Common.hlsl of the core package takes API/Switch.hlsl for it
-//   SHADER_API_MOBILE, _DESKTOP  1, one of them, none for a console. The same page: iOS, Android, tvOS;
-//                                Windows, Mac, Linux, Web
-//   SHADER_TARGET                45 for #pragma target 4.5. Manual, "Branch based on shader model"
-//   SHADER_STAGE_VERTEX, ...     1, the stage's. Manual, SL-BuiltinMacros, "Shader stage being compiled"
-//   UNITY_VERSION                202230 for 2022.3.0f1: YYYYMP, M and P up to 9 (a larger one counts as 9
-//                                here); 60020003 for 6000.2.3f1: 6MMMPPPP. Manual, "Branch based on Unity
-//                                version" (shader-branching-unity-version)
-//   UNITY_COMPILER_HLSL          1. HLSLSupport.cginc of the built-in shaders sets it for every API here;
-//                                Common.hlsl asks for it, and no package sets it
-//   UNITY_COMPILER_HLSLCC        1 for Vulkan, Metal, GLCORE and GLES3, whose shaders are translated from
-//                                D3D bytecode. The same source
-//   SHADER_TARGET_GLSL           1 for GLCORE and GLES3. shader-branching-api: for OpenGL and GLES, always
-//   UNITY_PASS_FORWARDBASE, ...  1, of the pass's LightMode: FORWARDBASE, FORWARDADD, DEFERRED, PREPASSBASE,
-//                                PREPASSFINAL, SHADOWCASTER, META, MOTIONVECTORS. Unity Manual,
-//                                "Built-in macros", and UnityCG.cginc of the built-in shaders
-//   the settings of a platform   1, as "Platform defines:" in Unity's error messages names them: those of
-//                                desktops in one of Unity 6 for d3d11, those of mobile devices in one of
-//                                2021.3 for Android. They are the editor's defaults; a project may have
-//                                UNITY_COLORSPACE_GAMMA and another encoding of lightmaps,
-//                                UNITY_LIGHTMAP_RGBM_ENCODING among them (ProjectSettings.asset):
-//                                  both     UNITY_ENABLE_REFLECTION_BUFFERS
-//                                  desktop, UNITY_PBS_USE_BRDF1, UNITY_SPECCUBE_BLENDING,
-//                                  console  UNITY_SPECCUBE_BOX_PROJECTION, UNITY_ENABLE_DETAIL_NORMALMAP,
-//                                           UNITY_LIGHT_PROBE_PROXY_VOLUME, UNITY_LIGHTMAP_FULL_HDR,
-//                                           UNITY_USE_DITHER_MASK_FOR_ALPHABLENDED_SHADOWS
-//                                  mobile   UNITY_PBS_USE_BRDF2, UNITY_NO_DXT5nm, UNITY_NO_RGBM,
-//                                           UNITY_NO_SCREENSPACE_SHADOWS, UNITY_LIGHTMAP_DLDR_ENCODING
-//
-//   _Object2World,               unity_ObjectToWorld and others: the names before Unity 5.4, which the editor
-//   _LightMatrix0, ...           replaces in the file when it imports it ("Upgrade NOTE"). In CGPROGRAM
-//   blocks
-//                                alone
+// The table of names, with Unity's source for each and the versions that define it, is in docs/validating.md,
+// "Names that Unity defines".
 //
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:
