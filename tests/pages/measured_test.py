@@ -431,32 +431,5 @@ class ScreenFigures(unittest.TestCase):
         self.assertIn("| plain | - | - | - | - | - | - |", text)
 
 
-def split(blockers, filters, light, error, fetches, scene="a"):
-    return record(f"t {blockers} {filters}", scene, light, rmse_penumbra=error, fetches_mean=fetches,
-                  parameters={"blockerSamples": [blockers], "filterSamples": [filters]})
-
-
-class SampleSplit(unittest.TestCase):
-    def test_a_row_is_a_mean_over_scenes_and_none_stands_where_another_is_cheaper_and_better(self):
-        text = presets.sample_split(results(
-            split(8.0, 16.0, 0.5, 0.1, 10.0), split(8.0, 16.0, 0.5, 0.3, 12.0, "b"), split(8.0, 16.0, 5.0, 0.1, 12.0),
-            split(24.0, 8.0, 0.5, 0.2, 26.0), split(24.0, 8.0, 5.0, 0.2, 28.0),
-            split(24.0, 32.0, 0.5, 0.05, 26.0), split(24.0, 32.0, 5.0, 0.05, 38.0)))
-        self.assertTrue(text.endswith(
-            "| blocker samples | filter samples | RMSE in penumbra 0.5° | RMSE in penumbra 5° | fetches 0.5° | fetches"
-            " 5° |\n"
-            "|--:|--:|--:|--:|--:|--:|\n"
-            "| 8 | 16 | 0.200 | 0.100 | 11.0 | 12.0 |\n"
-            "| 24 | 32 | 0.050 | 0.050 | 26.0 | 38.0 |"), text)
-
-    def test_differences_to_the_last_row_are_paired_by_scene(self):
-        text = presets.sample_split(results(
-            split(8.0, 16.0, 2.0, 0.10, 10.0), split(8.0, 16.0, 2.0, 0.32, 10.0, "b"),
-            split(24.0, 32.0, 2.0, 0.08, 40.0), split(24.0, 32.0, 2.0, 0.28, 40.0, "b")))
-        # The differences are 0.02 and 0.04; the interval of two values is 12.706 times half their difference.
-        self.assertIn("| 8 | 16 | 0.210 (+0.030 ± 0.127) |", text)
-        self.assertIn("| 24 | 32 | 0.180 [0, 1] |", text)
-
-
 if __name__ == "__main__":
     unittest.main()

@@ -4,9 +4,8 @@ import math
 import subprocess
 from pathlib import Path
 
-from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, distinct, figure, groups, interval_of,
-                     light_heads, made, mean, mean_and_interval, mean_of, measured, read, read_json, scenes,
-                     techniques_by_light, with_interval, write_json)
+from figures import (COMMAND, DOCUMENTATION, ROOT, all_fetches, by_light, code, distinct, groups, interval_of, light_heads,
+                     made, mean_of, measured, read, read_json, scenes, techniques_by_light, with_interval, write_json)
 from markdown import Problem, table
 import time_model
 
@@ -81,42 +80,6 @@ def masks(results):
             + table([f"mean of {len(distinct(records, 'scene'))} scenes", *light_heads(records)], rows, 1))
 
 
-def on_frontier(points):
-    """Of (fetches, error): whether no other point has less of one and no more of the other."""
-    return [not any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points)
-            for point in points]
-
-
-def against_most_samples(records, most):
-    """"0.109 (+0.029 ± 0.010)": the mean error, and the interval of its difference to that with most samples, by scene;
-    "0.080 ± 0.031", the interval of the mean, for most samples themselves."""
-    if records[0]["technique"] == most[0]["technique"]:
-        return mean_and_interval([record["rmse_penumbra"] for record in records], 3)
-    errors_of_most = {record["scene"]: record["rmse_penumbra"] for record in most}
-    interval = with_interval([record["rmse_penumbra"] - errors_of_most[record["scene"]] for record in records
-                              if None not in (record["rmse_penumbra"], errors_of_most.get(record["scene"]))])
-    error = figure(mean(record["rmse_penumbra"] for record in records), 3)
-    return error if interval is None else f"{error} ({interval[0]:+.3f} ± {interval[1]:.3f})"
-
-
-def sample_split(results):
-    """One row per number of blocker and of filter samples that no other has both fewer fetches and less error than:
-    error and fetches by light, means over scenes. The last technique of the results is the one with most samples."""
-    records = results["records"]
-    techniques = [own for _, own in groups(records, "technique")]
-    rows, points = [], []
-    for own in techniques:
-        samples = [f"{own[0]['parameters'][key][0]:g}" for key in ("blockerSamples", "filterSamples")]
-        per_light, most = (by_light(some, list) for some in (own, techniques[-1]))
-        fetches = [mean(map(all_fetches, some)) for some in per_light]
-        points.append((mean(fetches), mean(mean(record["rmse_penumbra"] for record in some) for some in per_light)))
-        rows.append([*samples, *map(against_most_samples, per_light, most), *(figure(count, 1) for count in fetches)])
-    rows = [row for row, best in zip(rows, on_frontier(points)) if best]
-    head = ["blocker samples", "filter samples", *light_heads(records, "RMSE in penumbra {}"),
-            *light_heads(records, "fetches {}")]
-    return measured(results, head, rows, 0)
-
-
 VARIANTS = DOCUMENTATION / "variants"
 RECEIVERS = VARIANTS / "receivers.json"
 PROJECTS = ("desktop", "phone")
@@ -186,6 +149,5 @@ def parts(_):
                    "predicted-times": time_model.predictions(read("tiled-pcss-full-hd"), read("gpu-times/1920x1080"),
                                                              read("gpu-operations"), 2.0),
                    "masks": masks(read("masks")),
-                   "sample-split": sample_split(read("sample-split")),
                    "player-programs": player_programs(read_json(VARIANTS / "presets.json")),
                    "receiver-variants": receiver_variants(read_json(RECEIVERS))}}

@@ -118,10 +118,6 @@ measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --tim
 measure("masks", VARIANTS, COMMON, LIGHTS, "--set blockerSamples=12 --set filterSamples=24 --technique screen-pcss-angular-24-16"
         " --technique screen-pcss-angular-24-16-masked --technique screen-pcss-angular-24-16-conservative")
 
-# The cost and the error of each split of samples, from which the presets were chosen.
-measure("sample-split", COMMON, LIGHTS, SCENES,
-        "--technique pcss-angular-24-16 --set blockerSamples=6,8,12,16,24 --set filterSamples=8,16,24,32")
-
 # Every technique, called for surfaces that are known exactly, each at its own recommended settings.
 measure("techniques", COMMON, LIGHTS, SCENES, TECHNIQUES)
 
