@@ -11,12 +11,11 @@ namespace {
 
 // The inputs are the normal's y, the ball, the direction towards the sun, half its diameter, and the fade;
 // the receiver is the origin.
-const CoreFunction kBlob{
-    "BlobShadow",
-    "const float4 ball = float4(In(1), In(2), In(3), In(4)), sun = float4(In(5), In(6), In(7), In(8));const "
-    "float3 at = float3(0.0, 0.0, 0.0);Out(0, BlobVisibility(at, float3(0.0, In(0), 0.0), ball, sun, In(9)));"
-    "Out(1, SphereVisibility(at, ball.xyz, ball.w, sun.xyz, sun.w));",
-    10, 2};
+const CoreFunction kBlob{"BlobShadow",
+                         "const float4 ball = In4(1), sun = In4(5); const float3 at = float3(0.0, 0.0, 0.0); "
+                         "Out(0, BlobVisibility(at, float3(0.0, In(0), 0.0), ball, sun, In(9))); Out(1, "
+                         "SphereVisibility(at, ball.xyz, ball.w, sun.xyz, sun.w));",
+                         10, 2};
 
 TEST(BlobVisibility, IsTheSpheresFadedWithTheHeightOfItsLowestPoint) {
   const std::vector<float> cases = random_cases(81, [&](Random& random, int i) {

@@ -9,14 +9,12 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-const CoreFunction kOfVariance{"BlockerMean",
-                               "BlockerShare b = BlockersOfVariance(float2(In(0), In(1)), In(2), In(3)); "
-                               "Out(0, b.share); Out(1, b.gapSum);",
-                               4, 2};
-const CoreFunction kOfMoments{"BlockerMean",
-                              "BlockerShare b = BlockersOfMoments(float4(In(0), In(1), In(2), In(3)), In(4), "
-                              "In(5)); Out(0, b.share); Out(1, b.gapSum);",
-                              6, 2};
+const CoreFunction kOfVariance{
+    "BlockerMean",
+    "BlockerShare b = BlockersOfVariance(In2(0), In(2), In(3)); Out(0, b.share); Out(1, b.gapSum);", 4, 2};
+const CoreFunction kOfMoments{
+    "BlockerMean",
+    "BlockerShare b = BlockersOfMoments(In4(0), In(4), In(5)); Out(0, b.share); Out(1, b.gapSum);", 6, 2};
 
 struct Blockers {
   double share = 0.0;
@@ -33,13 +31,6 @@ Blockers brute_force(const Depths& depths, double receiver) {
   return blockers;
 }
 
-double smallest_gap(std::vector<double> depths) {
-  std::sort(depths.begin(), depths.end());
-  double gap = 2.0;
-  for (std::size_t i = 1; i < depths.size(); ++i) gap = std::min(gap, depths[i] - depths[i - 1]);
-  return gap;
-}
-
 // A blocker before a receiver: the case for which the paper's equation is written.
 TEST(BlockersOfVariance, AreExactForOneBlockerBeforeTheReceiver) {
   Random random(61);
@@ -47,7 +38,7 @@ TEST(BlockersOfVariance, AreExactForOneBlockerBeforeTheReceiver) {
   std::vector<Blockers> exact;
   while (exact.size() < std::size_t(kRandomCases)) {
     const Depths depths = drawn(random, 0.5f, 2);
-    if (smallest_gap(depths.at) < 0.05) continue;
+    if (depths.smallest_gap() < 0.05) continue;
     const double receiver = std::max(depths.at[0], depths.at[1]);
     for (const double word : {depths.mean(1), depths.mean(2), receiver, 1e-9})
       inputs.push_back(static_cast<float>(word));
@@ -86,8 +77,8 @@ TEST(BlockersOfVariance, GiveTheMeanBlockerOfThePaper) {
 // Where the mean lies behind the receiver, no share is known; at most Cantelli's can lie before it.
 TEST(LargestBlockedShare, IsABoundOfWhatLiesBeforeTheReceiver) {
   const CoreFunction bound{"BlockerMean",
-                           "float2 m = float2(In(0), In(1)); Out(0, LargestBlockedShare(m, In(2), 1e-9)); "
-                           "Out(1, BlockersOfVariance(m, In(2), 1e-9).gapSum);",
+                           "float2 m = In2(0); Out(0, LargestBlockedShare(m, In(2), 1e-9)); Out(1, "
+                           "BlockersOfVariance(m, In(2), 1e-9).gapSum);",
                            3, 2};
   Random random(63);
   std::vector<float> inputs;
@@ -116,7 +107,7 @@ TEST(BlockersOfMoments, AreExactForTwoBlockers) {
   std::vector<Blockers> exact;
   while (exact.size() < std::size_t(kRandomCases)) {
     const Depths depths = drawn(random, 1.0f, 3);
-    if (smallest_gap(depths.at) < 0.2) continue;
+    if (depths.smallest_gap() < 0.2) continue;
     const double receiver = *std::max_element(depths.at.begin(), depths.at.end());
     for (const int power : {1, 2, 3, 4}) inputs.push_back(static_cast<float>(depths.mean(power)));
     inputs.insert(inputs.end(), {static_cast<float>(receiver), 0.0f});
@@ -138,7 +129,7 @@ TEST(BlockersOfMoments, AreExactForDistributionsOfTwoDepths) {
   std::vector<Blockers> exact;
   while (exact.size() < std::size_t(kRandomCases)) {
     const Depths depths = drawn(random, 0.7f, 2);
-    if (smallest_gap(depths.at) < 0.2) continue;
+    if (depths.smallest_gap() < 0.2) continue;
     const double farther = std::max(depths.at[0], depths.at[1]);
     const double receiver = random.integer(0, 1) == 1 ? farther : farther + 0.3;
     for (const int power : {1, 2, 3, 4}) inputs.push_back(static_cast<float>(depths.mean(power)));

@@ -9,10 +9,8 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 constexpr const char* kSelect =
-    "CascadeSpheres s; s.centre0 = float3(In(4), In(5), In(6)); s.centre1 = float3(In(7), In(8), In(9));"
-    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));"
-    "s.squaredRadii = float4(In(16), In(17), In(18), In(19));"
-    "OutInt(0, SelectCascade(float3(In(1), In(2), In(3)), s, InInt(0)));";
+    "CascadeSpheres s; s.centre0 = In3(4); s.centre1 = In3(7); s.centre2 = In3(10); s.centre3 = In3(13); "
+    "s.squaredRadii = In4(16); OutInt(0, SelectCascade(In3(1), s, InInt(0)));";
 
 // The inputs are a count, a position, four centres and four squared radii: nested spheres in front of a
 // camera up to 100 km from the origin, and positions anywhere about them.
@@ -99,10 +97,9 @@ TEST(CascadeSelection, StaysWithinTheCountForAnyNumbers) {
 }
 
 constexpr const char* kWeight =
-    "CascadeSpheres s; s.centre0 = float3(In(4), In(5), In(6)); s.centre1 = float3(In(7), In(8), In(9));"
-    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));s.squaredRadii = "
-    "float4(In(16), In(17), In(18), In(19));const float3 p = float3(In(1), In(2), In(3));Out(0, "
-    "NextCascadeWeight(p, s, SelectCascade(p, s, InInt(0)), InInt(0), In(20)));";
+    "CascadeSpheres s; s.centre0 = In3(4); s.centre1 = In3(7); s.centre2 = In3(10); s.centre3 = In3(13); "
+    "s.squaredRadii = In4(16); const float3 p = In3(1); Out(0, NextCascadeWeight(p, s, SelectCascade(p, s, "
+    "InInt(0)), InInt(0), In(20)));";
 
 TEST(NextCascadeWeight, GrowsThroughTheBorderOfTheOwnSphere) {
   Random random(10);

@@ -14,9 +14,8 @@ namespace {
 // The inputs are wind, feature size, coverage and density, then the place.
 const CoreFunction kCover{
     "CloudCover",
-    "const CloudCover cover = BoundedCloudCover(float2(In(0), In(1)), In(2), In(3), In(4));"
-    "Out(0, CloudTransmittance(float2(In(5), In(6)), cover));"
-    "Out(1, ValueNoise(float2(In(5), In(6)) / cover.featureMetres, 3u));",
+    "const CloudCover cover = BoundedCloudCover(In2(0), In(2), In(3), In(4)); Out(0, "
+    "CloudTransmittance(In2(5), cover)); Out(1, ValueNoise(In2(5) / cover.featureMetres, 3u));",
     7, 2};
 const CoreFunction kLattice{"CloudCover", "Out(0, LatticeValue(int2(int(In(0)), int(In(1))), uint(In(2))));",
                             3, 1};

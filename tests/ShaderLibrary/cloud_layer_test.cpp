@@ -10,13 +10,11 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 // The inputs are area, height and border, the receiver, and the direction towards the sun.
-const CoreFunction kClouds{
-    "CloudLayer",
-    "const CloudLayer layer = BoundedCloudLayer(float4(In(0), In(1), In(2), In(3)), In(4), In(5));"
-    "const float3 at = float3(In(6), In(7), In(8)); const float3 sun = float3(In(9), In(10), In(11));"
-    "const float2 uv = CloudUv(at, sun, layer);"
-    "Out(0, uv.x); Out(1, uv.y); Out(2, CloudWeight(at, sun, layer)); Out(3, WayToLayer(at, sun, layer));",
-    12, 4};
+const CoreFunction kClouds{"CloudLayer",
+                           "const CloudLayer layer = BoundedCloudLayer(In4(0), In(4), In(5)); const float3 "
+                           "at = In3(6); const float3 sun = In3(9); Out2(0, CloudUv(at, sun, layer)); Out(2, "
+                           "CloudWeight(at, sun, layer)); Out(3, WayToLayer(at, sun, layer));",
+                           12, 4};
 
 TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
   const std::vector<float> cases = random_cases(61, [&](Random& random) {
@@ -53,12 +51,10 @@ TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
 }
 
 // The inputs are the camera, the sun, the height, the side of the map and its texels.
-const CoreFunction kAround{
-    "CloudLayer",
-    "const CloudLayer layer = CloudLayerAround(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), "
-    "In(6), In(7), 0.1, In(8));"
-    "Out(0, layer.corner.x); Out(1, layer.corner.y); Out(2, layer.size.x); Out(3, layer.height);",
-    9, 4};
+const CoreFunction kAround{"CloudLayer",
+                           "const CloudLayer layer = CloudLayerAround(In3(0), In3(3), In(6), In(7), 0.1, "
+                           "In(8)); Out2(0, layer.corner.xy); Out(2, layer.size.x); Out(3, layer.height);",
+                           9, 4};
 
 TEST(CloudLayerAround, LiesOnWholeTexelsAboutThePlaceThatShadesTheCamera) {
   const std::vector<float> cases = random_cases(63, [&](Random& random) {

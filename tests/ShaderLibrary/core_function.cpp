@@ -13,35 +13,6 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;
-
-gpu::Device& device() {
-  static gpu::Device shared({.name = "", .validation = true});
-  return shared;
-}
-
-std::string source(const CoreFunction& function) {
-  return "#include \"Platform/Platform.hlsl\"\n#include \"" + function.folder + "/" + function.file +
-         ".hlsl\"\n"
-         "StructuredBuffer<uint> inputs;\n"
-         "RWStructuredBuffer<uint> outputs;\n"
-         "static uint caseIndex;\n"
-         "float In(uint i) { return asfloat(inputs[caseIndex * " +
-         std::to_string(function.inputs) +
-         "u + i]); }\n"
-         "int InInt(uint i) { return int(In(i)); }\n"
-         "void Out(uint i, float value) { outputs[caseIndex * " +
-         std::to_string(function.outputs) +
-         "u + i] = asuint(value); }\n"
-         "void OutInt(uint i, int value) { Out(i, float(value)); }\n"
-         "[numthreads(" +
-         std::to_string(kGroupSize) +
-         ", 1, 1)]\n"
-         "void Main(uint3 id : SV_DispatchThreadID)\n{\n"
-         "    caseIndex = id.y * 65536u + id.x;\n    " +
-         function.statement + "\n}\n";
-}
-
 // Every operation of floats becomes one of 16 bits, its operands rounded, as drivers do with `mediump`.
 std::vector<std::uint32_t> in_half(const std::vector<std::uint32_t>& spirv) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
@@ -59,19 +30,55 @@ std::vector<std::uint32_t> in_half(const std::vector<std::uint32_t>& spirv) {
 std::vector<std::uint32_t> compile(const CoreFunction& function, DepthDirection direction) {
   shaders::CompileRequest request;
   request.file = function.file + " test.hlsl";
-  request.text = source(function);
+  request.text = kernel_text("#include \"Platform/Platform.hlsl\"\n#include \"" + function.folder + "/" +
+                                 function.file + ".hlsl\"\n",
+                             function.statement, function.inputs, function.outputs);
   request.defines = function.defines;
   if (direction == DepthDirection::reversed) request.defines.emplace_back("UNITY_REVERSED_Z", "1");
   request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary"};
+  std::vector<std::uint32_t> spirv = compiled(request);
+  return function.half ? in_half(spirv) : spirv;
+}
+
+}  // namespace
+
+gpu::Device& device() {
+  static gpu::Device shared({.name = "", .validation = true});
+  return shared;
+}
+
+std::string kernel_text(const std::string& includes, const std::string& statement, int inputs, int outputs) {
+  return includes + "#define INPUTS " + std::to_string(inputs) + "u\n#define OUTPUTS " +
+         std::to_string(outputs) + "u\n#define GROUP " + std::to_string(kGroupSize) + R"(
+StructuredBuffer<uint> inputs;
+RWStructuredBuffer<uint> outputs;
+static uint caseIndex;
+float In(uint i) { return asfloat(inputs[caseIndex * INPUTS + i]); }
+int InInt(uint i) { return int(In(i)); }
+float2 In2(uint i) { return float2(In(i), In(i + 1)); }
+float3 In3(uint i) { return float3(In2(i), In(i + 2)); }
+float4 In4(uint i) { return float4(In2(i), In2(i + 2)); }
+float4x4 InMatrix(uint i) { return float4x4(In4(i), In4(i + 4), In4(i + 8), In4(i + 12)); }
+void Out(uint i, float value) { outputs[caseIndex * OUTPUTS + i] = asuint(value); }
+void OutInt(uint i, int value) { Out(i, float(value)); }
+void Out2(uint i, float2 value) { Out(i, value.x); Out(i + 1, value.y); }
+void Out3(uint i, float3 value) { Out2(i, value.xy); Out(i + 2, value.z); }
+void Out4(uint i, float4 value) { Out2(i, value.xy); Out2(i + 2, value.zw); }
+[numthreads(GROUP, 1, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    caseIndex = id.y * 65536u + id.x;
+    )" + statement +
+         "\n}\n";
+}
+
+std::vector<std::uint32_t> compiled(const shaders::CompileRequest& request) {
   shaders::CompileResult result = shaders::compile(request);
-  if (!hlsl::has_errors(result.diagnostics))
-    return function.half ? in_half(result.spirv) : std::move(result.spirv);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
   throw std::runtime_error(messages);
 }
-
-}  // namespace
 
 bool has_half_arithmetic() {
   return device().info().half_arithmetic;

@@ -6,9 +6,13 @@
 // Inputs and outputs travel as 32-bit words, so NaN payloads and infinities arrive as they are.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "gpu/device.h"
+#include "shaders/compile.h"
 
 namespace penumbra::shader_library_tests {
 
@@ -18,7 +22,7 @@ constexpr DepthDirection kDepthDirections[] = {DepthDirection::conventional, Dep
 
 struct CoreFunction {
   std::string file;       // name in `folder`, without its ending
-  std::string statement;  // HLSL; reads In(i) or InInt(i), writes Out(i, float) or OutInt(i, int)
+  std::string statement;  // HLSL of kernel_text()
   int inputs = 1;         // words per case
   int outputs = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
@@ -31,6 +35,16 @@ inline CoreFunction function_in(std::string folder, std::string file, std::strin
                                 int outputs) {
   return {std::move(file), std::move(statement), inputs, outputs, {}, std::move(folder)};
 }
+
+constexpr std::uint32_t kGroupSize = 64;
+
+// The device of all of this folder's kernels.
+gpu::Device& device();
+
+// A kernel that runs the statement for each case: In(i) to In4(i), InMatrix(i) and InInt(i) read its words
+// from the i-th on, Out(i, value) to Out4(i, value) and OutInt(i, value) write them.
+std::string kernel_text(const std::string& includes, const std::string& statement, int inputs, int outputs);
+std::vector<std::uint32_t> compiled(const shaders::CompileRequest& request);
 
 // Whether the device has 16-bit arithmetic; `run` throws for `half` without it.
 bool has_half_arithmetic();

@@ -40,12 +40,12 @@ std::vector<float> blocks_of_texels() {
 std::vector<float> packed_planes(const std::vector<float>& depths, DepthDirection direction, bool joined) {
   const std::string planes =
       "float4 q[4]; for (int i = 0; i < 4; ++i) { const int first = 2 * (i & 1) + 8 * (i >> 1); q[i] = "
-      "float4(In(first + 4), In(first + 5), In(first + 1), In(first)); } DepthPlanes p = PlanesOfBlock(q); ";
+      "float4(In(first + 4), In(first + 5), In(first + 1), In(first)); } DepthPlanes p = PlanesOfBlock(q);";
   const std::string join =
       "DepthPlanes parts[4]; for (int j = 0; j < 4; ++j) parts[j] = p; p = JoinPlanes(parts, 4.0); ";
   const std::string out =
-      "Out(0, k.gradient.x); Out(1, k.gradient.y); Out(2, k.nearest); Out(3, k.farthest); Out(4, "
-      "p.gradient.x); Out(5, p.gradient.y); Out(6, p.nearest); Out(7, p.farthest);";
+      "Out2(0, k.gradient.xy); Out(2, k.nearest); Out(3, k.farthest); Out2(4, p.gradient.xy); Out(6, "
+      "p.nearest); Out(7, p.farthest);";
   return run(function_in("Map", "DepthBounds",
                          planes + (joined ? join : "") + "const DepthPlanes k = UnpackBounds(PackBounds(p, " +
                              (joined ? "8.0" : "4.0") + ")); " + out,
@@ -94,13 +94,13 @@ TEST(DepthBounds, OfPlanesOutOfRangeHoldEveryMap) {
     std::vector<float> planes;
     for (const auto& gaps : kGaps)
       for (const float gap : gaps) planes.push_back(reversed ? gap : 1.0f - gap);
-    const std::vector<float> out = run(
-        function_in("Map", "DepthBounds",
-                    "DepthPlanes p; p.gradient = float2(0.0, 0.0); p.nearest = In(0); p.farthest = In(1); "
-                    "const DepthPlanes k = UnpackBounds(PackBounds(p, 4.0)); Out(0, k.nearest); Out(1, "
-                    "k.farthest);",
-                    2, 2),
-        direction, planes);
+    const std::vector<float> out =
+        run(function_in(
+                "Map", "DepthBounds",
+                "DepthPlanes p; p.gradient = float2(0.0, 0.0); p.nearest = In(0); p.farthest = In(1); const "
+                "DepthPlanes k = UnpackBounds(PackBounds(p, 4.0)); Out(0, k.nearest); Out(1, k.farthest);",
+                2, 2),
+            direction, planes);
     for (std::size_t i = 0; i < planes.size(); i += 2) {
       EXPECT_LE(std::fmin(out[i], out[i + 1]), 0.0f) << i / 2;
       EXPECT_GE(std::fmax(out[i], out[i + 1]), 1.0f) << i / 2;

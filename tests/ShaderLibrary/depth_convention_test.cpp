@@ -85,11 +85,11 @@ TEST_P(DepthConvention, NothingKeptBehindTheNearPlaneReachesIt) {
     if (!std::isnan(value)) inputs.push_back(value);
   }
   while (inputs.size() < std::size_t(kRandomCases)) inputs.push_back(random.between(-0.5f, 1.5f));
-  const CoreFunction function{"DepthConvention",
-                              "Out(0, KeepBehindNearPlane(In(0)));"
-                              "Out(1, KeepBehindNearPlane(float4(0, In(0), 0, 0)).y);"
-                              "Out(2, LimitToNearPlane(float4(0, 0, min(max(In(0), -2.0), 2.0), 0)).z);",
-                              1, 3};
+  const CoreFunction function{
+      "DepthConvention",
+      "Out(0, KeepBehindNearPlane(In(0))); Out(1, KeepBehindNearPlane(float4(0, In(0), 0, 0)).y); Out(2, "
+      "LimitToNearPlane(float4(0, 0, min(max(In(0), -2.0), 2.0), 0)).z);",
+      1, 3};
   const float step = 5.9604645e-8f;
   const bool reversed = GetParam() == DepthDirection::reversed;
   expect_exact(

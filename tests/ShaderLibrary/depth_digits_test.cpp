@@ -47,9 +47,7 @@ TEST(DepthDigits, AreDepthAndSquareInStepsOfTheirLastPlace) {
 }
 
 TEST(MomentDigits, AreTheStoredMomentsInSixteenBits) {
-  const CoreFunction moments =
-      function_in("Map", "DepthDigits",
-                  "float4 s = StoredMoments(In(0)); for (int i = 0; i < 4; ++i) Out(i, s[i]);", 1, 4);
+  const CoreFunction moments = function_in("Map", "DepthDigits", "Out4(0, StoredMoments(In(0)));", 1, 4);
   Random random(72);
   std::vector<float> depths{0.0f, 1.0f, 0.5f};
   for (int i = 0; i < kRandomCases; ++i) depths.push_back(random.between(0.0f, 1.0f));
@@ -65,9 +63,7 @@ TEST(MomentDigits, AreTheStoredMomentsInSixteenBits) {
 
 // Digits are summed modulo 2^32 over the largest box that the file allows, and taken back.
 TEST(DepthDigits, OfTheLargestBoxGiveItsMoments) {
-  const CoreFunction back = function_in(
-      "Map", "DepthDigits",
-      "float2 m = MomentsOfDigits(float4(In(0), In(1), In(2), In(3))); Out(0, m.x); Out(1, m.y);", 4, 2);
+  const CoreFunction back = function_in("Map", "DepthDigits", "Out2(0, MomentsOfDigits(In4(0)));", 4, 2);
   constexpr std::uint32_t kTexels = 1u << 20;
   Random random(73);
   std::vector<float> depths{1.0f, 1.0f, 0.0f, 0.0f};  // the extremes have the largest sums

@@ -1,6 +1,7 @@
 // Distributions of depth whose moments, and whose share at or behind any depth, are known.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct Depths {
     double sum = 0.0;
     for (std::size_t i = 0; i < at.size(); ++i) sum += at[i] >= depth ? share[i] : 0.0;
     return sum;
+  }
+  double smallest_gap() const {
+    std::vector<double> sorted = at;
+    std::sort(sorted.begin(), sorted.end());
+    double gap = 2.0;
+    for (std::size_t i = 1; i < sorted.size(); ++i) gap = std::min(gap, sorted[i] - sorted[i - 1]);
+    return gap;
   }
 };
 

@@ -39,9 +39,7 @@ TEST(DepthRange, RoundsOutwardInAFormatOf16Bits) {
   const std::vector<float> depths = depths_near_steps();
   for (const DepthDirection direction : kDepthDirections) {
     const std::vector<float> out =
-        run(depth_range("const float2 r = RoundRangeOutward(float2(In(0), In(0))); Out(0, r.x); Out(1, r.y);",
-                        1, 2),
-            direction, depths);
+        run(depth_range("Out2(0, RoundRangeOutward(float2(In(0), In(0))));", 1, 2), direction, depths);
     const long double toward_light = direction == DepthDirection::reversed ? 1.0L : -1.0L;
     for (std::size_t i = 0; i < depths.size(); ++i) {
       for (std::size_t k = 0; k < 2; ++k) {
@@ -67,12 +65,10 @@ TEST(DepthRange, JoinsHaveTheNearestAndTheFarthest) {
   for (int i = 0; i < kRandomCases; ++i)
     for (int k = 0; k < 8; ++k) inputs.push_back(random.between(0.0f, 1.0f));
   for (const DepthDirection direction : kDepthDirections) {
-    const std::vector<float> out =
-        run(depth_range(
-                "const float2 r = JoinRanges(JoinRanges(kEmptyRange, RangeOfFour(float4(In(0), In(1), In(2), "
-                "In(3)))), RangeOfFour(float4(In(4), In(5), In(6), In(7)))); Out(0, r.x); Out(1, r.y);",
-                8, 2),
-            direction, inputs);
+    const std::vector<float> out = run(
+        depth_range("Out2(0, JoinRanges(JoinRanges(kEmptyRange, RangeOfFour(In4(0))), RangeOfFour(In4(4))));",
+                    8, 2),
+        direction, inputs);
     for (std::size_t i = 0; i < inputs.size() / 8; ++i) {
       const auto first = inputs.begin() + static_cast<std::ptrdiff_t>(8 * i);
       const auto [least, most] = std::minmax_element(first, first + 8);

@@ -36,29 +36,23 @@ std::vector<float> repeated_indices(int count) {
 // The 24 bits kept of a turn are 2^-24 of it, 2 pi times as much in angle: 3 more ULP of 1 (2^-23).
 TEST(Disk, GoldenDirectionsKeepTheirAngleAtHighIndices) {
   expect_exact(
-      {"Disk", "const float2 d = GoldenDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
-      repeated_indices(4096), [](const float* in) { return golden_direction(static_cast<int>(in[0])); },
-      kTrigonometricUlp + 3.0L);
+      {"Disk", "Out2(0, GoldenDirection(InInt(0)));", 1, 2}, repeated_indices(4096),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
 }
 
 TEST(Disk, FibonacciTableHoldsTheGoldenDirections) {
   expect_exact(
-      {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
-      repeated_indices(64), [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, 0.51L);
+      {"Disk", "Out2(0, FibonacciDirection(InInt(0)));", 1, 2}, repeated_indices(64),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, 0.51L);
   expect_exact(
-      {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2, kUnlimited},
-      repeated_indices(4096), [](const float* in) { return golden_direction(static_cast<int>(in[0])); },
-      kTrigonometricUlp + 3.0L);
+      {"Disk", "Out2(0, FibonacciDirection(InInt(0)));", 1, 2, kUnlimited}, repeated_indices(4096),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
 }
 
 TEST(Disk, IndicesOutsideTheTablesGiveTheirEnds) {
   const std::vector<float> inputs = {-1.0f, 0.0f, 63.0f, 64.0f, 1e6f, -1e6f};
-  const std::vector<float> results =
-      run({"Disk",
-           "const float2 f = FibonacciDirection(InInt(0)); Out(0, f.x); Out(1, f.y);"
-           "const float2 p = PoissonDisk(InInt(0), 64); Out(2, p.x); Out(3, p.y);",
-           1, 4},
-          inputs);
+  const std::vector<float> results = run(
+      {"Disk", "Out2(0, FibonacciDirection(InInt(0))); Out2(2, PoissonDisk(InInt(0), 64));", 1, 4}, inputs);
   const auto row = [&](std::size_t i) { return std::vector<float>(&results[4 * i], &results[4 * i] + 4); };
   EXPECT_EQ(row(0), row(1));
   EXPECT_EQ(row(5), row(1));
@@ -110,7 +104,7 @@ TEST(Disk, PointsAreDirectionTimesRadius) {
   expect_exact(
       {"Disk",
        "const float2 f = FibonacciDisk(InInt(0), InInt(1), In(2)); const float2 v = VogelDisk(InInt(0), "
-       "InInt(1));Out(0, f.x); Out(1, f.y); Out(2, v.x); Out(3, v.y);",
+       "InInt(1)); Out2(0, f.xy); Out2(2, v.xy);",
        3, 4},
       index_and_count(64),
       [](const float* in) {
@@ -141,8 +135,7 @@ TEST(Disk, PoissonSetsAreDistinctPointsOfTheDisk) {
   for (const int count : {25, 32, 64, 100, 128}) {
     for (int i = 0; i < count; ++i) inputs.insert(inputs.end(), {float(i), float(count)});
   }
-  const std::vector<float> results = run(
-      {"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2}, inputs);
+  const std::vector<float> results = run({"Disk", "Out2(0, PoissonDisk(InInt(0), InInt(1)));", 2, 2}, inputs);
   std::vector<std::pair<float, float>> points;
   for (std::size_t i = 0; i < results.size() / 2; ++i) {
     const std::pair<float, float> point(results[2 * i], results[2 * i + 1]);
@@ -155,9 +148,7 @@ TEST(Disk, PoissonSetsAreDistinctPointsOfTheDisk) {
 
 TEST(Disk, UnlimitedPoissonIsVogels) {
   expect_exact(
-      {"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 3, 2,
-       kUnlimited},
-      index_and_count(4096),
+      {"Disk", "Out2(0, PoissonDisk(InInt(0), InInt(1)));", 3, 2, kUnlimited}, index_and_count(4096),
       [](const float* in) {
         const std::vector<Exact> direction = golden_direction(static_cast<int>(in[0]));
         const long double even = std::sqrt((in[0] + 0.5L) / in[1]);
@@ -197,10 +188,7 @@ TEST(Disk, RotationTurnsAndKeepsTheLength) {
     return Case{random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), std::cos(angle), std::sin(angle)};
   });
   expect_exact(
-      {"Disk",
-       "const float2 r = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, r.x); Out(1, r.y);",
-       4, 2},
-      inputs,
+      {"Disk", "Out2(0, RotateDisk(In2(0), In2(2)));", 4, 2}, inputs,
       [](const float* in) {
         const long double xx = static_cast<long double>(in[0]) * in[2],
                           yy = static_cast<long double>(in[1]) * in[3];
@@ -221,9 +209,7 @@ TEST(Disk, AnythingBecomesAUnitRotation) {
     inputs.push_back(ordinary ? random.between(-1.5f, 1.5f) : random.any_bits());
     inputs.push_back(ordinary ? random.between(-1.5f, 1.5f) : random.any_bits());
   }
-  const std::vector<float> results =
-      run({"Disk", "const float2 r = UnitRotation(float2(In(0), In(1))); Out(0, r.x); Out(1, r.y);", 2, 2},
-          inputs);
+  const std::vector<float> results = run({"Disk", "Out2(0, UnitRotation(In2(0)));", 2, 2}, inputs);
   for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
     const long double x = results[2 * i], y = results[2 * i + 1];
     ASSERT_NEAR(static_cast<double>(x * x + y * y), 1.0, 8.0 * 0x1p-23) << words(&inputs[2 * i], 2);

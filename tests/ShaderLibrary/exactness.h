@@ -78,4 +78,13 @@ inline void expect_exact(const CoreFunction& function, const std::vector<float>&
   expect_exact(function, DepthDirection::conventional, inputs, reference, largest_ulp);
 }
 
+// Runs the function and expects every output between the two, which NaN is not.
+inline void expect_within(const CoreFunction& function, const std::vector<float>& inputs, float low,
+                          float high) {
+  const std::vector<float> results = run(function, inputs);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    ASSERT_TRUE(results[i] >= low && results[i] <= high)
+        << function.statement << "\n  output " << i << " is " << results[i];
+}
+
 }  // namespace penumbra::shader_library_tests

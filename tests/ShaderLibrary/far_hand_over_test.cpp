@@ -12,8 +12,8 @@ namespace {
 
 // The inputs are distance, shadow distance and border, then both visibilities.
 const CoreFunction kHandOver{"FarHandOver",
-                             "const float share = FarShare(In(0), In(1), In(2));"
-                             "Out(0, share); Out(1, HandedOver(In(3), In(4), share));",
+                             "const float share = FarShare(In(0), In(1), In(2)); Out(0, share); Out(1, "
+                             "HandedOver(In(3), In(4), share));",
                              5, 2};
 
 long double share_at(float distance, float shadow_distance, float border) {

@@ -11,12 +11,11 @@ namespace {
 
 // The inputs are area (4), heights (2), position (3) and a stored height. The outputs are UV (2), coverage
 // and metres.
-const CoreFunction kGround{
-    "GroundMap",
-    "const GroundMap ground = BoundedGroundMap(float4(In(0), In(1), In(2), In(3)), float2(In(4), In(5)));"
-    "const float3 at = float3(In(6), In(7), In(8)); const float2 uv = GroundUv(at, ground);"
-    "Out(0, uv.x); Out(1, uv.y); Out(2, GroundCoverage(at, uv)); Out(3, GroundHeight(In(9), ground));",
-    10, 4};
+const CoreFunction kGround{"GroundMap",
+                           "const GroundMap ground = BoundedGroundMap(In4(0), In2(4)); const float3 at = "
+                           "In3(6); const float2 uv = GroundUv(at, ground); Out2(0, uv.xy); Out(2, "
+                           "GroundCoverage(at, uv)); Out(3, GroundHeight(In(9), ground));",
+                           10, 4};
 
 TEST(GroundMap, PlacesAndHeightsAreThoseOfTheArea) {
   const std::vector<float> cases = random_cases(17, [&](Random& random) {
@@ -68,10 +67,7 @@ TEST(GroundMap, IsFiniteForAnyMapAndPlaceAndCoversNoPlaceThatIsNone) {
 
 // The first and the last texel's centres are the area's edges.
 TEST(HeightUv, HasTexelsAtTheEdges) {
-  const CoreFunction uv{
-      "GroundMap",
-      "const float2 uv = HeightUv(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, uv.x); Out(1, uv.y);",
-      4, 2};
+  const CoreFunction uv{"GroundMap", "Out2(0, HeightUv(In2(0), In2(2)));", 4, 2};
   EXPECT_EQ(run(uv, {0.0f, 1.0f, 4.0f, 8.0f, 0.5f, 0.5f, 2.0f, 64.0f}),
             (std::vector<float>{0.125f, 0.9375f, 0.5f, 0.5f}));
   const float nan = std::nanf("");

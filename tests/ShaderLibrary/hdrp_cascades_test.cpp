@@ -74,10 +74,9 @@ std::vector<float> positions(int count) {
 }
 
 const HdrpFunction kPrepared{
-    "const PenumbraHdrpLight light = PreparePenumbraHdrpLight(float3(In(0), In(1), In(2)), float3(0, 0, 0), "
-    "float2(0, 0));Out(0, light.covered ? 1 : 0); Out(1, light.receiver.shadowCoord.x); Out(2, "
-    "light.receiver.shadowCoord.y);Out(3, light.receiver.shadowCoord.z); Out(4, light.tile.offsetScale.x); "
-    "Out(5, light.tile.offsetScale.y);Out(6, light.strength);",
+    "const PenumbraHdrpLight light = PreparePenumbraHdrpLight(In3(0), float3(0, 0, 0), float2(0, 0)); Out(0, "
+    "light.covered ? 1 : 0); Out3(1, light.receiver.shadowCoord.xyz); Out2(4, light.tile.offsetScale.xy); "
+    "Out(6, light.strength);",
     3, 7};
 
 // The first sphere that holds the position, or nothing. There is no answer within rounding of a sphere.
@@ -190,7 +189,7 @@ TEST(HdrpCascades, TheLastCascadeFadesOutAcrossItsBorderAwayFromTheCamera) {
 TEST(HdrpCascades, NoiseGivesTheNextCascadeItsShareOfTheBorder) {
   const HdrpFunction chosen{
       "const PenumbraHdrpLight light = PreparePenumbraHdrpLight(float3(0, 0, In(0)), float3(0, 0, 0), "
-      "float2(In(1), In(2)));Out(0, light.tile.offsetScale.x > 0.25 ? 1 : 0); Out(1, light.strength);",
+      "In2(1)); Out(0, light.tile.offsetScale.x > 0.25 ? 1 : 0); Out(1, light.strength);",
       3, 2};
   for (const float share : {0.0f, 0.25f, 0.5f, 0.75f}) {
     std::vector<float> inputs;
@@ -218,7 +217,7 @@ TEST(HdrpCascades, TheNormalBiasMovesTheReceiverTowardTheLightWhicheverWayTheNor
   frame.forward = {0.0f, -1.0f, 0.0f};
   const HdrpFunction place{
       "const PenumbraHdrpLight light = PreparePenumbraHdrpLight(float3(0, 0, 10), float3(0, In(0), 0), "
-      "float2(0, 0));Out(0, light.receiver.shadowCoord.x); Out(1, light.receiver.shadowCoord.y);",
+      "float2(0, 0)); Out2(0, light.receiver.shadowCoord.xy);",
       1, 2};
   const std::vector<float> got =
       run(place, HdrpVersion::v14, DepthDirection::reversed, frame, {0.0f, 1.0f, -1.0f});

@@ -6,55 +6,19 @@
 #include <stdexcept>
 
 #include "gpu/compute_pass.h"
-#include "gpu/device.h"
 #include "gpu/resources.h"
-#include "shaders/compile.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
 
-constexpr std::size_t kGroupSize = 64;
 const std::string kSource = PENUMBRA_SOURCE_DIR;
 
-gpu::Device& device() {
-  static gpu::Device shared({.name = "", .validation = true});
-  return shared;
-}
-
-std::string source(const HdrpFunction& function) {
-  return "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n"
-         "#include \"Packages/com.unity.render-pipelines.high-definition/Runtime/ShaderLibrary/"
-         "ShaderVariables.hlsl\"\n"
-         "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Pipelines/Hdrp.hlsl\"\n"
-         "StructuredBuffer<uint> inputs;\n"
-         "RWStructuredBuffer<uint> outputs;\n"
-         "static uint caseIndex;\n"
-         "float In(uint i) { return asfloat(inputs[caseIndex * " +
-         std::to_string(function.inputs) +
-         "u + i]); }\n"
-         "void Out(uint i, float value) { outputs[caseIndex * " +
-         std::to_string(function.outputs) +
-         "u + i] = asuint(value); }\n"
-         "[numthreads(" +
-         std::to_string(kGroupSize) +
-         ", 1, 1)]\n"
-         "void Main(uint3 id : SV_DispatchThreadID)\n{\n    caseIndex = id.x;\n    " +
-         function.statement + "\n}\n";
-}
-
-std::vector<std::uint32_t> compile(const std::string& text, const HdrpDefines& defines) {
-  shaders::CompileRequest request;
-  request.file = "hdrp test.hlsl";
-  request.text = text;
-  request.defines = defines;
-  request.package_roots = hdrp_package_roots();
-  shaders::CompileResult result = shaders::compile(request);
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
-  throw std::runtime_error(messages);
-}
+constexpr const char* kIncludes =
+    "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n"
+    "#include \"Packages/com.unity.render-pipelines.high-definition/Runtime/ShaderLibrary/"
+    "ShaderVariables.hlsl\"\n"
+    "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Pipelines/Hdrp.hlsl\"\n";
 
 struct Compiled {
   explicit Compiled(std::vector<std::uint32_t> module)
@@ -64,16 +28,19 @@ struct Compiled {
 };
 
 // A function is run on many frames; compiling takes longer than running.
-Compiled& compiled(const HdrpFunction& function, HdrpVersion version, DepthDirection direction) {
+Compiled& program_of(const HdrpFunction& function, HdrpVersion version, DepthDirection direction) {
   device();  // outlives the passes
   static std::map<std::pair<std::string, HdrpDefines>, Compiled> passes;
-  HdrpDefines defines = defines_of(version);
-  defines.insert(defines.end(), function.defines.begin(), function.defines.end());
-  if (direction == DepthDirection::reversed) defines.emplace_back("UNITY_REVERSED_Z", "1");
-  const std::string text = source(function);
-  const auto found = passes.find({text, defines});
+  shaders::CompileRequest request;
+  request.file = "hdrp test.hlsl";
+  request.text = kernel_text(kIncludes, function.statement, function.inputs, function.outputs);
+  request.defines = defines_of(version);
+  request.defines.insert(request.defines.end(), function.defines.begin(), function.defines.end());
+  if (direction == DepthDirection::reversed) request.defines.emplace_back("UNITY_REVERSED_Z", "1");
+  request.package_roots = hdrp_package_roots();
+  const auto found = passes.find({*request.text, request.defines});
   if (found != passes.end()) return found->second;
-  return passes.emplace(std::pair(text, defines), compile(text, defines)).first->second;
+  return passes.emplace(std::pair(*request.text, request.defines), compiled(request)).first->second;
 }
 
 // The words of a structured buffer, which Direct3D packs.
@@ -199,7 +166,7 @@ std::vector<project::PackageRoot> hdrp_package_roots() {
 
 std::vector<float> run(const HdrpFunction& function, HdrpVersion version, DepthDirection direction,
                        const HdrpFrame& frame, const std::vector<float>& inputs) {
-  Compiled& program = compiled(function, version, direction);
+  Compiled& program = program_of(function, version, direction);
   const std::size_t cases = inputs.size() / std::size_t(function.inputs);
   const std::size_t groups = (cases + kGroupSize - 1) / kGroupSize;
   std::vector<float> padded = inputs;

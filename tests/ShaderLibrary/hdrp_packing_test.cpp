@@ -97,11 +97,11 @@ TEST(HdrpPacking, GoldenCascadesOfAShadowMapsSizeAreThere) {
 
 // The last output is the scale that PcssHdrp itself works with, per tile UV.
 const HdrpFunction kTile{
-    "const ShadowTile tile = PenumbraHdrpTile(_HDShadowDatas[0], In(0));"
-    "const ConeScales cone = ConeScalesOf(tile);"
-    "const HdrpScales hdrp = HdrpScalesOf(cone, PenumbraHdrpParametersOf(_HDShadowDatas[0]));"
-    "Out(0, tile.uvPerMetre); Out(1, tile.depthPerMetre); Out(2, tile.depthToRadial);"
-    "Out(3, tile.radialToDepth); Out(4, hdrp.texelsPerDepth / cone.largestRadius);",
+    "const ShadowTile tile = PenumbraHdrpTile(_HDShadowDatas[0], In(0)); const ConeScales cone = "
+    "ConeScalesOf(tile); const HdrpScales hdrp = HdrpScalesOf(cone, "
+    "PenumbraHdrpParametersOf(_HDShadowDatas[0])); Out(0, tile.uvPerMetre); Out(1, tile.depthPerMetre); "
+    "Out(2, tile.depthToRadial); Out(3, tile.radialToDepth); Out(4, hdrp.texelsPerDepth / "
+    "cone.largestRadius);",
     1,
     5,
     {{"_PENUMBRA_PCSS_HDRP", "1"}}};
@@ -124,9 +124,9 @@ TEST_P(EveryVersion, TileScalesAreTheGoldenOnes) {
 }
 
 const HdrpFunction kParameters{
-    "const PcssHdrpParameters p = PenumbraHdrpParametersOf(_HDShadowDatas[0]);Out(0, p.blockerSamples); "
-    "Out(1, p.filterSamples); Out(2, p.blockerClump); Out(3, p.minFilterTexels);Out(4, p.maxPenumbraMetres); "
-    "Out(5, p.maxSamplingMetres); Out(6, p.searchTanHalf); Out(7, p.minFilterTanHalf);",
+    "const PcssHdrpParameters p = PenumbraHdrpParametersOf(_HDShadowDatas[0]); Out(0, p.blockerSamples); "
+    "Out(1, p.filterSamples); Out(2, p.blockerClump); Out(3, p.minFilterTexels); Out(4, "
+    "p.maxPenumbraMetres); Out(5, p.maxSamplingMetres); Out(6, p.searchTanHalf); Out(7, p.minFilterTanHalf);",
     1, 8};
 
 float tan_half(double degrees) {

@@ -17,8 +17,8 @@ constexpr double kAtan2Error = 1e-5;
 using Weights = std::array<float, 8>;
 
 const CoreFunction kWeights{"HorizonBlend",
-                            "const HorizonWeights w = HorizonWeightsOf(float2(In(0), In(1)));"
-                            "for (int i = 0; i < 4; ++i) { Out(i, w.first[i]); Out(4 + i, w.second[i]); }",
+                            "const HorizonWeights w = HorizonWeightsOf(In2(0)); for (int i = 0; i < 4; ++i) "
+                            "{ Out(i, w.first[i]); Out(4 + i, w.second[i]); }",
                             2, 8};
 
 std::vector<Weights> weights_of(const std::vector<float>& directions) {
@@ -78,8 +78,8 @@ TEST(HorizonWeights, NeverLeaveTheirRangeWhateverTheDirection) {
 // The horizon's angle rises by the same amount from each direction to the next.
 TEST(BlendedHorizon, IsLinearBetweenTwoDirections) {
   const CoreFunction blended{"HorizonBlend",
-                             "Out(0, BlendedHorizon(float4(0.0, 0.1, 0.2, 0.3), float4(0.4, 0.5, 0.6, 0.7),"
-                             " HorizonWeightsOf(float2(In(0), In(1)))));",
+                             "Out(0, BlendedHorizon(float4(0.0, 0.1, 0.2, 0.3), float4(0.4, 0.5, 0.6, 0.7), "
+                             "HorizonWeightsOf(In2(0))));",
                              2, 1};
   std::vector<float> directions;
   for (int i = 0; i < 700; ++i) {

@@ -9,8 +9,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-const CoreFunction kBound{"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), In(3)));", 4,
-                          1};
+const CoreFunction kBound{"MomentBounds", "Out(0, ChebyshevBound(In2(0), In(2), In(3)));", 4, 1};
 
 // With an occluder and the receiver behind it, the bound is the receiver's share.
 TEST(MomentBounds, AreExactForTwoDepths) {

@@ -34,7 +34,7 @@ long double gradient_noise(const float* in) {
 TEST(Noise, IsJimenezsGradientNoise) {
   const std::vector<float> inputs = pixels();
   const std::vector<float> results =
-      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1}, inputs);
+      run({"Noise", "Out(0, GradientNoise(In2(0), uint(InInt(2))));", 3, 1}, inputs);
   double worst = 0.0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     ASSERT_GE(results[i], 0.0f);
@@ -53,7 +53,7 @@ TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
     for (int x = 0; x < side; ++x) inputs.insert(inputs.end(), {float(x) + 0.5f, float(y) + 0.5f, 0.0f});
   }
   const std::vector<float> noise =
-      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1}, inputs);
+      run({"Noise", "Out(0, GradientNoise(In2(0), uint(InInt(2))));", 3, 1}, inputs);
   for (int y = 0; y + 3 <= side; ++y) {
     for (int x = 0; x + 3 <= side; ++x) {
       std::array<int, 3> thirds{};
@@ -73,7 +73,7 @@ TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
   inputs.reserve(kRandomCases);
   for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i) / kRandomCases);
   expect_exact(
-      {"Noise", "const float2 r = RotationFromNoise(In(0)); Out(0, r.x); Out(1, r.y);", 1, 2}, inputs,
+      {"Noise", "Out2(0, RotationFromNoise(In(0)));", 1, 2}, inputs,
       [](const float* in) {
         const long double angle = 2.0L * std::numbers::pi_v<long double> * in[0];
         return std::vector<Exact>{{std::cos(angle), 1.0L}, {std::sin(angle), 1.0L}};
@@ -83,11 +83,10 @@ TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
 
 // A shift by any part of a turn correlates the sines or cosines of both.
 TEST(Noise, CascadesAreChosenIndependentlyOfTheRotation) {
-  const std::vector<float> results = run({"Noise",
-                                          "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
-                                          "Out(1, CascadeNoise(float2(In(0), In(1)), uint(InInt(2))));",
-                                          3, 2},
-                                         pixels());
+  const std::vector<float> results = run(
+      {"Noise",
+       "Out(0, GradientNoise(In2(0), uint(InInt(2)))); Out(1, CascadeNoise(In2(0), uint(InInt(2))));", 3, 2},
+      pixels());
   const std::size_t count = results.size() / 2;
   double cosines = 0.0;
   double sines = 0.0;
@@ -110,9 +109,9 @@ TEST(Noise, CascadesAreChosenIndependentlyOfTheRotation) {
 TEST(Noise, DiskRotationIsTheRotationOfTheNoise) {
   const std::vector<float> results =
       run({"Noise",
-           "const float2 a = DiskRotation(float2(In(0), In(1)), uint(InInt(2)));"
-           "const float2 b = RotationFromNoise(GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
-           "Out(0, a.x - b.x); Out(1, a.y - b.y); Out(2, dot(a, a));",
+           "const float2 a = DiskRotation(In2(0), uint(InInt(2))); const float2 b = "
+           "RotationFromNoise(GradientNoise(In2(0), uint(InInt(2)))); Out(0, a.x - b.x); Out(1, a.y - b.y); "
+           "Out(2, dot(a, a));",
            3, 3},
           pixels());
   for (std::size_t i = 0; i < results.size() / 3; ++i) {

@@ -31,11 +31,10 @@ std::vector<float> smoothed(const std::vector<Pixels>& cases) {
   return run(
       function_in("Screen", "PenumbraSmoothing",
                   "SmoothingTaps t; NoisyVisibility v; v.visibility = In(0); v.radius = In(1); t.here = "
-                  "PackNoisy(v); t.depth = In(2); for (int i = 0; i < SMOOTHING_TAPS; ++i) { "
-                  "v.visibility = In(3 * i + 3); v.radius = In(3 * i + 4); t.words[i] = PackNoisy(v); "
-                  "t.depths[i] = In(3 * i + 5); } const NoisyVisibility s = SmoothPenumbra(t, "
-                  "NearSmoothing()); Out(0, s.visibility); Out(1, s.radius); Out(2, HasNoise(t) ? 1.0 : "
-                  "0.0);",
+                  "PackNoisy(v); t.depth = In(2); for (int i = 0; i < SMOOTHING_TAPS; ++i) { v.visibility = "
+                  "In(3 * i + 3); v.radius = In(3 * i + 4); t.words[i] = PackNoisy(v); t.depths[i] = In(3 * "
+                  "i + 5); } const NoisyVisibility s = SmoothPenumbra(t, NearSmoothing()); Out(0, "
+                  "s.visibility); Out(1, s.radius); Out(2, HasNoise(t) ? 1.0 : 0.0);",
                   kWords, 3),
       inputs);
 }

@@ -7,23 +7,16 @@
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/inputs.h"
+#include "ShaderLibrary/long_vectors.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
 
 // The inputs are position, plane and light.
-const CoreFunction kOnto{
-    "PlanarShadow",
-    "const PlanarPoint p = OntoPlane(float3(In(0), In(1), In(2)), float4(In(3), In(4), In(5), In(6)), "
-    "float4(In(7), In(8), In(9), In(10)));Out(0, p.position.x); Out(1, p.position.y); Out(2, p.position.z); "
-    "Out(3, p.height);Out(4, p.valid ? 1.0 : 0.0);",
-    11, 5};
-
-using Vector = std::array<long double, 3>;
-
-long double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+const CoreFunction kOnto{"PlanarShadow",
+                         "const PlanarPoint p = OntoPlane(In3(0), In4(3), In4(7)); Out3(0, p.position.xyz); "
+                         "Out(3, p.height); Out(4, p.valid ? 1.0 : 0.0);",
+                         11, 5};
 
 TEST(OntoPlane, IsOnThePlaneAndOnTheLineThroughTheLight) {
   Random random(41);

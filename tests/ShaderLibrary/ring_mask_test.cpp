@@ -14,9 +14,9 @@ using Real = long double;
 
 // The inputs are the mask as two 16-bit halves, penumbra, radius, taps and exponent.
 const std::string kVisibility =
-    "RingMask mask = EmptyRingMask(); mask.words[0] = uint(In(0)) | (uint(In(1)) << 16);"
-    "const float rings = RingsInside(In(2) / In(3), InInt(4), InInt(5)); Out(0, rings);"
-    "Out(1, RingVisibility(mask, rings, InInt(5))); Out(2, RingTapRadius(InInt(4) - 1, InInt(4), InInt(5)));";
+    "RingMask mask = EmptyRingMask(); mask.words[0] = uint(In(0)) | (uint(In(1)) << 16); const float rings = "
+    "RingsInside(In(2) / In(3), InInt(4), InInt(5)); Out(0, rings); Out(1, RingVisibility(mask, rings, "
+    "InInt(5))); Out(2, RingTapRadius(InInt(4) - 1, InInt(4), InInt(5)));";
 
 struct Disc {
   Real radius;
@@ -105,8 +105,8 @@ TEST(RingMask, BoundsItsCounts) {
   for (int i = -40; i <= 80; ++i) inputs.push_back(static_cast<float>(i));
   const std::vector<float> out =
       run({"RingMask",
-           "OutInt(0, BoundedRingCount(InInt(0))); OutInt(1, BoundedRingExponent(InInt(0)));"
-           "Out(2, float(RingBit(InInt(0)) >> 16)); Out(3, float(RingBit(InInt(0)) & 0xFFFFu));",
+           "OutInt(0, BoundedRingCount(InInt(0))); OutInt(1, BoundedRingExponent(InInt(0))); Out(2, "
+           "float(RingBit(InInt(0)) >> 16)); Out(3, float(RingBit(InInt(0)) & 0xFFFFu));",
            1, 4},
           inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {

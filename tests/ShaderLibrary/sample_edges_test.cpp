@@ -17,15 +17,14 @@ TEST(SampleEdges, SamplesLieWhereDirect3DHasThem) {
     const int samples = 2 << i;
     std::vector<float> inputs;
     for (int index = 0; index < samples; ++index) inputs.push_back(static_cast<float>(index));
-    const std::vector<float> results =
-        run({"SampleEdges",
-             "const float2 at = 16.0 * SampleOffset(" + std::to_string(samples) +
-                 ", InInt(0)); Out(0, at.x); Out(1, at.y);",
-             1,
-             2,
-             {},
-             "Screen"},
-            inputs);
+    const std::vector<float> results = run(
+        {"SampleEdges",
+         "const float2 at = 16.0 * SampleOffset(" + std::to_string(samples) + ", InInt(0)); Out2(0, at.xy);",
+         1,
+         2,
+         {},
+         "Screen"},
+        inputs);
     EXPECT_EQ(results, patterns[i]) << samples;
   }
 }
@@ -34,11 +33,10 @@ TEST(SampleEdges, SamplesLieWhereDirect3DHasThem) {
 // where a pixel is 2 cm wide.
 std::vector<float> differ(const std::vector<float>& inputs) {
   return run({"SampleEdges",
-              "EdgeParameters p; p.edgeSamples = 4; p.depthTolerance = 1.0; p.normalCosine = 0.9;"
-              "SampleSurface a; a.positionWS = float3(In(0), In(1), In(2)); a.normalWS = float3(In(3), "
-              "In(4), In(5));a.seen = In(6) > 0.5; a.metresPerPixel = 0.02;SampleSurface b; b.positionWS = "
-              "float3(In(7), In(8), In(9)); b.normalWS = float3(In(10), In(11), In(12));b.seen = In(13) > "
-              "0.5; b.metresPerPixel = 0.03;Out(0, SurfacesDiffer(a, b, p) ? 1.0 : 0.0); Out(1, "
+              "EdgeParameters p; p.edgeSamples = 4; p.depthTolerance = 1.0; p.normalCosine = 0.9; "
+              "SampleSurface a; a.positionWS = In3(0); a.normalWS = In3(3); a.seen = In(6) > 0.5; "
+              "a.metresPerPixel = 0.02; SampleSurface b; b.positionWS = In3(7); b.normalWS = In3(10); b.seen "
+              "= In(13) > 0.5; b.metresPerPixel = 0.03; Out(0, SurfacesDiffer(a, b, p) ? 1.0 : 0.0); Out(1, "
               "SurfacesDiffer(b, a, p) ? 1.0 : 0.0);",
               14,
               2,

@@ -16,9 +16,8 @@ constexpr float kHeight = 1080.0f;
 constexpr float kNoDepthSlope = 2.0f;
 
 const std::string kPoint =
-    "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), In(11), In(12), In(13), In(14), In(15));const float2 pixel = float2(1.0 / 1920.0, 1.0 / 1080.0);"
-    "const ScreenPoint at = ScreenPointOf(m, float2(In(16), In(17)), In(18));";
+    "const float4x4 m = InMatrix(0); const float2 pixel = float2(1.0 / 1920.0, 1.0 / 1080.0); const "
+    "ScreenPoint at = ScreenPointOf(m, In2(16), In(18));";
 
 // Depths at which something is seen: between 1/1000 and all of the way from far to near.
 std::vector<float> random_points(std::uint32_t seed) {
@@ -55,9 +54,7 @@ ExactPoint exact_point(const float* in, long double u, long double v, long doubl
 
 TEST(ScreenPosition, IsTheMatrixApplied) {
   expect_exact(
-      {"ScreenPosition",
-       kPoint + "Out(0, at.positionWS.x); Out(1, at.positionWS.y); Out(2, at.positionWS.z);", kRow, 3},
-      random_points(61),
+      {"ScreenPosition", kPoint + "Out3(0, at.positionWS.xyz);", kRow, 3}, random_points(61),
       [](const float* in) {
         const ExactPoint exact = exact_point(in, in[16], in[17], in[18]);
         std::vector<Exact> result;
@@ -70,11 +67,7 @@ TEST(ScreenPosition, IsTheMatrixApplied) {
 // The derivative is compared with a central difference in long double over a step a million times smaller.
 TEST(ScreenPosition, TangentsAreDerivativesOfThePosition) {
   expect_exact(
-      {"ScreenPosition",
-       kPoint + "const float3 t = ScreenTangent(m, at, float3(In(19), In(20), In(21)));"
-                "Out(0, t.x); Out(1, t.y); Out(2, t.z);",
-       kRow, 3},
-      random_points(62),
+      {"ScreenPosition", kPoint + "Out3(0, ScreenTangent(m, at, In3(19)));", kRow, 3}, random_points(62),
       [](const float* in) {
         const long double h = 1e-6L;
         const Vector step(in[19], in[20], in[21]);
@@ -135,11 +128,7 @@ TEST(ScreenPosition, NormalsAreThoseOfThePlaneThatMadeTheDepths) {
     normals.push_back(glm::normalize(across));
   }
   const std::vector<float> results =
-      run({"ScreenPosition",
-           kPoint + "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel);"
-                    "Out(0, n.x); Out(1, n.y); Out(2, n.z);",
-           kRow, 3},
-          inputs);
+      run({"ScreenPosition", kPoint + "Out3(0, ScreenNormal(m, at, In2(19), pixel));", kRow, 3}, inputs);
   long double worst = 0.0L;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vector got(results[3 * i], results[3 * i + 1], results[3 * i + 2]);
@@ -160,8 +149,7 @@ TEST(ScreenPosition, NormalsOfWhatMakesNoSenseAreZeroOrUnit) {
   }
   const std::vector<float> results =
       run({"ScreenPosition",
-           kPoint + "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel); Out(0, dot(n, n));",
-           kRow, 1},
+           kPoint + "const float3 n = ScreenNormal(m, at, In2(19), pixel); Out(0, dot(n, n));", kRow, 1},
           inputs);
   for (const float squared : results)
     ASSERT_TRUE(squared == 0.0f || std::abs(squared - 1.0f) < 1e-5f) << squared;
@@ -170,9 +158,7 @@ TEST(ScreenPosition, NormalsOfWhatMakesNoSenseAreZeroOrUnit) {
   for (std::size_t i = 0; i < unknown.size(); i += kRow) unknown[i + 19 + (i / kRow) % 2] = 2.0f;
   for (const float squared :
        run({"ScreenPosition",
-            kPoint +
-                "const float3 n = ScreenNormal(m, at, float2(In(19), In(20)), pixel); Out(0, dot(n, n));",
-            kRow, 1},
+            kPoint + "const float3 n = ScreenNormal(m, at, In2(19), pixel); Out(0, dot(n, n));", kRow, 1},
            unknown)) {
     ASSERT_EQ(squared, 0.0f);
   }
@@ -216,9 +202,9 @@ TEST(ScreenPosition, SlopesFollowTheSurfaceThatGoesOn) {
   const std::vector<float> inputs = random_lines(67);
   const std::vector<float> results =
       run({"ScreenPosition",
-           "DepthLine along; along.before = In(1); along.here = In(2); along.after = In(3);"
-           "Out(0, DepthSlopes(along).x); Out(1, DepthSlopes(along).y); Out(2, NearerSlope(along));"
-           "Out(3, ContradictsItself(along) ? 1.0 : 0.0); Out(4, StraighterSlope(In(0), along, In(4)));",
+           "DepthLine along; along.before = In(1); along.here = In(2); along.after = In(3); Out(0, "
+           "DepthSlopes(along).x); Out(1, DepthSlopes(along).y); Out(2, NearerSlope(along)); Out(3, "
+           "ContradictsItself(along) ? 1.0 : 0.0); Out(4, StraighterSlope(In(0), along, In(4)));",
            5, 5},
           inputs);
   int contradictions = 0;

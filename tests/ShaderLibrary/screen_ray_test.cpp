@@ -17,10 +17,8 @@ using Matrix = glm::mat<4, 4, long double>;
 constexpr int kRayRow = 16 + 3 + 3 + 1;  // matrix by rows, (u, v, depth), direction, metres
 
 const std::string kRay =
-    "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), In(11), In(12), In(13), In(14), In(15));const float3 origin = float3(In(16), In(17), In(18));"
-    "const ScreenRay ray = ScreenRayOf(m, ScreenPointOf(m, origin.xy, origin.z), origin, float3(In(19), "
-    "In(20), In(21)));";
+    "const float4x4 m = InMatrix(0); const float3 origin = In3(16); const ScreenRay ray = ScreenRayOf(m, "
+    "ScreenPointOf(m, origin.xy, origin.z), origin, In3(19));";
 
 Matrix matrix_of(const std::array<long double, 16>& rows) {
   Matrix matrix;
@@ -103,10 +101,7 @@ std::vector<float> random_rays(std::uint32_t seed) {
 
 TEST(ScreenRay, PointsAreThoseOfTheWorldProjected) {
   expect_exact(
-      {"ScreenRay",
-       kRay + "const float3 p = ScreenRayPoint(ray, ScreenRayAlong(ray, In(22)));"
-              "Out(0, p.x); Out(1, p.y); Out(2, p.z);",
-       kRayRow, 3},
+      {"ScreenRay", kRay + "Out3(0, ScreenRayPoint(ray, ScreenRayAlong(ray, In(22))));", kRayRow, 3},
       random_rays(71),
       [](const float* in) {
         const Vector exact = end_of(in).point;
@@ -145,12 +140,12 @@ TEST(ScreenRay, EndsAtTheBorderOfThePicture) {
       inputs.push_back(random.integer(0, 9) == 0 ? 0.0f : random.magnitude(-3.0f, 1.0f));
     inputs.push_back(std::pow(10.0f, random.between(-2.0f, 3.0f)));
   }
-  const std::vector<float> ends = run(
-      {"ScreenRay",
-       "ScreenRay ray; ray.origin = float3(In(0), In(1), In(2)); ray.slope = float3(In(3), In(4), In(5)); "
-       "ray.bend = 0.0; Out(0, ScreenRayWithin(ray, In(6))); Out(1, WithinUnit(In(0), In(3), In(6)));",
-       7, 2},
-      inputs);
+  const std::vector<float> ends =
+      run({"ScreenRay",
+           "ScreenRay ray; ray.origin = In3(0); ray.slope = In3(3); ray.bend = 0.0; Out(0, "
+           "ScreenRayWithin(ray, In(6))); Out(1, WithinUnit(In(0), In(3), In(6)));",
+           7, 2},
+          inputs);
   for (std::size_t i = 0; i < ends.size() / 2; ++i) {
     const float* in = &inputs[7 * i];
     const auto last_inside = [&](int coordinates) {

@@ -29,14 +29,13 @@ TEST(ScreenScale, HalfPixelsEncloseTheFullOne) {
   for (int size = 1; size <= 400; ++size) {
     for (int pixel = 0; pixel < size; ++pixel) inputs.insert(inputs.end(), {float(size), float(pixel)});
   }
-  const std::vector<float> results =
-      run({"ScreenScale",
-           "const int2 size = int2(InInt(0), InInt(0)); const int before = HalfPixelBefore(InInt(1));"
-           "OutInt(0, before); OutInt(1, FullPixel(int2(before, before), 2, size).x);"
-           "OutInt(2, FullPixel(int2(before + 1, before + 1), 2, size).y);"
-           "OutInt(3, FullPixel(int2(InInt(1), InInt(1)), 1, size).x);",
-           2, 4},
-          inputs);
+  const std::vector<float> results = run(
+      {"ScreenScale",
+       "const int2 size = int2(InInt(0), InInt(0)); const int before = HalfPixelBefore(InInt(1)); OutInt(0, "
+       "before); OutInt(1, FullPixel(int2(before, before), 2, size).x); OutInt(2, FullPixel(int2(before + 1, "
+       "before + 1), 2, size).y); OutInt(3, FullPixel(int2(InInt(1), InInt(1)), 1, size).x);",
+       2, 4},
+      inputs);
   for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
     const int size = int(inputs[2 * i]);
     const int pixel = int(inputs[2 * i + 1]);

@@ -16,10 +16,9 @@ constexpr int kReceivers = 1000000;
 // reads it, from the receiver. The texel blocks as it does in SingleLoop.hlsl.
 const std::string kDecision =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
-    "1.0;r.centre = float2(0.0, 0.0); r.depth = In(2); r.gradient = float2(In(3), In(4));Out(0, "
-    "DecideByRange(float2(In(0), In(1)), r, In(5)));const float plane = KeepBehindNearPlane(r.depth + "
-    "dot(r.gradient, float2(In(7), In(8))));Out(1, DepthGap(In(6), plane) > 0.0 && DepthGap(In(6), r.depth) "
-    "> 0.0 ? 1.0 : 0.0);";
+    "1.0; r.centre = float2(0.0, 0.0); r.depth = In(2); r.gradient = In2(3); Out(0, DecideByRange(In2(0), r, "
+    "In(5))); const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, In2(7))); Out(1, "
+    "DepthGap(In(6), plane) > 0.0 && DepthGap(In(6), r.depth) > 0.0 ? 1.0 : 0.0);";
 
 TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
   for (const DepthDirection direction : kDepthDirections) {
@@ -77,15 +76,14 @@ TEST(SingleLoopExits, WhatARangeDecidesHoldsForEveryTexelOfIt) {
 // but noise; receivers are near their plane, or anywhere. The block lies anywhere around the receiver.
 const std::string kPlanes =
     "QuadReceiver r; r.bounds.minimum = float2(0.0, 0.0); r.bounds.maximum = float2(1.0, 1.0); r.texelSize = "
-    "1.0;r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = float2(In(17), In(18));const float2 "
-    "away = float2(In(19), In(20)); float4 depths[4]; int i;for (i = 0; i < 4; ++i) depths[i] = float4(In(4 "
-    "* i), In(4 * i + 1), In(4 * i + 2), In(4 * i + 3));r.inPerspective = false; r.awayFromAxis = 0.0;const "
-    "GroupBounds block = BoundBlock(PlanesOfBlock(depths), away, 4.0, 0.0, GroupOf(r));Out(0, "
-    "block.noneAbove ? 1.0 : block.allAbove && block.smallestGap > 0.0 ? 0.0 : -1.0);int blocking = 0; for "
-    "(i = 0; i < 16; ++i) {const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], "
-    "kGatherY[i % 4]);const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at));if "
-    "(DepthGap(depths[i / 4][i % 4], plane) > 0.0 && DepthGap(depths[i / 4][i % 4], r.depth) > 0.0) "
-    "++blocking; }OutInt(1, blocking);";
+    "1.0; r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = In2(17); const float2 away = In2(19); "
+    "float4 depths[4]; int i; for (i = 0; i < 4; ++i) depths[i] = float4(In(4 * i), In(4 * i + 1), In(4 * i "
+    "+ 2), In(4 * i + 3)); r.inPerspective = false; r.awayFromAxis = 0.0; const GroupBounds block = "
+    "BoundBlock(PlanesOfBlock(depths), away, 4.0, 0.0, GroupOf(r)); Out(0, block.noneAbove ? 1.0 : "
+    "block.allAbove && block.smallestGap > 0.0 ? 0.0 : -1.0); int blocking = 0; for (i = 0; i < 16; ++i) "
+    "{const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], kGatherY[i % 4]); const float "
+    "plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at)); if (DepthGap(depths[i / 4][i % 4], plane) > "
+    "0.0 && DepthGap(depths[i / 4][i % 4], r.depth) > 0.0) ++blocking; }OutInt(1, blocking);";
 
 TEST(SingleLoopExits, WhatPlanesDecideHoldsForEveryTexelOfTheirBlock) {
   for (const DepthDirection direction : kDepthDirections) {

@@ -6,6 +6,7 @@
 
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/inputs.h"
+#include "ShaderLibrary/long_vectors.h"
 
 namespace penumbra::shader_library_tests {
 namespace {
@@ -14,10 +15,7 @@ const CoreFunction kShare{"SphereShadow", "Out(0, DiscShareBesideDisc(In(0), In(
 // The receiver is the origin; the inputs are centre, radius, direction towards the sun, and half its
 // diameter.
 const CoreFunction kSphere{
-    "SphereShadow",
-    "Out(0, SphereVisibility(float3(0.0, 0.0, 0.0), float3(In(0), In(1), In(2)), In(3),"
-    " float3(In(4), In(5), In(6)), In(7)));",
-    8, 1};
+    "SphereShadow", "Out(0, SphereVisibility(float3(0.0, 0.0, 0.0), In3(0), In(3), In3(4), In(7)));", 8, 1};
 
 // The share of the first disc's points that lie outside of the other, in rows of 1 / 2000 of it, each
 // exactly.
@@ -65,28 +63,16 @@ TEST(DiscShareBesideDisc, StaysInRangeForAnyNumbers) {
 
 // The rays go over the sun's disc in 64 rings of 64.
 long double traced(const float* in) {
-  const std::array<long double, 3> sun{in[4], in[5], in[6]};
-  const int least = std::fabs(in[4]) < std::fabs(in[5]) ? 0 : 1;
-  std::array<long double, 3> axis{};
-  axis[static_cast<std::size_t>(least)] = 1.0L;
-  const auto cross = [](const std::array<long double, 3>& a, const std::array<long double, 3>& b) {
-    return std::array<long double, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                      a[0] * b[1] - a[1] * b[0]};
-  };
-  const auto length = [](const std::array<long double, 3>& a) {
-    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-  };
-  std::array<long double, 3> u = cross(sun, axis);
-  const long double size = length(u);
-  for (long double& part : u) part /= size;
-  const std::array<long double, 3> v = cross(sun, u);
+  const Vector sun{in[4], in[5], in[6]};
+  const Vector axis = std::fabs(in[4]) < std::fabs(in[5]) ? Vector{1, 0, 0} : Vector{0, 1, 0};
+  const Vector u = unit(cross(sun, axis)), v = cross(sun, u);
   int free = 0;
   constexpr int kRings = 64;
   for (int i = 0; i < kRings; ++i)
     for (int j = 0; j < kRings; ++j) {
       const long double angle = in[7] * std::sqrt((i + 0.5L) / kRings),
                         turn = 2.0L * std::acos(-1.0L) * (j + 0.5L * (i % 2)) / kRings;
-      std::array<long double, 3> ray{};
+      Vector ray{};
       long double along = 0.0L, squared = 0.0L;
       for (std::size_t k = 0; k < 3; ++k) {
         ray[k] = std::cos(angle) * sun[k] + std::sin(angle) * (std::cos(turn) * u[k] + std::sin(turn) * v[k]);

@@ -14,7 +14,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(float4(In(0), In(1), In(2), In(3)));";
+constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(In4(0));";
 constexpr int kMapWords = 4;
 
 // A map has near plane, far plane, tan of half the angle, and source radius.
@@ -94,15 +94,14 @@ TEST(SpotPenumbra, FollowsSimilarTriangles) {
     return std::vector<Exact>{{radius}, {search}, {radius / map_width}, {radius / map_width}};
   };
   // There are at most nine roundings and two divisions in a row.
-  expect_exact(
-      {"SpotLight",
-       std::string(kMap) +
-           "Out(0, PenumbraRadiusMetres(In(5), In(4), map)); Out(1, SearchRadiusMetres(In(4), map));"
-           "Out(2, RadiusInTileUV(PenumbraRadiusMetres(In(5), In(4), map), In(4), map));"
-           "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, 1);"
-           "Out(3, In(5) * TileAtReceiver(tile, map, In(4)).depthToRadial);",
-       kMapWords + 2, 4},
-      inputs, exact, 12.0L);
+  expect_exact({"SpotLight",
+                std::string(kMap) +
+                    "Out(0, PenumbraRadiusMetres(In(5), In(4), map)); Out(1, SearchRadiusMetres(In(4), "
+                    "map)); Out(2, RadiusInTileUV(PenumbraRadiusMetres(In(5), In(4), map), In(4), map)); "
+                    "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, "
+                    "1, 1, 1); Out(3, In(5) * TileAtReceiver(tile, map, In(4)).depthToRadial);",
+                kMapWords + 2, 4},
+               inputs, exact, 12.0L);
 }
 
 TEST(SpotPenumbra, TheTilesScalesAreTheSlopesAtTheReceiver) {
@@ -117,8 +116,8 @@ TEST(SpotPenumbra, TheTilesScalesAreTheSlopesAtTheReceiver) {
   expect_exact(
       {"SpotLight",
        std::string(kMap) +
-           "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, "
-           "1, 1); tile = TileAtReceiver(tile, map, In(4)); Out(0, tile.uvPerMetre); Out(1, "
+           "ShadowTile tile; tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, "
+           "1); tile = TileAtReceiver(tile, map, In(4)); Out(0, tile.uvPerMetre); Out(1, "
            "tile.depthPerMetre); Out(2, tile.radialToDepth); Out(3, InverseMetresPerDepth(map));",
        kMapWords + 1, 4},
       inputs,
@@ -161,14 +160,12 @@ TEST(SpotPenumbra, IsThatOfTheLightsOwnMap) {
       return std::vector<Exact>{{parameters::penumbra_radius_metres(map.light, receiver, blocker)},
                                 {std::fabs(Real(in[4]) - in[5]) * map.depth_to_radial}};
     };
-    expect_exact(
-        {"SpotLight",
-         std::string(kMap) +
-             "const float gap = DepthGap(In(5), In(4));"
-             "const float radius = PenumbraRadiusMetres(gap, AxialDepth(In(4), map), map); Out(0, radius);"
-             "Out(1, RadiusInTileUV(radius, AxialDepth(In(4), map), map));",
-         kMapWords + 2, 2},
-        direction, inputs, exact, 24.0L);
+    expect_exact({"SpotLight",
+                  std::string(kMap) + "const float gap = DepthGap(In(5), In(4)); const float radius = "
+                                      "PenumbraRadiusMetres(gap, AxialDepth(In(4), map), map); Out(0, "
+                                      "radius); Out(1, RadiusInTileUV(radius, AxialDepth(In(4), map), map));",
+                  kMapWords + 2, 2},
+                 direction, inputs, exact, 24.0L);
   }
 }
 
@@ -185,15 +182,15 @@ TEST(SpotSource, LooksLikeAnEllipseAwayFromTheAxis) {
                   {0.1f, 10.0f, std::min(tan_half, tan_limit / 1.42f), 0.0f, random.between(0.0f, 1.0f),
                    random.between(0.0f, 1.0f), random.between(0.0f, 6.2831f)});
   }
-  const std::vector<float> results = run(
-      {"SpotLight",
-       std::string(kMap) +
-           "const float2 away = AwayFromAxis(float2(In(4), In(5)), map);const float2 circle = "
-           "float2(cos(In(6)), sin(In(6)));const float2 ellipse = StretchAwayFromAxis(circle, away); Out(0, "
-           "ellipse.x); Out(1, ellipse.y);const float4 back = SquaredRadiusFacingLight(ellipse.x, ellipse.y, "
-           "away); Out(2, back.x);Out(3, AxisCosine(away));",
-       kMapWords + 3, 4},
-      inputs);
+  const std::vector<float> results =
+      run({"SpotLight",
+           std::string(kMap) +
+               "const float2 away = AwayFromAxis(In2(4), map); const float2 circle = float2(cos(In(6)), "
+               "sin(In(6))); const float2 ellipse = StretchAwayFromAxis(circle, away); Out2(0, ellipse.xy); "
+               "const float4 back = SquaredRadiusFacingLight(ellipse.x, ellipse.y, away); Out(2, back.x); "
+               "Out(3, AxisCosine(away));",
+           kMapWords + 3, 4},
+          inputs);
   for (int i = 0; i < kRandomCases; ++i) {
     const float* in = &inputs[std::size_t(i) * (kMapWords + 3)];
     const Real receiver_depth = 2.0L, blocker_depth = 1.0L;

@@ -14,7 +14,7 @@
 namespace penumbra::shader_library_tests {
 namespace {
 
-constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(float4(In(0), In(1), In(2), In(3)));";
+constexpr const char* kMap = "const SpotMap map = BoundedSpotMap(In4(0));";
 
 // The inputs are the rows of the matrix and a position, for a light anywhere within a hundred metres.
 std::vector<float> light_and_position(parameters::SetupGenerator& generator, DepthDirection direction,
@@ -37,9 +37,7 @@ std::vector<float> light_and_position(parameters::SetupGenerator& generator, Dep
   return in;
 }
 
-constexpr const char* kMatrix =
-    "const float4x4 m = float4x4(In(0), In(1), In(2), In(3), In(4), In(5), In(6), In(7), In(8), In(9), "
-    "In(10), In(11), In(12), In(13), In(14), In(15));";
+constexpr const char* kMatrix = "const float4x4 m = InMatrix(0);";
 
 // The rows of the matrix times (p, 1), in long double; `terms` gets the sum of the terms' sizes.
 std::array<Real, 4> project(const float* in, const Vector& p, Real* terms = nullptr) {
@@ -64,10 +62,9 @@ TEST(SpotCoordinate, CoversWhatLiesInTheMapsPyramid) {
     }
     const std::vector<float> results =
         run({"SpotLight",
-             std::string(kMatrix) + "const SpotCoordinate c = ProjectOntoSpotMap(float3(In(16), In(17), "
-                                    "In(18)), m, float4(0, 0, 1, 1));Out(0, c.shadowCoord.x); Out(1, "
-                                    "c.shadowCoord.y); Out(2, c.shadowCoord.z); Out(3, c.axialMetres);Out(4, "
-                                    "c.covered ? 1.0 : 0.0);",
+             std::string(kMatrix) +
+                 "const SpotCoordinate c = ProjectOntoSpotMap(In3(16), m, float4(0, 0, 1, 1)); Out3(0, "
+                 "c.shadowCoord.xyz); Out(3, c.axialMetres); Out(4, c.covered ? 1.0 : 0.0);",
              19, 5},
             direction, inputs);
     int covered = 0, behind = 0;
@@ -137,10 +134,9 @@ TEST(SpotMap, FollowsFromItsMatrixAndCone) {
     const std::vector<float> results = run(
         {"SpotLight",
          std::string(kMatrix) +
-             "const float4 s = SliceOfSpotMap(m, In(16), float4(1.0 / In(17), 1.0 / In(17), In(17), In(17)));"
-             "const SpotMap map = SpotMapOfMatrix(m, s, 0.25); Out(0, s.x); Out(1, s.y); Out(2, s.z); Out(3, "
-             "s.w); Out(4, map.nearMetres); Out(5, map.farMetres); Out(6, map.tanHalf); Out(7, "
-             "map.sourceRadiusMetres);",
+             "const float4 s = SliceOfSpotMap(m, In(16), float4(1.0 / In(17), 1.0 / In(17), In(17), "
+             "In(17))); const SpotMap map = SpotMapOfMatrix(m, s, 0.25); Out4(0, s.xyzw); Out(4, "
+             "map.nearMetres); Out(5, map.farMetres); Out(6, map.tanHalf); Out(7, map.sourceRadiusMetres);",
          18, 8},
         direction, inputs);
     for (std::size_t i = 0; i < truths.size(); ++i) {
@@ -211,10 +207,8 @@ TEST(SpotReceiverPlane, FromNormalIsTheSlopeOfTheProjectedPlane) {
     }
     expect_exact(
         {"ReceiverPlane",
-         std::string(kMatrix) +
-             "const float4 c = mul(m, float4(In(16), In(17), In(18), 1.0));"
-             "const float2 g = ReceiverPlaneInPerspective(float3(In(19), In(20), In(21)), m, c.xyz / c.w);"
-             "Out(0, g.x); Out(1, g.y);",
+         std::string(kMatrix) + "const float4 c = mul(m, float4(In(16), In(17), In(18), 1.0)); Out2(0, "
+                                "ReceiverPlaneInPerspective(In3(19), m, c.xyz / c.w));",
          22, 2},
         direction, inputs,
         [&](const float* in) {
@@ -240,23 +234,22 @@ TEST(SpotLight, EverythingIsFiniteForAnyInput) {
                   : i % 7 == 0 ? special[i % special.size()]
                                : random.magnitude(-8.0f, 8.0f);
     }
-    const std::vector<float> results = run(
-        {"SpotLight",
-         std::string(kMap) + kMatrix +
-             "Out(0, map.nearMetres); Out(1, map.farMetres - map.nearMetres); Out(2, map.tanHalf); Out(3, "
-             "map.sourceRadiusMetres); const float depth = AxialDepth(FiniteOr(In(4), 0.5), map); Out(4, "
-             "depth);Out(5, StoredDepth(depth, map)); const float gap = min(max(FiniteOr(In(5), 0.0), 0.0), "
-             "1.0);Out(6, PenumbraRadiusMetres(gap, depth, map));Out(7, SearchRadiusMetres(depth, map)); "
-             "Out(8, RadiusInTileUV(1.0, depth, map));ShadowTile tile; tile.offsetScale = float4(0, 0, 1, "
-             "1); tile.atlasTexelSize = float4(1, 1, 1, 1); tile = TileAtReceiver(tile, map, depth); Out(9, "
-             "tile.uvPerMetre); Out(10, tile.depthPerMetre); Out(11, tile.depthToRadial); Out(12, "
-             "tile.radialToDepth);const SpotCoordinate c = ProjectOntoSpotMap(float3(In(16), In(17), "
-             "In(18)), m, float4(0, 0, 1, 1)); Out(13, c.shadowCoord.x); Out(14, c.shadowCoord.y); Out(15, "
-             "c.shadowCoord.z); Out(16, c.axialMetres); const float2 away = "
-             "AwayFromAxis(FiniteOr(float2(In(19), In(20)), float2(0.0, 0.0)), map);const float2 s = "
-             "StretchAwayFromAxis(float2(1.0, 1.0), away); Out(17, s.x); Out(18, s.y);",
-         22, 19},
-        direction, inputs);
+    const std::vector<float> results =
+        run({"SpotLight",
+             std::string(kMap) + kMatrix +
+                 "Out(0, map.nearMetres); Out(1, map.farMetres - map.nearMetres); Out(2, map.tanHalf); "
+                 "Out(3, map.sourceRadiusMetres); const float depth = AxialDepth(FiniteOr(In(4), 0.5), map); "
+                 "Out(4, depth); Out(5, StoredDepth(depth, map)); const float gap = min(max(FiniteOr(In(5), "
+                 "0.0), 0.0), 1.0); Out(6, PenumbraRadiusMetres(gap, depth, map)); Out(7, "
+                 "SearchRadiusMetres(depth, map)); Out(8, RadiusInTileUV(1.0, depth, map)); ShadowTile tile; "
+                 "tile.offsetScale = float4(0, 0, 1, 1); tile.atlasTexelSize = float4(1, 1, 1, 1); tile = "
+                 "TileAtReceiver(tile, map, depth); Out(9, tile.uvPerMetre); Out(10, tile.depthPerMetre); "
+                 "Out(11, tile.depthToRadial); Out(12, tile.radialToDepth); const SpotCoordinate c = "
+                 "ProjectOntoSpotMap(In3(16), m, float4(0, 0, 1, 1)); Out3(13, c.shadowCoord.xyz); Out(16, "
+                 "c.axialMetres); const float2 away = AwayFromAxis(FiniteOr(In2(19), float2(0.0, 0.0)), "
+                 "map); Out2(17, StretchAwayFromAxis(float2(1.0, 1.0), away));",
+             22, 19},
+            direction, inputs);
     for (std::size_t i = 0; i < results.size(); ++i)
       ASSERT_TRUE(std::isfinite(results[i])) << "output " << i % 19 << " of case " << i / 19;
     for (std::size_t i = 0; i < results.size(); i += 19) {

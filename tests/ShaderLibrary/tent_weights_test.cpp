@@ -21,8 +21,8 @@ long double tent_area_below(long double x, long double width) {
 
 std::string fetches(int taps) {
   return "const TentAxis axis = TentFetches(In(0), " + std::to_string(taps) +
-         ");"
-         "for (int i = 0; i < 4; ++i) { Out(uint(i), axis.weight[i]); Out(uint(4 + i), axis.position[i]); }";
+         "); for (int i = 0; i < 4; ++i) { Out(uint(i), axis.weight[i]); Out(uint(4 + i), axis.position[i]); "
+         "}";
 }
 
 std::vector<float> offsets() {

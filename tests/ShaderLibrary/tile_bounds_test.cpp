@@ -9,9 +9,9 @@ namespace penumbra::shader_library_tests {
 namespace {
 
 constexpr const char* kTile =
-    "ShadowTile tile; tile.offsetScale = float4(In(0), In(1), In(2), In(3));tile.atlasTexelSize = float4(1.0 "
-    "/ In(4), 1.0 / In(5), In(4), In(5));tile.uvPerMetre = 0.0; tile.depthPerMetre = 0.0; tile.depthToRadial "
-    "= 0.0; tile.radialToDepth = 0.0;const TileBounds bounds = BoundsInTexels(tile);";
+    "ShadowTile tile; tile.offsetScale = In4(0); tile.atlasTexelSize = float4(1.0 / In(4), 1.0 / In(5), "
+    "In(4), In(5)); tile.uvPerMetre = 0.0; tile.depthPerMetre = 0.0; tile.depthToRadial = 0.0; "
+    "tile.radialToDepth = 0.0; const TileBounds bounds = BoundsInTexels(tile);";
 
 // A tile of URP's atlases: the number of cascades, the size of the atlas, and which tile it is.
 struct Tile {
@@ -59,10 +59,7 @@ Bounds bounds_of(const float* in) {
 
 TEST(TileBounds, AreTheTilesWholeTexels) {
   expect_exact(
-      {"TileBounds",
-       std::string(kTile) + "Out(0, bounds.minimum.x); Out(1, bounds.minimum.y); Out(2, bounds.maximum.x);"
-                            "Out(3, bounds.maximum.y);",
-       8, 4},
+      {"TileBounds", std::string(kTile) + "Out2(0, bounds.minimum.xy); Out2(2, bounds.maximum.xy);", 8, 4},
       tiles_and_coordinates(false),
       [](const float* in) {
         const Bounds b = bounds_of(in);
@@ -74,10 +71,7 @@ TEST(TileBounds, AreTheTilesWholeTexels) {
 // The coordinate is one product, exact for sizes that are powers of two.
 TEST(TileBounds, TexelCoordinatesStayInTheTile) {
   expect_exact(
-      {"TileBounds",
-       std::string(kTile) + "const float2 t = TexelCoordinates(float2(In(6), In(7)), tile);"
-                            "Out(0, t.x); Out(1, t.y);",
-       8, 2},
+      {"TileBounds", std::string(kTile) + "Out2(0, TexelCoordinates(In2(6), tile));", 8, 2},
       tiles_and_coordinates(false),
       [](const float* in) {
         const Bounds b = bounds_of(in);
@@ -95,11 +89,7 @@ TEST(TileBounds, TexelCoordinatesStayInTheTile) {
 TEST(TileBounds, BilinearFootprintsStayInTheTileHoweverTheDeviceRounds) {
   const std::vector<float> inputs = tiles_and_coordinates(true);
   const std::vector<float> results =
-      run({"TileBounds",
-           std::string(kTile) +
-               "const float2 t = ClampFootprint(float2(In(6), In(7)), bounds); Out(0, t.x); Out(1, t.y);",
-           8, 2},
-          inputs);
+      run({"TileBounds", std::string(kTile) + "Out2(0, ClampFootprint(In2(6), bounds));", 8, 2}, inputs);
   for (std::size_t i = 0; i < inputs.size() / 8; ++i) {
     const float* in = &inputs[8 * i];
     const Bounds b = bounds_of(in);
@@ -118,11 +108,7 @@ TEST(TileBounds, BilinearFootprintsStayInTheTileHoweverTheDeviceRounds) {
 TEST(TileBounds, QuadCornersAreTheNearestWithFourTexelsInTheTile) {
   const std::vector<float> inputs = tiles_and_coordinates(true);
   const std::vector<float> results =
-      run({"TileBounds",
-           std::string(kTile) +
-               "const float2 t = ClampQuadCorner(float2(In(6), In(7)), bounds); Out(0, t.x); Out(1, t.y);",
-           8, 2},
-          inputs);
+      run({"TileBounds", std::string(kTile) + "Out2(0, ClampQuadCorner(In2(6), bounds));", 8, 2}, inputs);
   for (std::size_t i = 0; i < inputs.size() / 8; ++i) {
     const float* in = &inputs[8 * i];
     const Bounds b = bounds_of(in);
@@ -145,10 +131,9 @@ TEST(TileBounds, AreFiniteForTilesThatAreNoNumbers) {
   for (float& value : inputs) value = random.any_bits();
   const std::vector<float> results =
       run({"TileBounds",
-           std::string(kTile) +
-               "const float2 p = float2(In(6), In(7)); const float2 a = TexelCoordinates(p, tile);"
-               "const float2 b = ClampFootprint(p, bounds); const float2 c = ClampQuadCorner(p, bounds);"
-               "Out(0, a.x); Out(1, a.y); Out(2, b.x); Out(3, b.y); Out(4, c.x); Out(5, c.y);",
+           std::string(kTile) + "const float2 p = In2(6); const float2 a = TexelCoordinates(p, tile); const "
+                                "float2 b = ClampFootprint(p, bounds); const float2 c = ClampQuadCorner(p, "
+                                "bounds); Out2(0, a.xy); Out2(2, b.xy); Out2(4, c.xy);",
            8, 6},
           inputs);
   for (const float result : results) ASSERT_TRUE(std::isfinite(result));
