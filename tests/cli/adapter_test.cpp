@@ -13,14 +13,7 @@ using testing::HasSubstr;
 class AdapterCommand : public ProgramTest {
  protected:
   platform::ChildResult measure(const std::vector<std::string>& options) {
-    std::vector<std::string> arguments{"measure",    "--size",  "32x18",
-                                       "--map-size", "256",     "--reference-samples",
-                                       "32",         "--scene", "slabs",
-                                       "--light",    "2",       "--no-split",
-                                       "--seeds",    "1",       "--timing-repeats",
-                                       "0",          "--cache", path("cache").string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(arguments);
+    return run(joined(words(kSmallStudy, {"--cache", path("cache").string()}), options));
   }
 
   double rmse_all(const std::vector<std::string>& options) {
@@ -85,9 +78,10 @@ TEST_F(AdapterCommand, ResultsThatAreNoVisibilityAreCountedByMeasureAndRender) {
   const auto measured = measure({"--adapter", "dark=" + file, "--quiet"});
   EXPECT_EQ(measured.exit_code, 1);
   EXPECT_THAT(measured.errors, told);
-  const auto rendered = run({"render", "--size", "32x18", "--map-size", "256", "--reference-samples", "32",
-                             "--scene", "slabs", "--light", "2", "--cache", path("cache").string(), "--quiet",
-                             "--adapter", "dark=" + file, "--sheet", path("sheet.png").string()});
+  const auto rendered =
+      run(words("render --size 32x18 --map-size 256 --reference-samples 32 --scene slabs --light 2 --quiet",
+                {"--cache", path("cache").string(), "--adapter", "dark=" + file, "--sheet",
+                 path("sheet.png").string()}));
   EXPECT_EQ(rendered.exit_code, 1);
   EXPECT_THAT(rendered.errors, told);
   EXPECT_TRUE(std::filesystem::exists(path("sheet.png")));
@@ -125,12 +119,7 @@ class DownloadedText : public AdapterCommand {
                  PENUMBRA_PROGRAM + " " + arguments + " --cache " + path("cache").string() + " 2>&1");
   }
 
-  static std::string measured(const std::string& what) {
-    return "measure --scene slabs --light 2 --size 32x18 --map-size 256 --seeds 1 --reference-samples 32 "
-           "--no-split "
-           "--timing-repeats 0 " +
-           what;
-  }
+  static std::string measured(const std::string& what) { return std::string(kSmallStudy) + " " + what; }
 };
 
 constexpr const char* kReadsUp =
@@ -182,9 +171,7 @@ TEST_F(DownloadedText, AnAdapterOfTheFoldersOwnNameIsMeasured) {
 
 TEST_F(AdapterCommand, TheCameraStandsWhereItIsTold) {
   const auto seen = [this](const std::vector<std::string>& camera) {
-    std::vector<std::string> options{"--technique", "hard"};
-    options.insert(options.end(), camera.begin(), camera.end());
-    const platform::ChildResult result = measure(options);
+    const platform::ChildResult result = measure(joined({"--technique", "hard"}, camera));
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return nlohmann::json::parse(result.output).at("records").at(0).at("pixels").get<int>();
   };
@@ -192,14 +179,8 @@ TEST_F(AdapterCommand, TheCameraStandsWhereItIsTold) {
   // looks into the sky sees none.
   EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "0", "0.1", "30"}), 32 * 18);
   EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "16", "1"}), 0);
-  for (const std::vector<std::string>& camera :
-       std::vector<std::vector<std::string>>{{"--camera", "0", "8", "0", "0", "0", "0"},
-                                             {"--camera", "0", "8", "0", "0", "8", "0"},
-                                             {"--camera", "0", "8", "0", "0", "0", "5", "180"},
-                                             {"--camera", "0", "8", "0"}}) {
-    std::vector<std::string> options{"--technique", "hard"};
-    options.insert(options.end(), camera.begin(), camera.end());
-    const auto result = measure(options);
+  for (const char* camera : {"0 8 0 0 0 0", "0 8 0 0 8 0", "0 8 0 0 0 5 180", "0 8 0"}) {
+    const auto result = measure(words("--technique hard --camera " + std::string(camera)));
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.errors, HasSubstr("--camera"));
   }

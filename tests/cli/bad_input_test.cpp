@@ -142,14 +142,9 @@ TEST_F(BadInput, ModelWithoutItsTextureIsMeasuredWithANote) {
   const auto file = write("model.obj",
                           "mtllib paint.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"
                           "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  const std::vector<std::string> measure{"measure",     "--scene",
-                                         file.string(), "--size",
-                                         "16x16",       "--light",
-                                         "2",           "--technique",
-                                         "hard",        "--reference-samples",
-                                         "32",          "--no-split",
-                                         "--output",    (file.parent_path() / "report").string()};
-  const auto result = expect_success(measure);
+  const auto result = expect_success(
+      words("measure --size 16x16 --light 2 --technique hard --reference-samples 32 --no-split",
+            {"--scene", file.string(), "--output", path("report").string()}));
   EXPECT_THAT(result.errors, HasSubstr("missing.png: no such file"));
 }
 

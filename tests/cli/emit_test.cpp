@@ -172,30 +172,10 @@ TEST_F(Emit, ACopyHasTheVisibilityOfTheTechnique) {
       adapter.pop_back();
     }
   }
-  const auto measured = expect_success({"measure",
-                                        "--technique",
-                                        technique.name,
-                                        "--adapter",
-                                        adapter,
-                                        "--scene",
-                                        "trees",
-                                        "--light",
-                                        "2",
-                                        "--cascades",
-                                        "1",
-                                        "--map-size",
-                                        "256",
-                                        "--size",
-                                        "64x36",
-                                        "--reference-samples",
-                                        "32",
-                                        "--seeds",
-                                        "1",
-                                        "--timing-repeats",
-                                        "0",
-                                        "--no-split",
-                                        "--cache",
-                                        path("cache").string()});
+  const auto measured = expect_success(
+      words("measure --scene trees --light 2 --cascades 1 --map-size 256 --size 64x36 --reference-samples 32 "
+            "--seeds 1 --timing-repeats 0 --no-split",
+            {"--technique", technique.name, "--adapter", adapter, "--cache", path("cache").string()}));
   const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_GT(records[0].at("rmse_all"), 0.0);

@@ -39,10 +39,7 @@ class HostileFiles : public ProgramTest {
   }
 
   platform::ChildResult measure(const std::string& adapter, TimeLimit limit = TimeLimit::ample) const {
-    return run_limited(
-        {"measure", "--adapter", adapter, "--size", "32x18", "--map-size", "256", "--scene", "slabs",
-         "--light", "2", "--reference-samples", "32", "--cache", path("cache").string()},
-        limit);
+    return run_limited(words(kSmallStudy, {"--adapter", adapter, "--cache", path("cache").string()}), limit);
   }
 };
 

@@ -11,12 +11,11 @@ using Json = nlohmann::json;
 
 class MeasureFrom : public ProgramTest {
  protected:
-  static std::vector<std::string> small(std::vector<std::string> options) {
-    std::vector<std::string> arguments{
-        "measure",    "--quiet", "--size",           "32x18", "--reference-samples", "32", "--seeds", "1",
-        "--map-size", "512",     "--timing-repeats", "0",     "--no-split"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return arguments;
+  static Words small(const Words& options) {
+    return words(
+        "measure --quiet --size 32x18 --reference-samples 32 --seeds 1 --map-size 512 "
+        "--timing-repeats 0 --no-split",
+        options);
   }
 
   Json measured(const std::vector<std::string>& options) {

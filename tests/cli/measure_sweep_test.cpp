@@ -13,13 +13,11 @@ using testing::IsEmpty;
 
 class MeasureSweep : public ProgramTest {
  protected:
-  std::vector<std::string> small(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{
-        "measure", "--size",           "48x27", "--map-size",          "512",     "--scene",
-        "slabs",   "--light",          "2",     "--reference-samples", "32",      "--seeds",
-        "1",       "--timing-repeats", "0",     "--no-split",          "--cache", path("cache").string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return arguments;
+  Words small(const Words& options) const {
+    return joined(words("measure --size 48x27 --map-size 512 --scene slabs --light 2 --reference-samples 32 "
+                        "--seeds 1 --timing-repeats 0 --no-split",
+                        {"--cache", path("cache").string()}),
+                  options);
   }
 };
 

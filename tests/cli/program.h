@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -17,6 +18,24 @@ namespace penumbra {
 
 class ProgramTest : public testing::Test {
  public:
+  using Words = std::vector<std::string>;
+
+  // The options of a study that takes a second.
+  static constexpr const char* kSmallStudy =
+      "measure --size 32x18 --map-size 256 --reference-samples 32 --scene slabs --light 2 --no-split --seeds "
+      "1 "
+      "--timing-repeats 0";
+
+  // The words of a command, which blanks part, and then those that may hold blanks.
+  static Words words(const std::string& command, const Words& more = {}) {
+    std::istringstream stream(command);
+    return joined({std::istream_iterator<std::string>(stream), {}}, more);
+  }
+  static Words joined(Words first, const Words& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+  }
+
   // The program runs without FXC, which not every machine has, so that it says the same on all of them.
   static platform::ChildResult run(std::vector<std::string> arguments) {
     return run_program(PENUMBRA_PROGRAM, std::move(arguments));

@@ -15,30 +15,29 @@ class Render : public ProgramTest {
  protected:
   // Runs a small render with these options and a sheet; expects refusal with every one of the words, and no
   // file.
-  void expect_refused(const std::vector<std::string>& options, const std::vector<std::string>& words) {
-    std::vector<std::string> arguments = small(options);
-    arguments.insert(arguments.end(), {"--sheet", path("sheet.png").string()});
-    const auto result = run(arguments);
+  void expect_refused(const Words& options, const Words& says) {
+    const auto result = run(joined(small(options), {"--sheet", path("sheet.png").string()}));
     EXPECT_EQ(result.exit_code, 2) << result.errors;
-    for (const std::string& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
+    for (const std::string& part : says) EXPECT_THAT(result.errors, HasSubstr(part));
     EXPECT_THAT(listing(), IsEmpty());
   }
 
-  std::vector<std::string> small(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{
-        "render",  "--size", size_,     "--map-size",          "512", "--reference-samples", "32",
-        "--scene", "slabs",  "--cache", path("cache").string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return arguments;
+  Words small(const Words& options) const {
+    return joined(words("render --map-size 512 --reference-samples 32 --scene slabs",
+                        {"--size", size_, "--cache", path("cache").string()}),
+                  options);
   }
 
-  std::string drawn(const std::string& folder, const std::vector<std::string>& options,
-                    const std::string& file) {
-    std::vector<std::string> arguments = small(options);
-    arguments.insert(arguments.end(), {"-o", path(folder).string()});
-    const auto result = expect_success(arguments);
+  std::string drawn(const std::string& folder, const Words& options, const std::string& file) {
+    const auto result = expect_success(joined(small(options), {"-o", path(folder).string()}));
     EXPECT_THAT(result.output, HasSubstr(folder));
     return read(folder + "/" + file);
+  }
+
+  // The sheet that the options draw.
+  std::string sheet(const Words& options, const std::string& name = "sheet.png") {
+    expect_success(joined(small(options), {"--sheet", path(name).string()}));
+    return read(name);
   }
 
   std::string size_ = "64x36";
@@ -127,12 +126,6 @@ TEST_F(Render, PicturesDoNotGoToStandardOutput) {
 }
 
 TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
-  const auto sheet = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> arguments{"--sheet", path("sheet.png").string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_success(small(arguments));
-    return read("sheet.png");
-  };
   const std::string once = sheet({"--light", "2", "--technique", "tent-5"});
   EXPECT_FALSE(once.empty());
   EXPECT_EQ(sheet({"--light", "2,2", "--technique", "tent-5"}), once);
@@ -141,9 +134,7 @@ TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
 
 TEST_F(Render, AWideSheetIsScaledDown) {
   const auto size = [&](const std::string& limit) {
-    const std::string file = path("sheet.png").string();
-    expect_success(small({"--technique", "tent-5", "--max-width", limit, "--sheet", file}));
-    return png_size(read("sheet.png"));
+    return png_size(sheet({"--technique", "tent-5", "--max-width", limit}));
   };
   const auto [width, height] = size("16384");
   ASSERT_GT(width, 100);
@@ -215,35 +206,24 @@ TEST_F(Render, ATitleIsOfWhatIsThere) {
 
 // Each caption is the one that the title asks for.
 TEST_F(Render, CaptionsAreTitlesNotNames) {
-  const auto sheet = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = small({"--sheet", path("sheet.png").string()});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_success(arguments);
-    return read("sheet.png");
-  };
   EXPECT_EQ(sheet({"--technique", "tent-3-plane,preset-high"}),
             sheet({"--technique", "tent-3-plane,preset-high", "--title",
                    "tent-3-plane=Tent 3x3, receiver plane", "--title", "preset-high=Penumbra High"}));
-  const std::vector<std::string> set{"--technique", "preset-low", "--set", "maxPenumbraMetres=2"};
-  std::vector<std::string> titled = set;
-  titled.insert(titled.end(), {"--title", "preset-low maxPenumbraMetres=2=Penumbra Low maxPenumbraMetres=2"});
-  EXPECT_EQ(sheet(set), sheet(titled)) << "one value alone leaves the technique its title";
+  const Words set{"--technique", "preset-low", "--set", "maxPenumbraMetres=2"};
+  EXPECT_EQ(sheet(set), sheet(joined(set, {"--title",
+                                           "preset-low maxPenumbraMetres=2=Penumbra Low "
+                                           "maxPenumbraMetres=2"})))
+      << "one value alone leaves the technique its title";
 }
 
 TEST_F(Render, AdaptersStandWhereTheyAreAskedToUnderTheirTitles) {
   const auto file =
       write("mine.hlsl", "float ShadowVisibility(float3 p, float3 n, float2 xy) { return 0.25; }\n");
-  const auto sheet = [&](const std::string& name, const std::vector<std::string>& options) {
-    std::vector<std::string> arguments =
-        small({"--technique", "hard", "--adapter", "mine=" + file.string(), "--sheet", path(name).string()});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_success(arguments);
-    return read(name);
-  };
-  const std::string last = sheet("last.png", {});
-  EXPECT_EQ(sheet("same.png", {"--adapters", "last", "--title", "mine=mine"}), last);
-  EXPECT_NE(sheet("first.png", {"--adapters", "first"}), last);
-  EXPECT_NE(sheet("title.png", {"--title", "mine=My own"}), last);
+  const Words both{"--technique", "hard", "--adapter", "mine=" + file.string()};
+  const std::string last = sheet(both);
+  EXPECT_EQ(sheet(joined(both, {"--adapters", "last", "--title", "mine=mine"})), last);
+  EXPECT_NE(sheet(joined(both, {"--adapters", "first"})), last);
+  EXPECT_NE(sheet(joined(both, {"--title", "mine=My own"})), last);
 }
 
 TEST_F(Render, AnInsetLiesInWhatIsShownAndFitsBeneathIt) {
@@ -273,19 +253,13 @@ TEST_F(Render, OptionsOfTheLitViewNeedIt) {
 }
 
 TEST_F(Render, ALitSheetHasTheSizeOfOneWithoutLightAndTwiceTheSameBytes) {
-  const auto sheet = [&](const std::string& name, const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = small(
-        {"--technique", "hard", "--columns", "2", "--inset", "30,18,12,8", "--sheet", path(name).string()});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_success(arguments);
-    return read(name);
-  };
-  const std::string plain = sheet("plain.png", {});
-  const std::string lit = sheet("lit.png", {"--lit"});
+  const std::string options = "--technique hard --columns 2 --inset 30,18,12,8";
+  const std::string plain = sheet(words(options));
+  const std::string lit = sheet(words(options + " --lit"));
   EXPECT_EQ(png_size(lit), png_size(plain));
   EXPECT_NE(lit, plain);
-  EXPECT_EQ(sheet("again.png", {"--lit"}), lit);
-  EXPECT_NE(sheet("brighter.png", {"--lit", "--exposure", "1"}), lit);
+  EXPECT_EQ(sheet(words(options + " --lit")), lit);
+  EXPECT_NE(sheet(words(options + " --lit --exposure 1")), lit);
 }
 
 TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
@@ -298,9 +272,7 @@ TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
 TEST_F(Render, EveryDebugViewIsAnotherPicture) {
   std::set<std::string> sheets;
   for (const char* view : {"visibility", "cascades", "shadow-texels", "penumbra-width", "penumbra-mask"}) {
-    expect_success(
-        small({"--technique", "preset-low", "--show", view, "--sheet", path("sheet.png").string()}));
-    sheets.insert(read("sheet.png"));
+    sheets.insert(sheet({"--technique", "preset-low", "--show", view}));
   }
   EXPECT_EQ(sheets.size(), 5);
 }

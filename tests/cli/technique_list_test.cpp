@@ -16,17 +16,25 @@ std::string added(const std::string& name) {
   return std::string(PENUMBRA_SOURCE_DIR) + "/tests/techniques/added/" + name + ".technique.json";
 }
 
-class TechniqueListCommand : public ProgramTest {};
+class TechniqueListCommand : public ProgramTest {
+ protected:
+  // The results of a small study of trees.
+  static nlohmann::json measured(const std::string& options) {
+    const auto result = expect_success(
+        words("measure --light 2 --reference-samples 32 --timing-repeats 0 --no-split " + options));
+    return nlohmann::json::parse(result.output);
+  }
+};
 
 TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCosted) {
   const auto valid = run({"validate", "--technique-list", added("Means"), "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
   EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
 
-  const auto measured = expect_success({"measure", "--technique-list", added("Means"), "--scene", "trees",
-                                        "--light", "2", "--map-size", "128", "--size", "32x16",
-                                        "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
+  const nlohmann::json record =
+      measured("--scene trees --map-size 128 --size 32x16 --technique-list " + added("Means"))
+          .at("records")
+          .at(0);
   EXPECT_EQ(record.at("technique"), "means");
   EXPECT_EQ(record.at("fetches_mean"), 1.0);
   // There are 1 + 5 + 5 fetches for each of 128 x 128 texels, and 4 for each of 64 x 64.
@@ -55,11 +63,10 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
 }
 
 TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
-  const auto measured =
-      expect_success({"measure", "--technique-list", added("Means"), "--technique", "means,tent-5", "--scene",
-                      "trees", "--light", "2", "--map-size", "128", "--size", "32x16", "--reference-samples",
-                      "32", "--timing-repeats", "0", "--no-split"});
-  const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
+  const nlohmann::json records =
+      measured("--scene trees --map-size 128 --size 32x16 --technique means,tent-5 --technique-list " +
+               added("Means"))
+          .at("records");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].at("technique"), "means");
   EXPECT_EQ(records[1].at("technique"), "tent-5");
@@ -68,12 +75,9 @@ TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
 }
 
 TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
-  const auto measured =
-      expect_success({"measure", "--technique-list", added("Means"), "--technique", "all", "--scene", "all",
-                      "--light", "2", "--map-size", "128", "--size", "16x9", "--reference-samples", "32",
-                      "--timing-repeats", "0", "--no-split"});
   std::set<std::string> scenes;
-  const nlohmann::json results = nlohmann::json::parse(measured.output);
+  const nlohmann::json results =
+      measured("--scene all --map-size 128 --size 16x9 --technique all --technique-list " + added("Means"));
   for (const nlohmann::json& record : results.at("records")) {
     EXPECT_EQ(record.at("technique"), "means");
     scenes.insert(record.at("scene"));
@@ -90,9 +94,7 @@ TEST_F(TechniqueListCommand, MapsThatATechniqueCannotDivideAreRefusedBeforeTheFi
                          "a cascade's tile of 101 texels is no multiple of 4",
                          "choose a map size that is a multiple of 8"));
   EXPECT_EQ(refused.output, "");
-  expect_success({"measure", "--technique", "single-loop-32-planes,tiled-pcss", "--scene", "trees",
-                  "--map-size", "200", "--light", "2", "--size", "32x16", "--reference-samples", "32",
-                  "--timing-repeats", "0", "--no-split"});
+  measured("--technique single-loop-32-planes,tiled-pcss --scene trees --map-size 200 --size 32x16");
 }
 
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {
@@ -109,9 +111,7 @@ TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
   const auto valid = run({"validate", "--technique-list", added("Blocks"), "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
   EXPECT_THAT(valid.output, HasSubstr("8 variants for 5 targets: 40 results"));
-  expect_success({"measure", "--technique-list", added("Blocks"), "--scene", "trees", "--light", "2",
-                  "--map-size", "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats",
-                  "0", "--no-split"});
+  measured("--scene trees --map-size 128 --size 32x16 --technique-list " + added("Blocks"));
   const auto cost = expect_success({"cost", "--technique-list", added("Blocks"), "--family", "navi21"});
   for (const char* kernel : {"blocks: Mark", "blocks: Collect", "blocks: Sum", "blocks: Shade"})
     EXPECT_THAT(cost.output, HasSubstr(kernel));
@@ -124,10 +124,10 @@ TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
   // of depth.
   EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
 
-  const auto measured = expect_success({"measure", "--technique-list", added("Layers"), "--scene", "trees",
-                                        "--light", "2", "--map-size", "128", "--size", "32x16",
-                                        "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
-  const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
+  const nlohmann::json record =
+      measured("--scene trees --map-size 128 --size 32x16 --technique-list " + added("Layers"))
+          .at("records")
+          .at(0);
   EXPECT_EQ(record.at("technique"), "layers");
   const nlohmann::json& layers = record.at("passes").at(0);
   EXPECT_EQ(layers.at("pass"), "Layers");
@@ -151,10 +151,9 @@ TEST_F(TechniqueListCommand, TheFirstExampleOfThePageIsMeasuredAsItStands) {
   expect_success({"emit", "--technique-list", manifest});
   const auto valid = run({"validate", "--technique-list", manifest, "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;
-  const auto measured = expect_success({"measure", "--technique-list", manifest, "--technique", "all",
-                                        "--scene", "contact-boxes", "--size", "96x54", "--reference-samples",
-                                        "32", "--light", "2", "--seeds", "1", "--timing-repeats", "0"});
-  const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
+  const nlohmann::json records =
+      measured("--technique all --scene contact-boxes --size 96x54 --seeds 1 --technique-list " + manifest)
+          .at("records");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].at("technique"), "ring-8");
   EXPECT_EQ(records[0].at("fetches_mean"), 8.0);

@@ -61,18 +61,18 @@ class Validate : public ProgramTest {
     write("Library.hlsl", "#define FACTOR " + factor + "\n" + kLibrary);
   }
 
-  std::vector<std::string> command(const std::vector<std::string>& more) const {
-    std::vector<std::string> all{"validate", path("Two.shader").string()};
-    if (std::find(more.begin(), more.end(), "--no-cache") == more.end())
-      all.insert(all.end(), {"--cache", path("cache").string()});
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+  Words command(const Words& more) const {
+    const bool cached = std::find(more.begin(), more.end(), "--no-cache") == more.end();
+    return joined({"validate", path("Two.shader").string()},
+                  cached ? joined({"--cache", path("cache").string()}, more) : more);
   }
-  nlohmann::json report(const std::vector<std::string>& more) {
-    std::vector<std::string> all = command(more);
-    all.insert(all.end(), {"--format", "json", "-o", path("report.json").string()});
-    run(all);
+  nlohmann::json report(const Words& more) {
+    run(joined(command(more), {"--format", "json", "-o", path("report.json").string()}));
     return nlohmann::json::parse(read("report.json"));
+  }
+  // Validates one file for SPIR-V, without a cache.
+  static platform::ChildResult check(const std::filesystem::path& file, const Words& more = {}) {
+    return run(joined({"validate", file.string(), "--no-cache", "--target", "spirv"}, more));
   }
 };
 
@@ -199,17 +199,14 @@ TEST_F(Validate, AFileInAProjectsAssetsHasTheProjectsPackages) {
   std::filesystem::create_directories(path("Game/ProjectSettings"));
   const std::string text =
       "#include \"Packages/com.me.tint/Tint.hlsl\"\nfloat4 Main() : SV_Target { return Tint(); }\n";
-  std::vector<std::string> validate{"validate", write("Game/Assets/Deep/Main.hlsl", text).string(),
-                                    "--no-cache", "--target", "spirv"};
-  const auto inside = run(validate);
+  const auto deep = write("Game/Assets/Deep/Main.hlsl", text);
+  const auto inside = check(deep);
   EXPECT_EQ(inside.exit_code, 0) << inside.output;
   EXPECT_THAT(inside.errors, HasSubstrs("the Unity project " + path("Game").string(), "--no-project"));
-  validate.emplace_back("--no-project");
-  EXPECT_EQ(run(validate).exit_code, 1) << "there is no such package";
-  validate.back() = write("Other.hlsl", text).string();
-  EXPECT_EQ(run(validate).exit_code, 1) << "not all files are in the project";
-  const auto beside =
-      run({"validate", write("Game/Main.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  EXPECT_EQ(check(deep, {"--no-project"}).exit_code, 1) << "there is no such package";
+  EXPECT_EQ(check(deep, {write("Other.hlsl", text).string()}).exit_code, 1)
+      << "not all files are in the project";
+  const auto beside = check(write("Game/Main.hlsl", text));
   EXPECT_THAT(beside.errors, Not(HasSubstr("the Unity project"))) << "Unity does not import it";
 }
 
@@ -254,11 +251,7 @@ TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
   const std::string asset = write("Urp.asset", "MonoBehaviour:\n  m_SoftShadowsSupported: 0\n").string();
   const std::string renderer = write("Renderer.asset", "MonoBehaviour:\n  m_RenderingMode: 0\n").string();
   const std::vector<std::string> lit{"validate", path("Lit.shader").string(), "--count", "--target", "spirv"};
-  const auto listed = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = lit;
-    all.insert(all.end(), more.begin(), more.end());
-    return run(all).output;
-  };
+  const auto listed = [&](const Words& more) { return run(joined(lit, more)).output; };
   EXPECT_THAT(listed({}), HasSubstrs("Forward   vertex 6", "0.1"));
   EXPECT_THAT(listed({"--urp-asset", asset}), HasSubstrs("Forward   vertex 4", "0.1"));
   EXPECT_THAT(listed({"--urp-asset", asset, "--urp-asset", renderer}),
@@ -266,15 +259,12 @@ TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
 }
 
 TEST_F(Validate, WarningsFailWhereTheyAreToldTo) {
-  const std::string file = write("Edge.hlsl", kEdge).string();
+  const auto file = write("Edge.hlsl", kEdge);
   const std::string report = path("edge.json").string();
-  EXPECT_EQ(
-      run({"validate", file, "--no-cache", "--target", "spirv", "--format", "json", "-o", report}).exit_code,
-      0);
-  EXPECT_EQ(run({"validate", file, "--no-cache", "--target", "spirv", "--werror"}).exit_code, 1);
+  EXPECT_EQ(check(file, {"--format", "json", "-o", report}).exit_code, 0);
+  EXPECT_EQ(check(file, {"--werror"}).exit_code, 1);
   EXPECT_EQ(run({"merge", report, "--werror"}).exit_code, 1);
-  const auto known =
-      run({"validate", file, "--no-cache", "--target", "spirv", "--werror", "--baseline", report});
+  const auto known = check(file, {"--werror", "--baseline", report});
   EXPECT_EQ(known.exit_code, 0) << known.output;
   EXPECT_THAT(known.errors, HasSubstr("1 finding compared, 0 findings not in the baseline, 0 only there"));
 }
@@ -306,12 +296,9 @@ TEST_F(Validate, MessagesInPackagesAreNotesUnlessAskedFor) {
   write("Game/Assets/K.compute",
         "#pragma kernel K\n#include \"Packages/com.me.tint/Tint.hlsl\"\nRWBuffer<float4> Out;\n"
         "[numthreads(1, 1, 1)] void K() { Out[0] = Tint(); }\n");
-  const std::vector<std::string> project{
-      "validate", "--project", path("Game").string(), "--no-cache", "--target", "spirv", "--werror"};
-  const auto with = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = project;
-    all.insert(all.end(), more.begin(), more.end());
-    return run(all);
+  const auto with = [&](const Words& more) {
+    return run(joined(words("validate --no-cache --target spirv --werror --project", {path("Game").string()}),
+                      more));
   };
   EXPECT_EQ(with({}).exit_code, 0) << with({}).output;
   EXPECT_THAT(with({}).output, HasSubstrs("passed\n", "2 notes, of which 2 in packages", "1 failed"));
@@ -408,11 +395,8 @@ TEST_F(Validate, WithoutACacheWhatCrashedIsKeptInANewFolderOfTheUsersAlone) {
 
 TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
   const auto shader = [&](const std::string& pragmas) {
-    const std::string file =
-        write("Odd.shader", "Shader \"Odd\" { SubShader { Pass {\n  HLSLPROGRAM\n" + pragmas +
-                                "float4 F() : SV_Target { return 1; }\nENDHLSL\n} } }\n")
-            .string();
-    return run({"validate", file, "--no-cache", "--target", "spirv"});
+    return check(write("Odd.shader", "Shader \"Odd\" { SubShader { Pass {\n  HLSLPROGRAM\n" + pragmas +
+                                         "float4 F() : SV_Target { return 1; }\nENDHLSL\n} } }\n"));
   };
   const auto without = shader("");
   EXPECT_EQ(without.exit_code, 1);
@@ -488,14 +472,8 @@ TEST_F(Validate, MinimizeNamesTheKeywordsThatAnErrorNeeds) {
 }
 
 TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
-  write("Edge.hlsl", kEdge);
-  const std::vector<std::string> command{"validate", path("Edge.hlsl").string(), "--no-cache", "--target",
-                                         "spirv"};
-  const auto with = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = command;
-    all.insert(all.end(), more.begin(), more.end());
-    return run(all);
-  };
+  const auto file = write("Edge.hlsl", kEdge);
+  const auto with = [&](const Words& more) { return check(file, more); };
   EXPECT_EQ(with({}).exit_code, 0) << "a warning";
   EXPECT_THAT(with({}).output,
               HasSubstr("Edge.hlsl:3:29: warning: a derivative is taken where only some pixels"));
@@ -512,13 +490,11 @@ TEST_F(Validate, RulesOfUnityAreForUnitysProjects) {
       "#pragma multi_compile _ OLD\n#if UNITY_VERSION >= 600010\n#endif\nTexture2D _Map;\nSamplerState "
       "odd;\nfloat4 Main(float2 uv : TEXCOORD0) : "
       "SV_Target\n{\n    return _Map.Sample(odd, uv);\n}\n";
-  const auto outside =
-      run({"validate", write("Plain.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  const auto outside = check(write("Plain.hlsl", text));
   EXPECT_EQ(outside.exit_code, 0) << outside.output;
   EXPECT_THAT(outside.output, testing::StartsWith("passed\nspirv"));
   std::filesystem::create_directories(path("Game/ProjectSettings"));
-  const auto inside =
-      run({"validate", write("Game/Assets/Unitys.hlsl", text).string(), "--no-cache", "--target", "spirv"});
+  const auto inside = check(write("Game/Assets/Unitys.hlsl", text));
   EXPECT_EQ(inside.exit_code, 1);
   EXPECT_THAT(inside.output, HasSubstrs("[unity-version]", "[unused-keyword]", "[sampler-name]"));
 }
@@ -574,12 +550,10 @@ TEST_F(Validate, ACgProgramHasUnitysIncludesAndItsOwnLines) {
             "float4 Frag() : SV_Target { return OfUnityShaderVariables() + OfUnityShaderUtilities(); }\n"
             "#if defined(WRONG)\nfloat4 f = nothing;\n#endif\n            ENDCG\n        }\n    }\n}\n")
           .string();
-  const std::vector<std::string> validate{"validate",  file,           "--no-cache",
-                                          "--no-lint", "--cginc-root", path("cginc").string()};
+  const Words validate{"validate", file, "--no-cache", "--no-lint", "--cginc-root", path("cginc").string()};
   EXPECT_EQ(run(validate).exit_code, 0) << run(validate).output;
-  std::vector<std::string> wrong = validate;
-  wrong.insert(wrong.end(), {"-D", "WRONG"});
-  EXPECT_THAT(run(wrong).output, HasSubstr("Cg.shader:14:12: error: unknown variable 'nothing'"));
+  EXPECT_THAT(run(joined(validate, {"-D", "WRONG"})).output,
+              HasSubstr("Cg.shader:14:12: error: unknown variable 'nothing'"));
 }
 
 TEST_F(Validate, OptionsWithoutEffectAreRefused) {
