@@ -39,7 +39,7 @@ public class GoldenTests
     }
 
     [Test]
-    public void AnglesAndTheirTangents() => ForEach("angles", 70, record =>
+    public void AnglesAndTheirTangents() => ForEach("angles", 44, record =>
     {
         Check(record, "tan_half", AngularDiameter.TanHalf(record.Float("degrees")), Tangent);
         Check(record, "degrees_back", AngularDiameter.FromTanHalf(record.Float("tan_half")), Tangent);
@@ -61,7 +61,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void ScalesOfCascades() => ForEach("cascades", 70, record =>
+    public void ScalesOfCascades() => ForEach("cascades", 46, record =>
     {
         var scales = new CascadeScales(record.Matrix("world_to_shadow"), record.Layout, record.Float("degrees"));
         Assert.That(scales.IsMapped, record.Label);
@@ -75,7 +75,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void BiasOfCascades() => ForEach("cascades", 70, record =>
+    public void BiasOfCascades() => ForEach("cascades", 46, record =>
     {
         var scales = new CascadeScales(record.Matrix("world_to_shadow"), record.Layout, record.Float("degrees"));
         var bias = ShadowBias.OfCascade(scales, record.Float("depth_bias"), record.Float("normal_bias"), record.Kernel);
@@ -84,7 +84,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void BiasOfProjections() => ForEach("projections", 60, record =>
+    public void BiasOfProjections() => ForEach("projections", 32, record =>
     {
         var projection = Matrix4x4.identity;
         projection.m00 = record.Float("m00");
@@ -95,7 +95,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void HdrpVectorsOfCascades() => ForEach("cascades", 70, record =>
+    public void HdrpVectorsOfCascades() => ForEach("cascades", 46, record =>
     {
         var scales = new CascadeScales(record.Matrix("world_to_shadow"), record.Layout, record.Float("degrees"));
         var hdrp = new HdrpShadowParameters(scales, record.Parameters);
@@ -104,7 +104,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void UniformsOfParameters() => ForEach("uniforms", 70, record =>
+    public void UniformsOfParameters() => ForEach("uniforms", 38, record =>
     {
         var uniforms = new ShadowUniforms(record.Parameters, record.Layout, record.Int("frame"));
         Check(record, "atlas_texel_size", uniforms.MainLightAtlasTexelSize, Product);
@@ -114,7 +114,7 @@ public class GoldenTests
     });
 
     [Test]
-    public void ScreenToWorldOfCameras() => ForEach("cameras", 70, record =>
+    public void ScreenToWorldOfCameras() => ForEach("cameras", 46, record =>
     {
         var conventions = new ScreenConventions(record.Bool("uv_starts_at_top"), record.Bool("depth_is_zero_to_one"));
         Assert.That(ScreenToWorld.TryGet(record.Matrix("view"), record.Matrix("gpu_projection"), conventions,

@@ -9,7 +9,7 @@ public class UpdateScheduleTests
     public void PhasesAreThoseOfTheFile()
     {
         var records = GoldenRecord.Of("schedules").ToList();
-        Assert.That(records.Count, Is.GreaterThanOrEqualTo(64));
+        Assert.That(records.Count, Is.GreaterThanOrEqualTo(54));
         foreach (GoldenRecord record in records)
         {
             float[] periods = Numbers(record.Vector("periods"));

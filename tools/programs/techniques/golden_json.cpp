@@ -72,8 +72,6 @@ Json cases(const ParameterStruct& parameters) {
   add([](const ParameterField& field, std::size_t) {
     return field.otherwise.empty() ? kept(field, 0.0) : as_float(field.otherwise.front());
   });
-  for (const double share : {0.0, 1.0, 0.5})
-    add([&](const ParameterField& f, std::size_t) { return between(f, share); });
   // Every field gets another value, so that a mistaken exchange of two is found.
   add([&](const ParameterField& field, std::size_t i) {
     return between(field,
