@@ -10,7 +10,7 @@ public sealed class CommandTests
     {
         world = new SourceWorld();
         world.Real("urp/Runtime/Thing.cs", "public class Thing { public int a; }");
-        world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] public class Thing { public int a; }");
+        world.Declare("Shared/Thing.cs", "public class Thing { public int a; }");
     }
 
     [TearDown]
@@ -57,7 +57,7 @@ public sealed class CommandTests
     {
         var before = world.Check().Types.Single();
         world.Real("urp/Runtime/Thing.cs", "public class Thing { public long a; }");
-        world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] public class Thing { public long a; }");
+        world.Declare("Shared/Thing.cs", "public class Thing { public long a; }");
         var after = world.Check().Types.Single();
         Assert.That(after.Declarations, Is.EqualTo(before.Declarations));
         Assert.That(after.Fingerprint, Is.Not.EqualTo(before.Fingerprint));
@@ -69,8 +69,7 @@ public sealed class CommandTests
         string Fingerprint(string type)
         {
             world.Real("urp/Runtime/Thing.cs", $"public class Thing {{ public class Inner {{ public {type} a; }} }}");
-            world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] " +
-                $"public class Thing {{ public class Inner {{ public {type} a; }} }}");
+            world.Declare("Shared/Thing.cs", $"public class Thing {{ public class Inner {{ public {type} a; }} }}");
             var report = world.Check();
             Assert.That((report.Counts.Differences, report.Counts.Declarations), Is.EqualTo((0, 3)));
             return report.Types.Single().Fingerprint;

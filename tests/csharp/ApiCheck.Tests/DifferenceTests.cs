@@ -2,7 +2,7 @@ namespace Penumbra.ApiCheck.Tests;
 
 /// <summary>
 /// Each way in which a declaration can differ from the real source, with its whole message. The declaration stands on
-/// line 6 of Shared/Thing.cs, the real one on line 4 of engine/Runtime/Export/Thing.cs.
+/// line 5 of Shared/Thing.cs, the real one on line 4 of engine/Runtime/Export/Thing.cs.
 /// </summary>
 public sealed class DifferenceTests
 {
@@ -31,7 +31,6 @@ public sealed class DifferenceTests
             using Penumbra.UnityApi;
             namespace UnityEngine
             {
-            [ReadFrom("2022.3.17f1", "engine", "Runtime/Export/Thing.cs")]
             {{declared}}
             }
             """);

@@ -12,7 +12,7 @@ public static class Differences
     private const string Seen = " (see engine/Runtime/Export/Thing.cs:4)";
 
     private static Difference Case(string name, string declared, string real, params string[] messages) =>
-        new(name, declared, real, [.. messages.Select(message => $"tests/csharp/UnityApi/Shared/Thing.cs:6:{message}{Seen}")]);
+        new(name, declared, real, [.. messages.Select(message => $"tests/csharp/UnityApi/Shared/Thing.cs:5:{message}{Seen}")]);
 
     private static Difference Struct(string name, string declared, string real, params string[] messages) =>
         Case(name, $"public struct Thing {{ {declared} }}", $"public struct Thing {{ {real} }}", messages);
@@ -148,7 +148,7 @@ public static class Differences
         Case("variance", "public interface Thing<T> { }", "public interface Thing<out T> { }",
              "18: UnityEngine.Thing<T>: type parameter T is invariant here, out in the real source"),
         Case("a type's arity", "public class Thing<T> { }", "public class Thing { }",
-             "14: UnityEngine.Thing<T>: the source of engine has no such type, but UnityEngine.Thing"),
+             "14: UnityEngine.Thing<T>: no source has such a type, but UnityEngine.Thing"),
     ];
 
     /// <summary>Declarations that read differently and are the same to who uses them.</summary>

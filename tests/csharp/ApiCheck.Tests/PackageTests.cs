@@ -38,13 +38,6 @@ public sealed class PackageTests
     public void AVersionHasAGeneration(string version, string generation) =>
         Assert.That(UnityVersion.Parse(version).Generation, Is.EqualTo(generation));
 
-    [TestCase("14.0.9", "2022.3")]
-    [TestCase("17.0.3", "6000.0")]
-    [TestCase("17.4.0", "6000.0")]
-    [TestCase("17.5.0", "6000.5")]
-    public void APipelineHasAGeneration(string version, string generation) =>
-        Assert.That(Generation.OfPipeline(version), Is.EqualTo(generation));
-
     [TestCase("", "0.0.1", true)]
     [TestCase("14.0.0", "14.0.0", true)]
     [TestCase("14.0.0", "17.0.3", true)]

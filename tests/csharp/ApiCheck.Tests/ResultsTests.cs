@@ -35,15 +35,6 @@ public sealed class ResultsTests
         Assert.That(report.Sources.Select(source => source.Source), Is.EqualTo(SourceFolder.All));
     }
 
-    [TestCase("2022.3")]
-    [TestCase("6000.0")]
-    [TestCase("6000.5")]
-    public void AreOfTheVersionsThatTheDeclarationsName(string generation)
-    {
-        foreach (var source in Committed(generation).Sources.Where(source => source.DeclaredFrom.Count > 0))
-            Assert.That(source.DeclaredFrom, Is.EqualTo(new[] { source.Version }), source.Source);
-    }
-
     private static Dictionary<string, string> Fingerprints(string generation)
     {
         var declarations = new Declarations(Repository.At("tests/csharp/UnityApi"), generation, Repository.Root);
@@ -53,7 +44,7 @@ public sealed class ResultsTests
             foreach (var type in Declarations.Types(declarations.Compile(set, UnityVersion.Parse(generation))).Where(Access.IsReachable))
             {
                 members.TryAdd(Names.Of(type), []);
-                members[Names.Of(type)].AddRange(Signature.AllOf(type, generation));
+                members[Names.Of(type)].AddRange(Signature.AllOf(type));
             }
         }
         return members.ToDictionary(entry => entry.Key, entry => SourceReport.Fingerprint(entry.Value));

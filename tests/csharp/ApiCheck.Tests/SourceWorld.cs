@@ -8,8 +8,8 @@ public sealed class SourceWorld : IDisposable
     public SourceWorld()
     {
         Folder.Write("package/Runtime/Test.Runtime.asmdef", """{ "name": "Test.Runtime" }""");
-        foreach (var file in new[] { "ReadFrom.cs", "At.cs" })
-            Folder.Write($"package/tests/csharp/UnityApi/Shared/{file}", File.ReadAllText(Repository.At($"tests/csharp/UnityApi/Shared/{file}")));
+        const string own = "tests/csharp/UnityApi/Shared/OwnBehaviour.cs";
+        Folder.Write("package/" + own, File.ReadAllText(Repository.At(own)));
         Folder.Write("sources/engine/README.md", "## Unity 2022.3.17f1 C# reference source code\n");
         foreach (var (source, package) in new[] { ("core", "core"), ("urp", "universal") })
             Folder.Write($"sources/{source}/package.json", $$"""{ "name": "com.unity.render-pipelines.{{package}}", "version": "14.0.9" }""");

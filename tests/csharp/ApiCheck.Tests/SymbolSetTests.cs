@@ -27,7 +27,6 @@ public sealed class SymbolSetTests
         using Penumbra.UnityApi;
         namespace UnityEngine.Rendering.Universal
         {
-            [ReadFrom(At.Universal14, "universal", "Runtime/Passes.cs")]
             public class Passes
             {
         {{members}}
@@ -76,7 +75,6 @@ public sealed class SymbolSetTests
         world.Declare("Shared/Window.cs", """
             namespace UnityEditor
             {
-                [Penumbra.UnityApi.ReadFrom("14.0.9", "universal", "Editor/Window.cs")]
                 public class Window { }
             }
             """);
@@ -91,12 +89,10 @@ public sealed class SymbolSetTests
         using var world = new SourceWorld();
         world.Real("urp/Editor/Passes.cs", "namespace UnityEngine.Rendering.Universal { public class Passes { } }");
         world.Declare("Shared/Passes.cs", Declared(""));
-        const string Symbol = "tests/csharp/UnityApi/Shared/Passes.cs:5:18: UnityEngine.Rendering.Universal.Passes";
         Assert.That(world.Check().Problems, Is.EqualTo(new[]
         {
-            $"{Symbol}: [ReadFrom] names universal/Runtime/Passes.cs; it stands in universal/Editor/Passes.cs (see universal/Editor/Passes.cs:1) " +
-            "[only under: editor, editor without XR]",
-            $"{Symbol}: the source of universal has no such type [only under: player, player without XR]",
+            "tests/csharp/UnityApi/Shared/Passes.cs:4:18: UnityEngine.Rendering.Universal.Passes: no source has such a type: " +
+            "mark it [OwnBehaviour] if it is ours [only under: player, player without XR]",
         }));
     }
 
@@ -130,7 +126,7 @@ public sealed class SymbolSetTests
         world.Declare("Shared/Passes.cs", Declared("public int flat;\npublic int graph;"));
         Assert.That(world.Check().Problems, Is.EqualTo(new[]
         {
-            "tests/csharp/UnityApi/Shared/Passes.cs:8:12: UnityEngine.Rendering.Universal.Passes.graph: the real type has no such " +
+            "tests/csharp/UnityApi/Shared/Passes.cs:7:12: UnityEngine.Rendering.Universal.Passes.graph: the real type has no such " +
             "member (see universal/Runtime/Passes.cs:3)",
         }));
     }
@@ -140,6 +136,6 @@ public sealed class SymbolSetTests
         using var world = new SourceWorld();
         world.Real("urp/Runtime/Passes.cs", Passes);
         world.Declare("Shared/Passes.cs", Declared(member));
-        Assert.That(world.Check().Problems, Is.EqualTo(new[] { $"tests/csharp/UnityApi/Shared/Passes.cs:7:12: {message}" }));
+        Assert.That(world.Check().Problems, Is.EqualTo(new[] { $"tests/csharp/UnityApi/Shared/Passes.cs:6:12: {message}" }));
     }
 }

@@ -45,11 +45,11 @@ public sealed class Findings
     }
 
     /// <summary>Adds a problem of a declared symbol, whose outermost type owns the problem.</summary>
-    public void Add(ISymbol declared, string text, ISymbol? real = null, IReadOnlyCollection<string>? preferred = null)
+    public void Add(ISymbol declared, string text, ISymbol? real = null)
     {
         var owner = declared;
         while (owner.ContainingType is { } outer) owner = outer;
-        Add(new Problem(Names.Of(owner), Place.Of(declared), Names.Of(declared), text, Place.Of(real, preferred ?? [])));
+        Add(new Problem(Names.Of(owner), Place.Of(declared), Names.Of(declared), text, Place.Of(real)));
     }
 }
 
@@ -59,9 +59,6 @@ public sealed class TypeResult(string name, string source)
     public string Name { get; } = name;
     public string Source { get; } = source;
     public SortedSet<string> Files { get; } = new(StringComparer.Ordinal);
-
-    /// <summary>The versions at which the type says it was read, by source.</summary>
-    public SortedSet<(string Source, string Version)> Versions { get; } = [];
 
     public HashSet<string> Sets { get; } = [];
 

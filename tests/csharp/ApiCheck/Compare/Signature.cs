@@ -22,30 +22,14 @@ public static class Signature
         kindOptions: SymbolDisplayKindOptions.IncludeTypeKeyword,
         miscellaneousOptions: SymbolDisplayMiscellaneousOptions.UseSpecialTypes);
 
-    /// <summary>
-    /// The signatures of all that is compared of a declared type, nested types included, and where each says it was
-    /// read.
-    /// </summary>
-    public static IEnumerable<string> AllOf(INamedTypeSymbol declared, string generation)
-    {
-        yield return Of(declared) + ReadFrom(declared, generation);
-        foreach (var member in declared.GetMembers().Where(IsCompared))
-        {
-            if (member is not INamedTypeSymbol nested) yield return Of(member) + ReadFrom(member, generation);
-            else
-            {
-                foreach (var inner in AllOf(nested, generation)) yield return inner;
-            }
-        }
-    }
+    /// <summary>The signatures of all that is compared of a declared type, nested types included.</summary>
+    public static IEnumerable<string> AllOf(INamedTypeSymbol declared) => declared.GetMembers().Where(IsCompared)
+        .SelectMany(member => member is INamedTypeSymbol nested ? AllOf(nested) : [Of(member)]).Prepend(Of(declared));
 
     /// <summary>Whether the member is compared: the package can reach it and Unity has it.</summary>
     public static bool IsCompared(ISymbol member) =>
         !member.IsImplicitlyDeclared && Access.IsReachable(member) && !Declarations.IsOwn(member) &&
         member is not IMethodSymbol { AssociatedSymbol: not null };
-
-    private static string ReadFrom(ISymbol symbol, string generation) =>
-        string.Concat(Declarations.Origins(symbol, generation).Select(origin => " " + origin));
 
     private static string Of(ISymbol symbol)
     {

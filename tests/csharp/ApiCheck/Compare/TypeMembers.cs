@@ -1,20 +1,16 @@
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>Compares one declared type with the real one, with its members and nested types.</summary>
-public sealed class TypeMembers(TypeResult result, Findings findings, string generation,
-                                IReadOnlySet<INamedTypeSymbol> parents)
+public sealed class TypeMembers(TypeResult result, Findings findings, IReadOnlySet<INamedTypeSymbol> parents)
 {
     private readonly TypeMatch match = new();
 
-    public void Compare(INamedTypeSymbol declared, INamedTypeSymbol real, IReadOnlyList<ReadFrom> origins)
+    public void Compare(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         var comparison = new TypeComparison(match);
-        CheckPlace(declared, real, origins);
-        var files = Files(origins);
-        result.Versions.UnionWith(origins.Where(origin => origin.InGeneration() == generation)
-            .Select(origin => (origin.Source, origin.Version)));
-        foreach (var difference in comparison.Differences(declared, real))
-            findings.Add(declared, difference, real, files);
+        // Of a partial type the files of its compared members count, where it has any.
+        if (!declared.GetMembers().Any(Signature.IsCompared)) NoteFile(real);
+        foreach (var difference in comparison.Differences(declared, real)) findings.Add(declared, difference, real);
         Note(declared, real);
         if (declared.TypeKind != real.TypeKind || declared.TypeKind == TypeKind.Delegate) return;
         foreach (var missing in parents.Contains(declared) ? TypeComparison.Required(real) : [])
@@ -23,19 +19,16 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
                 findings.Add(declared, $"the package has a type of it, which must have {Names.ShortOf(missing)}: declare it", missing);
         }
         if (TypeComparison.Construction(declared, real) is { } construction)
-            findings.Add(declared, construction, real, files);
-        foreach (var member in declared.GetMembers().Where(Signature.IsCompared)) CompareMember(member, real, origins);
+            findings.Add(declared, construction, real);
+        foreach (var member in declared.GetMembers().Where(Signature.IsCompared)) CompareMember(member, real);
         result.ByName.UnionWith(match.ByName);
     }
 
-    private void CompareMember(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ReadFrom> origins)
+    private void CompareMember(ISymbol declared, INamedTypeSymbol type)
     {
-        var own = Declarations.Origins(declared, generation);
-        var read = own.Length > 0 ? own : origins;
         if (declared is INamedTypeSymbol nested)
         {
-            if (type.GetTypeMembers(nested.Name, nested.Arity).FirstOrDefault() is { } other)
-                Compare(nested, other, read);
+            if (type.GetTypeMembers(nested.Name, nested.Arity).FirstOrDefault() is { } other) Compare(nested, other);
             else findings.Add(declared, Absent(declared, type, out var near), near ?? type);
             return;
         }
@@ -52,7 +45,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         Note(declared, real);
         if (!SymbolEqualityComparer.Default.Equals(real.ContainingType.OriginalDefinition, type.OriginalDefinition))
             result.Inherited.Add(Names.Of(declared) + " of " + Names.Of(real.ContainingType));
-        else CheckPlace(declared, real, read);
+        else NoteFile(real);
     }
 
     private string Unmatched(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ISymbol> candidates, out ISymbol? near)
@@ -94,16 +87,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
             result.Obsolete.Add(Names.Of(declared));
     }
 
-    private static string[] Files(IEnumerable<ReadFrom> origins) =>
-        [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];
-
-    /// <summary>Checks that the real symbol stands in a file that the declaration names.</summary>
-    private void CheckPlace(ISymbol declared, ISymbol real, IReadOnlyList<ReadFrom> origins)
+    private void NoteFile(ISymbol real)
     {
-        var named = Files(origins);
-        var standing = real.Locations.Where(place => place.IsInSource).Select(place => place.SourceTree!.FilePath).ToHashSet();
-        result.Files.UnionWith(named.Intersect(standing));
-        if (standing.Count > 0 && !standing.Intersect(named).Any())
-            findings.Add(declared, $"[ReadFrom] names {string.Join(", ", named)}; it stands in " + string.Join(", ", standing), real);
+        if (Place.Of(real) is { } place) result.Files.Add(place.File);
     }
 }

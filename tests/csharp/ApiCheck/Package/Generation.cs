@@ -15,16 +15,7 @@ public static class Generation
     public static string Of(UnityVersion version) =>
         version.Major < 6000 ? Unity2022 : version is { Major: 6000, Minor: < 5 } ? Unity6 : Unity65;
 
-    /// <summary>The generation of a pipeline's version: 14 came with 2022.3, and 17.N with 6000.N.</summary>
-    public static string OfPipeline(string version)
-    {
-        var parts = version.Split('.');
-        return parts[0] != "17" || !int.TryParse(parts.ElementAtOrDefault(1), out var minor)
-            ? Unity2022
-            : Of(new UnityVersion(6000, minor, 0, version));
-    }
-
-    /// <summary>The folders of declarations, and of the sources that they name: the first one's word counts.</summary>
+    /// <summary>The folders of declarations.</summary>
     public static IReadOnlyList<string> Line(string generation) =>
         generation == Unity65 ? [Unity65, Unity6] : [generation];
 }

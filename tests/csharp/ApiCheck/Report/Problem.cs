@@ -7,14 +7,12 @@ public sealed record Place(string File, int Line, int Column)
         ? new Place(span.Path, span.StartLinePosition.Line + 1, span.StartLinePosition.Character + 1)
         : null;
 
-    public static Place? Of(ISymbol? symbol) => Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource));
-
-    /// <summary>
-    /// The place of the symbol. Of the parts of a partial type it is the one that stands in one of these files, if any
-    /// does.
-    /// </summary>
-    public static Place? Of(ISymbol? symbol, IReadOnlyCollection<string> preferred) =>
-        Of(symbol?.Locations.FirstOrDefault(place => place.IsInSource && preferred.Contains(place.SourceTree.FilePath))) ?? Of(symbol);
+    /// <summary>The place of the symbol. Of the parts of a partial type it is the longest, which says most.</summary>
+    public static Place? Of(ISymbol? symbol)
+    {
+        var longest = symbol?.DeclaringSyntaxReferences.MaxBy(part => part.Span.Length)?.SyntaxTree;
+        return Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource && location.SourceTree == longest));
+    }
 
     public override string ToString() => $"{File}:{Line}:{Column}";
 }

@@ -7,7 +7,7 @@ namespace Penumbra.ApiCheck.Report;
 
 /// <summary>
 /// The committed answer of a check against sources: what was read, how much was compared, one record a type. A type's
-/// fingerprint is of its declared signatures and the places they name, so that a declaration changed since shows.
+/// fingerprint is of its declared signatures, so that a declaration changed since shows.
 /// </summary>
 public sealed record SourceReport
 {
@@ -18,8 +18,7 @@ public sealed record SourceReport
     public required IReadOnlyList<CheckedType> Types { get; init; }
     public required IReadOnlyList<string> Problems { get; init; }
 
-    public sealed record ReadSource(string Source, string Version, string VersionFrom, int Files,
-                                    IReadOnlyList<string> DeclaredFrom);
+    public sealed record ReadSource(string Source, string Version, string VersionFrom, int Files);
 
     public sealed record Totals(int Types, int Declarations, int Inherited, int ByName, int Obsolete, int Differences);
 
@@ -45,7 +44,8 @@ public sealed record SourceReport
         return new SourceReport
         {
             Generation = generation,
-            Sources = [.. check.Sources.Select(source => Read(source, types))],
+            Sources = [.. check.Sources.Select(source => new ReadSource(source.Folder.Source, source.Folder.Version,
+                                                                        source.Folder.VersionFrom, source.Files))],
             SymbolSets = [.. SymbolSet.All.Select(set => set.Name)],
             Counts = new Totals(types.Length, types.Sum(type => type.Members.Count), types.Sum(type => type.Inherited.Count),
                                 types.Sum(type => type.ByName.Count), types.Sum(type => type.Obsolete.Count), problems.Length),
@@ -74,14 +74,6 @@ public sealed record SourceReport
     {
         var hash = SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n', members.Distinct().Order(StringComparer.Ordinal))));
         return Convert.ToHexStringLower(hash)[..16];
-    }
-
-    private static ReadSource Read(RealSource source, IEnumerable<TypeResult> types)
-    {
-        var folder = source.Folder;
-        var declared = types.SelectMany(type => type.Versions).Where(entry => entry.Source == folder.Source)
-            .Select(entry => entry.Version).Distinct().Order(StringComparer.Ordinal);
-        return new ReadSource(folder.Source, folder.Version, folder.VersionFrom, source.Files, [.. declared]);
     }
 
     private static CheckedType Record(TypeResult type)

@@ -7,7 +7,6 @@ namespace Penumbra.ApiCheck.Sources;
 public sealed class Declarations
 {
     public const string OwnNamespace = "Penumbra.UnityApi";
-    private const string ReadFromName = "ReadFromAttribute";
     private const string OwnBehaviourName = "OwnBehaviourAttribute";
 
     private readonly string[] files;
@@ -54,38 +53,13 @@ public sealed class Declarations
         return space == OwnNamespace || space.StartsWith(OwnNamespace + ".", StringComparison.Ordinal);
     }
 
-    /// <summary>The origins at which the symbol says it was read.</summary>
-    public static IEnumerable<ReadFrom> Origins(ISymbol symbol) =>
-        from attribute in symbol.GetAttributes()
-        where Is(attribute, ReadFromName) && attribute.ConstructorArguments.Length == 3
-        let texts = attribute.ConstructorArguments.Select(argument => argument.Value as string ?? "").ToArray()
-        select new ReadFrom(texts[0], texts[1], texts[2]);
-
-    /// <summary>
-    /// The origins of a symbol in one generation: those that it names itself, or else those of the generation that this
-    /// one takes over.
-    /// </summary>
-    public static ReadFrom[] Origins(ISymbol symbol, string generation)
-    {
-        var all = Origins(symbol).ToArray();
-        return Generation.Line(generation).Select(one => all.Where(origin => origin.InGeneration() == one).ToArray())
-            .FirstOrDefault(found => found.Length > 0, []);
-    }
+    /// <summary>Whether a player does not have the type: the editor's stand in a namespace of their own.</summary>
+    public static bool IsEditors(INamedTypeSymbol type) =>
+        $"{type.ContainingNamespace.ToDisplayString()}.".StartsWith("UnityEditor.", StringComparison.Ordinal);
 
     private static bool Is(AttributeData attribute, string name) =>
         attribute.AttributeClass is { } type && type.Name == name && type.ContainingNamespace.ToDisplayString() == OwnNamespace;
 
     private static IEnumerable<INamedTypeSymbol> In(INamespaceSymbol space) =>
         space.GetTypeMembers().Concat(space.GetNamespaceMembers().SelectMany(In));
-}
-
-/// <summary>
-/// The attribute of a declaration: the version of Unity or of the package, the source, and the file within it.
-/// </summary>
-public sealed record ReadFrom(string Version, string Source, string Path)
-{
-    /// <summary>The generation of the version.</summary>
-    public string InGeneration() => Source == SourceFolder.Engine
-        ? Generation.Of(UnityVersion.Parse(Version))
-        : Generation.OfPipeline(Version);
 }

@@ -51,18 +51,11 @@ public sealed class OwnUse(PackageSources package, PackageVersions versions, Fin
         if (model.GetSymbolInfo(name).Symbol is not { } symbol || symbol is INamespaceSymbol || !IsOf(symbol, declarations))
             return;
         var fault = Declarations.IsOwn(symbol) ? "ours, not Unity's: the package must not use it"
-            : !set.IsEditor && symbol is INamedTypeSymbol type && IsEditors(type)
+            : !set.IsEditor && symbol is INamedTypeSymbol type && Declarations.IsEditors(type)
                 ? "the editor's: a player does not have it, put it under #if UNITY_EDITOR"
                 : null;
         if (fault is not null)
             findings.Add(new Problem(model.Compilation.AssemblyName!, Place.Of(name.GetLocation()), Names.Of(symbol), fault,
                                      Place.Of(symbol)));
-    }
-
-    private static bool IsEditors(INamedTypeSymbol type)
-    {
-        if (type.ContainingType is { } outer) return IsEditors(outer);
-        var origins = Declarations.Origins(type).ToArray();
-        return origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path));
     }
 }

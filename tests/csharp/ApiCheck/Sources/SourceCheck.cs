@@ -29,7 +29,7 @@ public sealed class SourceCheck
             check.Findings.Begin(set);
             var declared = declarations.Compile(set, versions.Unity);
             var parents = use.Check(set, declared);
-            new ApiComparison(real.Under(set), request.Generation, set.IsEditor, parents, check.Findings).Compare(declared);
+            new ApiComparison(real.Under(set), set.IsEditor, parents, check.Findings).Compare(declared);
         }
         return check;
     }

@@ -1,6 +1,5 @@
 namespace UnityEngine.Experimental.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum FormatUsage { Linear = 1, Render = 4, LoadStore = 10 }
 }
 
@@ -17,10 +16,8 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum GraphicsDeviceType { OpenGLES3 = 11, OpenGLCore = 17, Vulkan = 21 }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
@@ -29,7 +26,6 @@ namespace UnityEngine.Rendering
         public VolumeComponentMenu(string menu) { this.menu = menu; }
     }
 
-    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
     public class VolumeComponentMenuForRenderPipeline : VolumeComponentMenu
     {
         public VolumeComponentMenuForRenderPipeline(string menu, params Type[] pipelineTypes) : base(menu) { }
@@ -38,7 +34,6 @@ namespace UnityEngine.Rendering
 
 namespace UnityEditor.Rendering
 {
-    [ReadFrom(At.Core14, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
     public interface IVariantStripper<TShader, TShaderVariant> where TShader : UnityEngine.Object
     {
         bool active { get; }
@@ -46,6 +41,5 @@ namespace UnityEditor.Rendering
         bool CanRemoveVariant(TShader shader, TShaderVariant shaderVariant, ShaderCompilerData shaderCompilerData);
     }
 
-    [ReadFrom(At.Core14, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
     public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData> { }
 }

@@ -1,12 +1,10 @@
 namespace UnityEditor
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Selection.bindings.cs")]
     public sealed partial class Selection { public static UnityEngine.GameObject activeGameObject { get; set; } }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShadowDrawingSettings.cs")]
     public struct ShadowDrawingSettings : IEquatable<ShadowDrawingSettings>
     {
         [OwnBehaviour] public int Split => (int)splitData.cullingSphere.w - 1;

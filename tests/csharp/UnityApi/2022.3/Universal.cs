@@ -3,10 +3,8 @@ using UnityEngine.Experimental.Rendering;
 
 namespace UnityEngine.Rendering.Universal;
 
-[ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipeline.cs")]
 public sealed partial class UniversalRenderPipeline { private UniversalRenderPipeline() { } }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct RenderingData
 {
     public CullingResults cullResults;
@@ -15,7 +13,6 @@ public struct RenderingData
     public ShadowData shadowData;
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct LightData
 {
     public int mainLightIndex;
@@ -23,7 +20,6 @@ public struct LightData
     public NativeArray<VisibleLight> visibleLights;
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct ShadowData
 {
     public bool supportsMainLightShadows;
@@ -33,7 +29,6 @@ public struct ShadowData
     public bool supportsSoftShadows;
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct CameraData
 {
     [OwnBehaviour] public Matrix4x4[] Views, Projections;
@@ -53,7 +48,6 @@ public struct CameraData
     [OwnBehaviour] public void SetXr(XRPass pass) => xr = pass;
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
 public abstract partial class ScriptableRenderPass
 {
     [OwnBehaviour] public RTHandle Target { get; private set; }
@@ -70,7 +64,6 @@ public abstract partial class ScriptableRenderPass
     public abstract void Execute(ScriptableRenderContext context, ref RenderingData renderingData);
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/ShadowUtils.cs")]
 public static class ShadowUtils
 {
     public static Vector4 GetShadowBias(ref VisibleLight shadowLight, int shadowLightIndex, ref ShadowData shadowData,
@@ -82,7 +75,6 @@ public static class ShadowUtils
         cmd.SetGlobalVector(Shader.PropertyToID("_ShadowBias"), shadowBias);
 }
 
-[ReadFrom(At.Universal14, "universal", "Runtime/RenderingUtils.cs")]
 public static class RenderingUtils
 {
     public static bool ReAllocateIfNeeded(ref RTHandle handle, in RenderTextureDescriptor descriptor,
@@ -100,7 +92,6 @@ public static class RenderingUtils
 
 public abstract partial class ScriptableRenderer
 {
-    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRenderer.cs")]
     public class RenderingFeatures { public bool msaa { get; set; } = true; }
 
     public RenderingFeatures supportedRenderingFeatures { get; set; } = new RenderingFeatures();

@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 
 namespace UnityEngine.Experimental.Rendering
 {
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [Flags]
     public enum GraphicsFormatUsage { Linear = 1 << 1, Render = 1 << 4, LoadStore = 1 << 10 }
 }
@@ -20,17 +19,14 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum GraphicsDeviceType { OpenGLES3 = 11, OpenGLCore = 17, Vulkan = 21, WebGPU = 28 }
 
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/SupportedOnRenderPipeline.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class SupportedOnRenderPipelineAttribute : Attribute
     {
         public SupportedOnRenderPipelineAttribute(params Type[] renderPipeline) { }
     }
 
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/IRenderPipelineGraphicsSettings.cs")]
     public interface IRenderPipelineGraphicsSettings { }
 
     public sealed partial class GraphicsSettings
@@ -38,12 +34,10 @@ namespace UnityEngine.Rendering
         [OwnBehaviour]
         public static Dictionary<Type, IRenderPipelineGraphicsSettings> Settings { get; } = new();
 
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsSettings.RenderPipelineGlobalSettings.bindings.cs")]
         public static T GetRenderPipelineSettings<T>() where T : class, IRenderPipelineGraphicsSettings =>
             Settings.TryGetValue(typeof(T), out IRenderPipelineGraphicsSettings found) ? (T)found : null;
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeComponent.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
@@ -52,10 +46,8 @@ namespace UnityEngine.Rendering
         public VolumeComponentMenu(string menu) { this.menu = menu; }
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/Common/ContextContainer.cs")]
     public abstract class ContextItem { public abstract void Reset(); }
 
-    [ReadFrom(At.Core17, "core", "Runtime/Common/ContextContainer.cs")]
     public class ContextContainer : IDisposable
     {
         [OwnBehaviour] public Dictionary<Type, ContextItem> Items { get; } = new();
@@ -65,7 +57,6 @@ namespace UnityEngine.Rendering
         public void Dispose() { }
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/UnsafeCommandBuffer.cs")]
     public partial class UnsafeCommandBuffer
     {
         [OwnBehaviour] public UnsafeCommandBuffer() { }
@@ -73,7 +64,6 @@ namespace UnityEngine.Rendering
     }
 
     /// <summary>Draws into the attachment of its pass.</summary>
-    [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/RasterCommandBuffer.cs")]
     public partial class RasterCommandBuffer
     {
         [OwnBehaviour] public RasterCommandBuffer() { }
@@ -88,7 +78,6 @@ namespace UnityEngine.Rendering
             Wrapped.DrawProcedural(matrix, material, shaderPass, topology, vertexCount, instanceCount, properties);
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/CommandBufferHelpers.cs")]
     public struct CommandBufferHelpers
     {
         public static CommandBuffer GetNativeCommandBuffer(UnsafeCommandBuffer baseBuffer) => baseBuffer.Wrapped;
@@ -97,11 +86,9 @@ namespace UnityEngine.Rendering
 
 namespace UnityEngine.Rendering.RenderGraphModule
 {
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     [Flags]
     public enum AccessFlags { None = 0, Read = 1 << 0, Write = 1 << 1, ReadWrite = Read | Write }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraphResourceTexture.cs")]
     public struct TextureHandle
     {
         [OwnBehaviour] public RTHandle Handle { get; set; }
@@ -111,7 +98,6 @@ namespace UnityEngine.Rendering.RenderGraphModule
         public static implicit operator RTHandle(TextureHandle texture) => texture.Handle;
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraphResourceRendererList.cs")]
     public struct RendererListHandle
     {
         [OwnBehaviour] public bool Valid { get; set; }
@@ -122,17 +108,13 @@ namespace UnityEngine.Rendering.RenderGraphModule
         public static implicit operator RendererList(RendererListHandle rendererList) => rendererList.List;
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public class UnsafeGraphContext { public UnsafeCommandBuffer cmd; }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public partial struct RasterGraphContext { public RasterCommandBuffer cmd; }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public delegate void BaseRenderFunc<PassData, ContextType>(PassData data, ContextType renderGraphContext)
         where PassData : class, new();
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/IRenderGraphBuilder.cs")]
     public interface IBaseRenderGraphBuilder : IDisposable
     {
         void UseTexture(in TextureHandle input, AccessFlags flags = AccessFlags.Read);
@@ -142,14 +124,12 @@ namespace UnityEngine.Rendering.RenderGraphModule
         void AllowGlobalStateModification(bool value);
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/IRenderGraphBuilder.cs")]
     public interface IUnsafeRenderGraphBuilder : IBaseRenderGraphBuilder
     {
         void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
             where PassData : class, new();
     }
 
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/IRenderGraphBuilder.cs")]
     public interface IRasterRenderGraphBuilder : IBaseRenderGraphBuilder
     {
         void SetRenderAttachment(TextureHandle tex, int index, AccessFlags flags = AccessFlags.Write);
@@ -158,7 +138,6 @@ namespace UnityEngine.Rendering.RenderGraphModule
     }
 
     /// <summary>Keeps what is recorded. Passes and their data are pooled, as the real ones are.</summary>
-    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public partial class RenderGraph
     {
         [OwnBehaviour]
@@ -278,20 +257,17 @@ namespace UnityEngine.Rendering.RenderGraphModule
 #if UNITY_EDITOR
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Core17, "core", "Runtime/Stripping/IStripper.cs")]
     public interface IStripper { bool active { get; } }
 }
 
 namespace UnityEditor.Rendering
 {
-    [ReadFrom(At.Core17, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
     public interface IVariantStripper<TShader, TShaderVariant> : UnityEngine.Rendering.IStripper
         where TShader : UnityEngine.Object
     {
         bool CanRemoveVariant(TShader shader, TShaderVariant shaderVariant, ShaderCompilerData shaderCompilerData);
     }
 
-    [ReadFrom(At.Core17, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
     public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData> { }
 
     public partial class VolumeComponentEditor { public bool enableOverrides { get; set; } = true; }

@@ -1,4 +1,3 @@
 namespace UnityEditor.Rendering;
 
-[ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
 public enum ShaderCompilerPlatform { None = 0, D3D = 4, GLES3x = 9, OpenGLCore = 15, Vulkan = 18, WebGPU = 26 }

@@ -2,13 +2,11 @@ using Unity.Collections;
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Selection/Selection.bindings.cs")]
     public sealed partial class Selection { public static UnityEngine.GameObject activeGameObject { get; set; } }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RangeInt.cs")]
     public struct RangeInt
     {
         public int start, length;
@@ -19,11 +17,9 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
     public abstract partial class RenderPipelineAsset<TRenderPipeline> : RenderPipelineAsset
         where TRenderPipeline : RenderPipeline { }
 
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     public struct LightShadowCasterCullingInfo
     {
         public RangeInt splitRange;
@@ -31,7 +27,6 @@ namespace UnityEngine.Rendering
         public ushort splitExclusionMask;
     }
 
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     public struct ShadowCastersCullingInfos
     {
         public NativeArray<ShadowSplitData> splitBuffer;
@@ -46,7 +41,6 @@ namespace UnityEngine.Rendering
         public void CullShadowCasters(CullingResults cullingResults, ShadowCastersCullingInfos infos) => Culled = infos;
     }
 
-    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShadowDrawingSettings.cs")]
     public struct ShadowDrawingSettings : IEquatable<ShadowDrawingSettings>
     {
         [OwnBehaviour] public int Split => splitIndex;

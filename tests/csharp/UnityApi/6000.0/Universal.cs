@@ -4,7 +4,6 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;
 
-[ReadFrom(At.Universal17, "universal", "Runtime/SupportedOnRenderer.cs")]
 [AttributeUsage(AttributeTargets.Class)]
 public class SupportedOnRendererAttribute : Attribute
 {
@@ -14,14 +13,12 @@ public class SupportedOnRendererAttribute : Attribute
 }
 
 #if !UNITY_6000_5_OR_NEWER
-[ReadFrom(At.Universal17, "universal", "Runtime/Settings/RenderGraphSettings.cs")]
 public class RenderGraphSettings : IRenderPipelineGraphicsSettings
 {
     public bool enableRenderCompatibilityMode { get; set; }
 }
 #endif
 
-[ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct RenderingData
 {
     [OwnBehaviour] public ContextContainer Frame;
@@ -42,7 +39,6 @@ public struct RenderingData
     }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct LightData
 {
     [OwnBehaviour] public ContextContainer Frame;
@@ -52,7 +48,6 @@ public struct LightData
     public ref NativeArray<VisibleLight> visibleLights => ref Frame.Get<UniversalLightData>().visibleLights;
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct ShadowData
 {
     [OwnBehaviour] public ContextContainer Frame;
@@ -68,7 +63,6 @@ public struct ShadowData
     public ref bool supportsSoftShadows => ref Data.supportsSoftShadows;
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
 public struct CameraData
 {
     [OwnBehaviour] public ContextContainer Frame;
@@ -83,7 +77,6 @@ public struct CameraData
     public XRPass xr { get => Data.xr; internal set => Data.SetXr(value); }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalRenderingData.cs")]
 public class UniversalRenderingData : ContextItem
 {
     public CullingResults cullResults;
@@ -91,7 +84,6 @@ public class UniversalRenderingData : ContextItem
     public override void Reset() { }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalLightData.cs")]
 public class UniversalLightData : ContextItem
 {
     public int mainLightIndex;
@@ -101,7 +93,6 @@ public class UniversalLightData : ContextItem
     public override void Reset() { }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalShadowData.cs")]
 public class UniversalShadowData : ContextItem
 {
     public bool supportsMainLightShadows;
@@ -113,7 +104,6 @@ public class UniversalShadowData : ContextItem
     public override void Reset() { }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalCameraData.cs")]
 public class UniversalCameraData : ContextItem
 {
     [OwnBehaviour] public Matrix4x4[] Views, Projections;
@@ -135,7 +125,6 @@ public class UniversalCameraData : ContextItem
     [OwnBehaviour] public void SetXr(XRPass pass) => xr = pass;
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalResourceData.cs")]
 public class UniversalResourceData : ContextItem
 {
     [OwnBehaviour] public TextureHandle Colour;
@@ -147,7 +136,6 @@ public class UniversalResourceData : ContextItem
     public override void Reset() { }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
 public abstract partial class ScriptableRenderPass
 {
     public RenderPassEvent renderPassEvent { get; set; }
@@ -160,7 +148,6 @@ public abstract partial class ScriptableRenderPass
     public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) { }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/ShadowUtils.cs")]
 public static class ShadowUtils
 {
     public static Vector4 GetShadowBias(ref VisibleLight shadowLight, int shadowLightIndex, UniversalShadowData shadowData,
@@ -172,7 +159,6 @@ public static class ShadowUtils
         cmd.SetGlobalVector(Shader.PropertyToID("_ShadowBias"), shadowBias);
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/RenderingUtils.cs")]
 public static class RenderingUtils
 {
     public static bool ReAllocateHandleIfNeeded(ref RTHandle handle, in RenderTextureDescriptor descriptor,
@@ -187,7 +173,6 @@ public static class RenderingUtils
     }
 }
 
-[ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererRenderGraph.cs")]
 public sealed partial class UniversalRenderer : ScriptableRenderer
 {
     [OwnBehaviour] public UniversalRenderer() { }

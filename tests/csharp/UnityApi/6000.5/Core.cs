@@ -1,6 +1,5 @@
 namespace UnityEngine.Rendering.RenderGraphModule;
 
-[ReadFrom(At.Core175, "core", "Runtime/RenderGraph/RenderGraphResourceTexture.cs")]
 public enum TextureUVOrigin { BottomLeft = 0, TopLeft = 1 }
 
 public partial struct RasterGraphContext

@@ -1,10 +1,8 @@
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Core, "core", "Runtime/Common/CommonStructs.cs")]
     [Flags]
     public enum ClearFlag { None = 0, Color = 1 << 0 }
 
-    [ReadFrom(At.Core, "core", "Runtime/Textures/RTHandle.cs")]
     public class RTHandle
     {
         [OwnBehaviour] public RTHandle() { }
@@ -20,7 +18,6 @@ namespace UnityEngine.Rendering
             new RenderTargetIdentifier { What = handle.What };
     }
 
-    [ReadFrom(At.Core, "core", "Runtime/Utilities/CoreUtils.cs")]
     public static class CoreUtils
     {
         /// <summary>The scene views whose light bulb is off.</summary>
@@ -45,7 +42,6 @@ namespace UnityEngine.Rendering
         }
     }
 
-    [ReadFrom(At.Core, "core", "Runtime/Common/CommandBufferPool.cs")]
     public static class CommandBufferPool
     {
         private static readonly Stack<CommandBuffer> free = new();
@@ -59,10 +55,8 @@ namespace UnityEngine.Rendering
         }
     }
 
-    [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
     public class ProfilingSampler { public ProfilingSampler(string name) { } }
 
-    [ReadFrom(At.Core, "core", "Runtime/Debugging/ProfilingScope.cs")]
     public struct ProfilingScope : IDisposable
     {
         public ProfilingScope(CommandBuffer cmd, ProfilingSampler sampler) { }
@@ -75,7 +69,6 @@ namespace UnityEngine.Experimental.Rendering
 {
     using UnityEngine.Rendering;
 
-    [ReadFrom(At.Core, "core", "Runtime/XR/XRPass.cs")]
     public class XRPass
     {
         [OwnBehaviour] public int Views { get; set; }

@@ -1,12 +1,9 @@
 namespace UnityEngine.Rendering;
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeComponent.cs")]
 public partial class VolumeComponent : ScriptableObject { public bool active = true; }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public abstract class VolumeParameter { public virtual bool overrideState { get; set; } }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class VolumeParameter<T> : VolumeParameter
 {
 #if UNITY_6000_0_OR_NEWER
@@ -22,19 +19,16 @@ public class VolumeParameter<T> : VolumeParameter
     public virtual T value { get; set; }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class BoolParameter : VolumeParameter<bool>
 {
     public BoolParameter(bool value, bool overrideState = false) : base(value, overrideState) { }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class IntParameter : VolumeParameter<int>
 {
     public IntParameter(int value, bool overrideState = false) : base(value, overrideState) { }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class ClampedIntParameter : IntParameter
 {
     public int min, max;
@@ -43,13 +37,11 @@ public class ClampedIntParameter : IntParameter
         (this.min, this.max) = (min, max);
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class FloatParameter : VolumeParameter<float>
 {
     public FloatParameter(float value, bool overrideState = false) : base(value, overrideState) { }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeParameter.cs")]
 public class ClampedFloatParameter : FloatParameter
 {
     public float min, max;
@@ -59,7 +51,6 @@ public class ClampedFloatParameter : FloatParameter
         (this.min, this.max) = (min, max);
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeProfile.cs")]
 public sealed partial class VolumeProfile : ScriptableObject
 {
     public List<VolumeComponent> components = new();
@@ -72,7 +63,6 @@ public sealed partial class VolumeProfile : ScriptableObject
     }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeStack.cs")]
 public sealed class VolumeStack : IDisposable
 {
     [OwnBehaviour] public VolumeStack() { }
@@ -85,7 +75,6 @@ public sealed class VolumeStack : IDisposable
     public void Dispose() { }
 }
 
-[ReadFrom(At.Core, "core", "Runtime/Volume/VolumeManager.cs")]
 public sealed partial class VolumeManager
 {
     private VolumeManager() { }

@@ -3,7 +3,6 @@ using Object = UnityEngine.Object;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIContent.cs")]
     public class GUIContent
     {
         public GUIContent(string text, string tooltip) => (this.text, this.tooltip) = (text, tooltip);
@@ -12,12 +11,10 @@ namespace UnityEngine
         public string tooltip { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUIStyle.cs")] public sealed partial class GUIStyle { }
+    public sealed partial class GUIStyle { }
 
-    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
     public sealed class GUILayoutOption { private GUILayoutOption() { } }
 
-    [ReadFrom(At.Engine, "engine", "Modules/IMGUI/GUILayout.cs")]
     public partial class GUILayout
     {
         /// <summary>The text of the button that is pressed; null for none.</summary>
@@ -29,15 +26,11 @@ namespace UnityEngine
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Inspector/CustomEditor.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Inspector/Core/CustomEditor.cs")]
     public partial class CustomEditor : Attribute { public CustomEditor(Type inspectedType) { } }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/MenuItem.cs")]
     [AttributeUsage(AttributeTargets.Method)]
     public sealed class MenuItem : Attribute { public MenuItem(string itemName) { } }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Inspector/Editor.cs")]
     public partial class Editor : ScriptableObject
     {
         public Object target { get; set; }
@@ -46,12 +39,9 @@ namespace UnityEditor
         public virtual void OnInspectorGUI() { }
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
-    [ReadFrom(At.Unity65, "engine", "Editor/Mono/BuildPipeline/Settings/BuildOptions.bindings.cs")]
     [Flags]
     public enum BuildOptions { None = 0, Development = 1 << 0 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
     public partial class EditorUserBuildSettings : Object
     {
         private EditorUserBuildSettings() { }
@@ -59,7 +49,6 @@ namespace UnityEditor
         public static bool development { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorApplication.cs")]
     public sealed partial class EditorApplication
     {
         public static event Action projectChanged;
@@ -69,7 +58,6 @@ namespace UnityEditor
         [OwnBehaviour] public static void ChangeProject() => projectChanged?.Invoke();
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorWindow.cs")]
     public partial class EditorWindow : ScriptableObject
     {
         [OwnBehaviour] public static EditorWindow Shown { get; set; }
@@ -83,7 +71,6 @@ namespace UnityEditor
         public void Repaint() { }
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Settings/SettingsService.cs")]
     public static class SettingsService
     {
         [OwnBehaviour] public static string Opened { get; set; }
@@ -95,7 +82,6 @@ namespace UnityEditor
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Prefabs/PrefabUtility.bindings.cs")]
     public sealed partial class PrefabUtility
     {
         [OwnBehaviour] public static HashSet<Object> Recorded { get; } = new();
@@ -103,10 +89,8 @@ namespace UnityEditor
         public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
     public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
     {
         [OwnBehaviour] public static List<string> Boxes { get; } = new();
@@ -124,26 +108,22 @@ namespace UnityEditor
                                          params GUILayoutOption[] options) => false;
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
     public sealed class EditorStyles
     {
         public static GUIStyle boldLabel => null;
         public static GUIStyle wordWrappedLabel => null;
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
     public partial class EditorUtility
     {
         [OwnBehaviour] public static HashSet<Object> Dirty { get; } = new();
 
         public static void SetDirty(Object target) => Dirty.Add(target);
 
-        [ReadFrom(At.Unity65, "engine", "Editor/Mono/EditorUtility.cs")]
         public static bool DisplayDialog(string title, string message, string ok) => true;
         public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
     }
 
-    [ReadFrom(At.Engine, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
     public sealed partial class AssetDatabase
     {
         public static string GetAssetPath(Object assetObject)
@@ -184,13 +164,11 @@ namespace UnityEditor
         public static bool CopyAsset(string path, string newPath) => false;
         public static string GenerateUniqueAssetPath(string path) => path;
 
-        [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
         public static string[] FindAssets(string filter) => new string[0];
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPostprocessor.cs")] public partial class AssetPostprocessor { }
+    public partial class AssetPostprocessor { }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
     public struct ShaderMessage
     {
         public ShaderMessage(string msg, Rendering.ShaderCompilerMessageSeverity sev = Rendering.ShaderCompilerMessageSeverity.Error)
@@ -209,7 +187,6 @@ namespace UnityEditor
         public Rendering.ShaderCompilerMessageSeverity severity { get; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/ShaderUtil.bindings.cs")]
     public sealed partial class ShaderUtil
     {
         /// <summary>The compiler's messages, by shader.</summary>
@@ -230,10 +207,8 @@ namespace UnityEditor
 
 namespace UnityEditor.Build.Reporting
 {
-    [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
     public struct BuildSummary { public BuildOptions options { get; } }
 
-    [ReadFrom(At.Engine, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
     public sealed partial class BuildReport : Object
     {
         private BuildReport() { }
@@ -244,29 +219,24 @@ namespace UnityEditor.Build.Reporting
 
 namespace UnityEditor.Build
 {
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessBuildWithReport : IOrderedCallback
     {
         void OnPreprocessBuild(Reporting.BuildReport report);
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPostprocessBuildWithReport : IOrderedCallback
     {
         void OnPostprocessBuild(Reporting.BuildReport report);
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IOrderedCallback { int callbackOrder { get; } }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessShaders : IOrderedCallback
     {
         void OnProcessShader(Shader shader, Rendering.ShaderSnippetData snippet,
                              IList<Rendering.ShaderCompilerData> data);
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IPreprocessComputeShaders : IOrderedCallback
     {
         void OnProcessComputeShader(ComputeShader shader, string kernelName,
@@ -276,13 +246,10 @@ namespace UnityEditor.Build
 
 namespace UnityEditor.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public struct ShaderSnippetData { public string passName => ""; }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public enum ShaderCompilerMessageSeverity { Error, Warning }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
     public struct ShaderCompilerData
     {
         public UnityEngine.Rendering.ShaderKeywordSet shaderKeywordSet;
@@ -292,7 +259,6 @@ namespace UnityEditor.Rendering
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
     public partial struct ShaderKeyword
     {
         [OwnBehaviour] public string Name { get; }
@@ -302,7 +268,6 @@ namespace UnityEngine.Rendering
         public ShaderKeyword(ComputeShader shader, string keywordName) { Name = keywordName; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
     public struct ShaderKeywordSet
     {
         [OwnBehaviour] public HashSet<string> Enabled { get; set; }

@@ -2,7 +2,6 @@ using System.Reflection;
 
 namespace UnityEditor.PackageManager;
 
-[ReadFrom(At.Engine, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
 public sealed partial class PackageInfo
 {
     /// <summary>The place where the package that every assembly belongs to is said to be; null for none.</summary>

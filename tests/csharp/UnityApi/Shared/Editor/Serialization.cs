@@ -6,7 +6,6 @@ namespace UnityEditor;
 /// <summary>
 /// Serializes as far as tests of inspectors go: numbers and checks of one object, written when they are applied.
 /// </summary>
-[ReadFrom(At.Engine, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
 public class SerializedObject
 {
     internal Object Target { get; }
@@ -31,7 +30,6 @@ public class SerializedObject
         SerializedPath.Get(Target, propertyPath) == null ? null : new SerializedProperty(this, propertyPath);
 }
 
-[ReadFrom(At.Engine, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
 public partial class SerializedProperty
 {
     private readonly SerializedObject owner;
@@ -53,7 +51,6 @@ public partial class SerializedProperty
     }
 }
 
-[ReadFrom(At.Engine, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
 public partial class Undo
 {
     private static readonly Stack<Action> Steps = new();

@@ -3,7 +3,6 @@ using UnityEngine;
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/AssetImporter.bindings.cs")]
     public partial class AssetImporter : Object
     {
         [OwnBehaviour] public static Dictionary<string, AssetImporter> Importers { get; } = new();
@@ -17,7 +16,6 @@ namespace UnityEditor
         public void SaveAndReimport() => ++Imports;
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporter.bindings.cs")]
     public sealed partial class TextureImporter : AssetImporter
     {
         /// <summary>The settings of the default platform.</summary>
@@ -39,7 +37,6 @@ namespace UnityEditor
         public void SetPlatformTextureSettings(TextureImporterPlatformSettings platformSettings) => Settings = platformSettings;
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterTypes.bindings.cs")]
     public sealed partial class TextureImporterPlatformSettings
     {
         public int maxTextureSize { get; set; } = 2048;
@@ -47,28 +44,21 @@ namespace UnityEditor
         public TextureImporterCompression textureCompression { get; set; } = TextureImporterCompression.Compressed;
     }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterType { Default = 0, Sprite = 8 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterShape { Texture2D = 1 << 0, Texture3D = 1 << 3 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterAlphaSource { None = 0, FromInput = 1 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterFormat { R16 = 9, RGBA64 = 74 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterNPOTScale { None = 0, ToNearest = 1 }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/AssetPipeline/TextureImporterEnums.cs")]
     public enum TextureImporterCompression { Uncompressed = 0, Compressed = 1 }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/TextAsset.cs")]
     public partial class TextAsset : Object
     {
         public TextAsset(string text) { this.text = text; }
@@ -76,7 +66,6 @@ namespace UnityEngine
         public string text { get; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Modules/JSONSerialize/Public/JsonUtility.bindings.cs")]
     public static class JsonUtility
     {
         /// <summary>Reads public fields by their names, and skips other keys, as Unity's does.</summary>

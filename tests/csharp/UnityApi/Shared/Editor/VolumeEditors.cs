@@ -2,7 +2,6 @@ using UnityEngine;
 
 namespace UnityEditor.Rendering;
 
-[ReadFrom(At.Core, "core", "Editor/CoreEditorUtils.cs")]
 public static class CoreEditorUtils
 {
     /// <summary>The messages that were drawn; tests press their buttons.</summary>
@@ -15,10 +14,8 @@ public static class CoreEditorUtils
         Boxes.Add((message, buttonLabel, action));
 }
 
-[ReadFrom(At.Core, "core", "Editor/Volume/SerializedDataParameter.cs")]
 public sealed class SerializedDataParameter { internal SerializedDataParameter() { } }
 
-[ReadFrom(At.Core, "core", "Editor/Volume/VolumeComponentEditor.cs")]
 public partial class VolumeComponentEditor : Editor
 {
     public virtual void OnEnable() { }

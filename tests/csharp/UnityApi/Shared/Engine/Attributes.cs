@@ -1,14 +1,11 @@
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Serialization/Serialization.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public sealed partial class SerializeField : Attribute { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public abstract class PropertyAttribute : Attribute { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.All)]
     public class TooltipAttribute : PropertyAttribute
     {
@@ -17,7 +14,6 @@ namespace UnityEngine
         public TooltipAttribute(string tooltip) { this.tooltip = tooltip; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public class InspectorNameAttribute : PropertyAttribute
     {
@@ -26,7 +22,6 @@ namespace UnityEngine
         public InspectorNameAttribute(string displayName) { this.displayName = displayName; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class HelpURLAttribute : Attribute
     {
@@ -41,7 +36,6 @@ namespace UnityEngine
 #endif
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class RangeAttribute : PropertyAttribute
     {
@@ -53,27 +47,21 @@ namespace UnityEngine
 
 namespace UnityEngine.Scripting
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
-    [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/PreserveAttribute.cs")]
     [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum |
                     AttributeTargets.Constructor | AttributeTargets.Method | AttributeTargets.Property |
                     AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface |
                     AttributeTargets.Delegate)]
     public class PreserveAttribute : Attribute { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
-    [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/RequireDerivedAttribute.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class RequireDerivedAttribute : Attribute { }
 }
 
 namespace UnityEditor.ShaderKeywordFilter
 {
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
     public class FilterAttribute : Attribute { internal FilterAttribute() { } }
 
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
     public class SelectIfAttribute : FilterAttribute
     {

@@ -1,7 +1,6 @@
 namespace UnityEngine.Rendering;
 
 /// <summary>Records what it is told; a context plays it into FakeDevice.</summary>
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.bindings.cs")]
 public partial class CommandBuffer : IDisposable
 {
     private readonly List<Action<FakeDevice>> commands = new();
@@ -29,7 +28,7 @@ public partial class CommandBuffer : IDisposable
 
     public void Clear() => commands.Clear();
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")] public void Dispose() { }
+    public void Dispose() { }
 
     public void SetKeyword(in GlobalKeyword keyword, bool value) =>
         Record(static (device, told) => device.SetKeyword(told.name, told.value), (keyword.name, value));
@@ -59,10 +58,8 @@ public partial class CommandBuffer : IDisposable
 
     public void SetGlobalMatrixArray(int nameID, Matrix4x4[] values) => Uniform(nameID, Silent ? null : values.Clone());
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void SetGlobalTexture(int nameID, RenderTargetIdentifier value) => Texture(nameID, value.What);
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void DrawProcedural(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology,
                                int vertexCount, int instanceCount, MaterialPropertyBlock properties) =>
         Record(static (device, told) => device.Draw(told.pass, told.vertices),
@@ -83,7 +80,6 @@ public partial class CommandBuffer : IDisposable
         Target(all, mipLevel, depthSlice);
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void CopyTexture(RenderTargetIdentifier src, int srcElement, int srcMip, int srcX, int srcY, int srcWidth,
                             int srcHeight, RenderTargetIdentifier dst, int dstElement, int dstMip, int dstX, int dstY)
     {
@@ -93,11 +89,9 @@ public partial class CommandBuffer : IDisposable
                    $"slice {dstElement} mip {dstMip} {dstX} {dstY}");
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID,
                                        RenderTargetIdentifier rt) => Texture(nameID, rt.What);
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
     public void DispatchCompute(ComputeShader computeShader, int kernelIndex, int threadGroupsX, int threadGroupsY,
                                 int threadGroupsZ) =>
         Record(static (device, told) => device.Dispatch(told.Name, told.x + " " + told.y + " " + told.z),

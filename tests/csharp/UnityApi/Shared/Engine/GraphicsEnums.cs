@@ -1,56 +1,43 @@
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [Flags]
     public enum CameraType { Game = 1, SceneView = 2, Preview = 4, VR = 8, Reflection = 16 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum LightShadows { None = 0, Hard = 1, Soft = 2 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum MeshTopology { Triangles = 0 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum FilterMode { Point = 0, Bilinear = 1 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum TextureWrapMode { Repeat = 0, Clamp = 1 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")] public enum CubemapFace { Unknown = -1 }
+    public enum CubemapFace { Unknown = -1 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderTextureFormat { Depth = 1, Shadowmap = 3 }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferLoadAction { Load = 0, Clear = 1, DontCare = 2 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferStoreAction { Store = 0, DontCare = 3 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum TextureDimension { Tex2D = 2, Tex3D = 3, Tex2DArray = 5 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum CopyTextureSupport { None = 0, Basic = 1 << 0 }
 }
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum VRTextureUsage { None, OneEye, TwoEyes }
 }
 
 namespace UnityEngine.Experimental.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum TextureCreationFlags { None = 0 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum GraphicsFormat
     {
         None = 0, R8_UNorm = 5, R8G8_UNorm = 6, R16_UNorm = 21, R16G16_UNorm = 22, R16G16B16A16_UNorm = 24,

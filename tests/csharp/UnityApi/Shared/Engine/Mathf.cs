@@ -1,6 +1,5 @@
 namespace UnityEngine;
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Mathf.cs")]
 public partial struct Mathf
 {
     public const float Deg2Rad = PI * 2F / 360F;

@@ -1,7 +1,6 @@
 namespace UnityEngine;
 
 /// <summary>The entry mRC stands in row R and column C; the matrix acts on column vectors.</summary>
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Matrix4x4.cs")]
 public partial struct Matrix4x4 : IEquatable<Matrix4x4>
 {
     public float m00, m10, m20, m30, m01, m11, m21, m31, m02, m12, m22, m32, m03, m13, m23, m33;

@@ -1,6 +1,5 @@
 namespace UnityEngine;
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
 public partial class Object
 {
     public string name { get; set; } = "";
@@ -16,13 +15,10 @@ public partial class Object
     public override int GetHashCode() => base.GetHashCode();
 }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Debug/Debug.bindings.cs")]
 public partial class Debug { public static bool isDebugBuild { get; [OwnBehaviour] set; } = true; }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/LayerMask.bindings.cs")]
 public struct LayerMask { public static string LayerToName(int layer) => layer == 4 ? "Water" : ""; }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
 public partial class Component : Object
 {
     public Transform transform { get; } = new Transform();
@@ -34,7 +30,6 @@ public partial class Component : Object
     }
 }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Transform/ScriptBindings/Transform.bindings.cs")]
 public partial class Transform
 {
     internal Transform() { }
@@ -43,9 +38,8 @@ public partial class Transform
     public Vector3 position { get; set; }
 }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/Behaviour.bindings.cs")] public class Behaviour : Component { }
+public class Behaviour : Component { }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/ScriptableObject.bindings.cs")]
 public class ScriptableObject : Object
 {
     public static T CreateInstance<T>() where T : ScriptableObject => (T)System.Activator.CreateInstance(typeof(T));

@@ -1,47 +1,35 @@
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Bounds.cs")]
     public partial struct Bounds : IEquatable<Bounds> { public bool Equals(Bounds other) => true; }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
     public sealed partial class Camera : Behaviour { public bool allowDynamicResolution { get; set; } }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Plane.cs")] public partial struct Plane { }
+    public partial struct Plane { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
     public sealed partial class Light : Behaviour
     {
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public LightShadows shadows { get; set; }
         public float shadowBias { get; set; }
         public float shadowNormalBias { get; set; }
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public float shadowStrength { get; set; } = 1.0f;
 
         public LightBakingOutput bakingOutput { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
-    [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
     public struct LightBakingOutput
     {
         public LightmapBakeType lightmapBakeType;
         public MixedLightingMode mixedLightingMode;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [System.Flags]
     public enum LightmapBakeType { Mixed = 1, Baked = 2, Realtime = 4 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum MixedLightingMode { IndirectOnly = 0, Subtractive = 1, Shadowmask = 2 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum ShadowmaskMode { Shadowmask = 0, DistanceShadowmask = 1 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
     public sealed partial class QualitySettings : Object
     {
         private QualitySettings() { }
@@ -49,14 +37,12 @@ namespace UnityEngine
         public static ShadowmaskMode shadowmaskMode { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
     public static class ScalableBufferManager
     {
         public static float widthScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
         public static float heightScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
     public sealed partial class GL
     {
         public static bool wireframe { get; set; }
@@ -82,7 +68,6 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
     public sealed partial class RenderSettings : Object
     {
         private RenderSettings() { }
@@ -90,7 +75,6 @@ namespace UnityEngine
         public static Light sun { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
     public sealed partial class SystemInfo
     {
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
@@ -120,7 +104,6 @@ namespace UnityEngine
         public static HashSet<Experimental.Rendering.GraphicsFormat> Unfiltered { get; } = new();
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Time/Time.bindings.cs")]
     public class Time
     {
         public static int frameCount { get; [OwnBehaviour] set; }
@@ -130,10 +113,8 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
     public abstract partial class RenderPipelineAsset : ScriptableObject { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
     public sealed partial class GraphicsSettings : Object
     {
         private GraphicsSettings() { }
@@ -141,7 +122,6 @@ namespace UnityEngine.Rendering
         public static RenderPipelineAsset currentRenderPipeline { get; [OwnBehaviour] set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
     public partial struct CullingResults : IEquatable<CullingResults>
     {
         [OwnBehaviour] public bool HasCasters { get; set; }
@@ -158,7 +138,6 @@ namespace UnityEngine.Rendering
         public bool Equals(CullingResults other) => HasCasters == other.HasCasters;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
     public struct VisibleLight : IEquatable<VisibleLight>
     {
         [OwnBehaviour] public Light Source { get; set; }
@@ -168,7 +147,6 @@ namespace UnityEngine.Rendering
         public bool Equals(VisibleLight other) => ReferenceEquals(Source, other.Source);
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
     public partial struct ScriptableRenderContext : IEquatable<ScriptableRenderContext>
     {
         [OwnBehaviour] public FakeDevice Device { get; set; }
@@ -178,7 +156,6 @@ namespace UnityEngine.Rendering
         public bool Equals(ScriptableRenderContext other) => Device == other.Device;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
     public static partial class RenderPipelineManager
     {
         public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
@@ -196,7 +173,6 @@ namespace UnityEngine.Rendering
 
 namespace Unity.Collections
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
     public partial struct NativeArray<T> : IEquatable<NativeArray<T>> where T : struct
     {
         [OwnBehaviour] public T[] Items { get; set; }

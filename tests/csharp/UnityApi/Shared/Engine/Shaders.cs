@@ -2,7 +2,6 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.bindings.cs")]
     public sealed partial class Shader : Object
     {
         private static readonly List<string> properties = new();
@@ -26,14 +25,11 @@ namespace UnityEngine
 
         [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new();
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Vector4 GetGlobalVector(string name) =>
             Globals.TryGetValue(name, out object value) ? (Vector4)value : default;
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Vector4 GetGlobalVector(int nameID) => GetGlobalVector(PropertyName(nameID));
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static Matrix4x4[] GetGlobalMatrixArray(string name) =>
             Globals.TryGetValue(name, out object value) ? (Matrix4x4[])value : null;
 
@@ -46,7 +42,6 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
     public sealed partial class ComputeShader : Object
     {
         [OwnBehaviour]
@@ -80,7 +75,6 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
     public partial class Material : Object
     {
         public Material(Shader shader) { this.shader = shader; }
@@ -90,13 +84,11 @@ namespace UnityEngine
         public int FindPass(string passName) => shader.PassNames.IndexOf(passName);
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/MaterialPropertyBlock.bindings.cs")]
     public sealed partial class MaterialPropertyBlock { }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/GlobalKeyword.bindings.cs")]
     public readonly struct GlobalKeyword
     {
         public string name { get; }
@@ -106,7 +98,6 @@ namespace UnityEngine.Rendering
         public static GlobalKeyword Create(string name) => new GlobalKeyword(name);
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/LocalKeyword.bindings.cs")]
     public readonly struct LocalKeyword : IEquatable<LocalKeyword>
     {
         public string name { get; }
@@ -119,7 +110,6 @@ namespace UnityEngine.Rendering
         public bool Equals(LocalKeyword rhs) => name == rhs.name;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
     public readonly struct LocalKeywordSpace : IEquatable<LocalKeywordSpace>
     {
         private readonly List<string> declared;

@@ -2,7 +2,6 @@ using UnityEngine.Experimental.Rendering;
 
 namespace UnityEngine;
 
-[ReadFrom(At.Engine, "engine", "Modules/Terrain/Public/Terrain.bindings.cs")]
 public sealed partial class Terrain : Behaviour
 {
     public TerrainData terrainData { get; set; }
@@ -14,7 +13,6 @@ public sealed partial class Terrain : Behaviour
 }
 
 /// <summary>Keeps heights as they were set; its texture has the format of the fake device.</summary>
-[ReadFrom(At.Engine, "engine", "Modules/Terrain/Public/TerrainData.bindings.cs")]
 public sealed partial class TerrainData : Object
 {
     /// <summary>

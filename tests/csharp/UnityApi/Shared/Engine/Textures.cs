@@ -2,7 +2,6 @@ using UnityEngine.Experimental.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class Texture : Object
     {
         internal Texture() { }
@@ -11,7 +10,6 @@ namespace UnityEngine
         public virtual int height { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public sealed partial class Texture2D : Texture
     {
         private static readonly Texture2D black = new Texture2D { name = "black" };
@@ -21,14 +19,12 @@ namespace UnityEngine
         [OwnBehaviour] public Texture2D() { }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.cs")]
     public sealed partial class Texture2DArray : Texture
     {
         public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags) =>
             name = "array of " + depth;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class RenderTexture : Texture
     {
         [OwnBehaviour] public RenderTexture() { }
@@ -42,7 +38,6 @@ namespace UnityEngine
         public bool IsCreated() => !Lost;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Texture.cs")]
     public struct RenderTextureDescriptor
     {
         public int width { get; set; }
@@ -75,7 +70,6 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public partial struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     {
         [OwnBehaviour] public string What { get; set; }

@@ -1,6 +1,5 @@
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector2.cs")]
     public struct Vector2 : IEquatable<Vector2>
     {
         public float x, y;
@@ -13,7 +12,6 @@ namespace UnityEngine
         public bool Equals(Vector2 other) => x == other.x && y == other.y;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector3.cs")]
     public partial struct Vector3 : IEquatable<Vector3>
     {
         public float x, y, z;
@@ -26,7 +24,6 @@ namespace UnityEngine
         public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector3Int.cs")]
     public struct Vector3Int : IEquatable<Vector3Int>
     {
         public int x { get; set; }
@@ -38,7 +35,6 @@ namespace UnityEngine
         public bool Equals(Vector3Int other) => x == other.x && y == other.y && z == other.z;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Vector4.cs")]
     public struct Vector4 : IEquatable<Vector4>
     {
         public float x, y, z, w;
@@ -55,7 +51,6 @@ namespace UnityEngine
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Color.cs")]
     public struct Color : IEquatable<Color>
     {
         public float r, g, b, a;

@@ -2,10 +2,8 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum CameraClearFlags { Skybox = 1, Color = 2, SolidColor = 2, Depth = 3, Nothing = 4 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum LightType { Spot = 0, Directional = 1, Point = 2 }
 
     public sealed partial class Camera
@@ -34,13 +32,10 @@ namespace UnityEngine
 
     public sealed partial class Shader
     {
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalVector(int nameID, Vector4 value) => Globals[PropertyName(nameID)] = value;
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals[PropertyName(nameID)] = values;
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Shader.cs")]
         public static void SetGlobalTexture(int nameID, Texture value) => Globals[PropertyName(nameID)] = value;
     }
 }
@@ -57,7 +52,6 @@ namespace UnityEngine.Rendering.Universal
 
 namespace UnityEditor
 {
-    [ReadFrom(At.Engine, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
     public partial class Undo
     {
         public static void RegisterCreatedObjectUndo(UnityEngine.Object objectToUndo, string name) { }

@@ -8,7 +8,6 @@ public partial struct Mathf
     public static float Exp(float power) => (float)Math.Exp(power);
     public static float Pow(float f, float p) => (float)Math.Pow(f, p);
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Math.bindings.cs")]
     public static float GammaToLinearSpace(float value) =>
         value <= 0.04045f ? value / 12.92f : Pow((value + 0.055f) / 1.055f, 2.4f);
 }
@@ -29,7 +28,6 @@ public partial struct Vector3
     public static Vector3 operator *(Vector3 a, float d) => new Vector3(a.x * d, a.y * d, a.z * d);
 }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Math/Quaternion.cs")]
 public partial struct Quaternion : IEquatable<Quaternion>
 {
     [OwnBehaviour] public Vector3 EulerDegrees { get; set; }
@@ -39,7 +37,6 @@ public partial struct Quaternion : IEquatable<Quaternion>
     public bool Equals(Quaternion other) => EulerDegrees.Equals(other.EulerDegrees);
 }
 
-[ReadFrom(At.Engine, "engine", "Runtime/Export/Geometry/Rect.cs")]
 public partial struct Rect : IEquatable<Rect>
 {
     public Rect(float x, float y, float width, float height) =>

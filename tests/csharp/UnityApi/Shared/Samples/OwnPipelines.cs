@@ -4,7 +4,6 @@ namespace UnityEngine.Rendering
 {
     public abstract partial class RenderPipelineAsset { protected abstract RenderPipeline CreatePipeline(); }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
     public abstract class RenderPipeline
     {
 #if UNITY_6000_1_OR_NEWER
@@ -31,7 +30,6 @@ namespace UnityEngine.Rendering
         public static bool lightsUseLinearIntensity { get; set; }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     public struct ScriptableCullingParameters : IEquatable<ScriptableCullingParameters>
     {
         public float shadowDistance { get; set; }
@@ -45,11 +43,9 @@ namespace UnityEngine.Rendering
         public bool Equals(ScriptableCullingParameters other) => shadowDistance == other.shadowDistance;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
     [Flags]
     public enum CullingOptions { None = 0, ForceEvenIfCameraIsNotActive = 1 << 0 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
     public struct ShadowSplitData : IEquatable<ShadowSplitData>
     {
         public Vector4 cullingSphere { get; set; }
@@ -61,7 +57,6 @@ namespace UnityEngine.Rendering
         public bool Equals(ShadowSplitData other) => cullingSphere.Equals(other.cullingSphere);
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
     public enum BatchCullingProjectionType { Unknown = 0, Perspective = 1, Orthographic = 2 }
 
     public partial struct CullingResults
@@ -93,7 +88,6 @@ namespace UnityEngine.Rendering
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
     public struct ShaderTagId : IEquatable<ShaderTagId>
     {
         public ShaderTagId(string name) { this.name = name; }
@@ -103,7 +97,6 @@ namespace UnityEngine.Rendering
         public bool Equals(ShaderTagId other) => name == other.name;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
     [Flags]
     public enum SortingCriteria
     {
@@ -113,7 +106,6 @@ namespace UnityEngine.Rendering
         CommonOpaque = SortingLayer | RenderQueue | QuantizedFrontToBack | OptimizeStateChanges | CanvasOrder,
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
     public struct SortingSettings : IEquatable<SortingSettings>
     {
         public SortingSettings(Camera camera) { criteria = default; }
@@ -123,7 +115,6 @@ namespace UnityEngine.Rendering
         public bool Equals(SortingSettings other) => criteria == other.criteria;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
     public struct DrawingSettings : IEquatable<DrawingSettings>
     {
         [OwnBehaviour] public string Pass { get; private set; }
@@ -147,7 +138,6 @@ namespace UnityEngine.Rendering
         public bool Equals(DrawingSettings other) => Pass == other.Pass;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
     public struct RenderQueueRange : IEquatable<RenderQueueRange>
     {
         public static RenderQueueRange all => default;
@@ -157,7 +147,6 @@ namespace UnityEngine.Rendering
         public bool Equals(RenderQueueRange other) => true;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
     public struct FilteringSettings : IEquatable<FilteringSettings>
     {
         public FilteringSettings(RenderQueueRange? renderQueueRange = null, int layerMask = ~0,
@@ -166,10 +155,8 @@ namespace UnityEngine.Rendering
         public bool Equals(FilteringSettings other) => true;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
     public struct RendererList { [OwnBehaviour] public string What { get; set; } }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
     public struct RendererListParams : IEquatable<RendererListParams>
     {
         [OwnBehaviour] public string Pass { get; }
@@ -187,7 +174,6 @@ namespace UnityEngine.Rendering
 
     public partial struct ScriptableRenderContext
     {
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
         public static void EmitWorldGeometryForSceneView(Camera cullingCamera) { }
 
         public CullingResults Cull(ref ScriptableCullingParameters parameters)
@@ -239,7 +225,6 @@ namespace UnityEngine.Rendering
 
         public void SetGlobalVectorArray(int nameID, Vector4[] values) => Uniform(nameID, values.Clone());
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
         public void DrawRendererList(RendererList rendererList) =>
             Record(static (device, what) => device.Draw(what, 0), rendererList.What);
     }
@@ -247,10 +232,8 @@ namespace UnityEngine.Rendering
 
 namespace Unity.Collections
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
     public enum Allocator { Temp = 2 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
     public enum NativeArrayOptions { UninitializedMemory = 0, ClearMemory = 1 }
 
     public partial struct NativeArray<T>

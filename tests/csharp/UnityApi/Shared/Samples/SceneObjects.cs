@@ -14,7 +14,6 @@ namespace UnityEngine
         }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/UnityEngineObject.bindings.cs")]
     [Flags]
     public enum HideFlags { None = 0, HideInHierarchy = 1, HideAndDontSave = 61 }
 
@@ -26,10 +25,8 @@ namespace UnityEngine
         public GameObject gameObject => Owner;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
     public class MonoBehaviour : Behaviour { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
     public sealed partial class GameObject : Object
     {
         [OwnBehaviour] public List<Component> Components { get; } = new();
@@ -78,13 +75,10 @@ namespace UnityEngine
         public void SetParent(Transform parent, bool worldPositionStays) => Above = parent;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/BaseClass.cs")]
     public enum PrimitiveType { Sphere = 0, Capsule = 1, Cylinder = 2, Cube = 3, Plane = 4, Quad = 5 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     public sealed partial class MeshFilter : Component { public Mesh sharedMesh { get; set; } }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
     public partial class Renderer : Component
     {
         public Material sharedMaterial { get; set; }
@@ -92,22 +86,19 @@ namespace UnityEngine
         public bool receiveShadows { get; set; } = true;
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
     public partial class MeshRenderer : Renderer { }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.cs")]
     public sealed partial class Mesh : Object
     {
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public Mesh() { }
+        public Mesh() { }
 
         [OwnBehaviour] public bool Readable { get; set; } = true;
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public bool isReadable => Readable;
+        public bool isReadable => Readable;
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
         public IndexFormat indexFormat { get; set; }
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")] public Bounds bounds { get; set; }
+        public Bounds bounds { get; set; }
         public Vector3[] vertices { get; set; } = new Vector3[0];
         public int[] triangles { get; set; } = new int[0];
 
@@ -127,23 +118,18 @@ namespace UnityEngine
 
     public partial class Material
     {
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.cs")]
         public void SetColor(string name, Color value) { }
 
-        [ReadFrom(At.Engine, "engine", "Runtime/Export/Shaders/Material.cs")]
         public void SetFloat(string name, float value) { }
     }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Application/Application.bindings.cs")]
     public partial class Application { public static bool isPlaying { get; [OwnBehaviour] set; } }
 }
 
 namespace UnityEngine.Rendering
 {
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum ShadowCastingMode { Off = 0, On = 1, TwoSided = 2, ShadowsOnly = 3 }
 
-    [ReadFrom(At.Engine, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum IndexFormat { UInt16 = 0, UInt32 = 1 }
 }
 

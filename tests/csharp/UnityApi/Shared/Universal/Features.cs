@@ -1,6 +1,5 @@
 namespace UnityEngine.Rendering.Universal
 {
-    [ReadFrom(At.Universal, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class DisallowMultipleRendererFeature : Attribute
     {
@@ -9,7 +8,6 @@ namespace UnityEngine.Rendering.Universal
         public DisallowMultipleRendererFeature(string customTitle = null) { this.customTitle = customTitle; }
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRendererFeature.cs")]
     public abstract class ScriptableRendererFeature : ScriptableObject, IDisposable
     {
         public bool isActive { get; private set; } = true;
@@ -25,7 +23,6 @@ namespace UnityEngine.Rendering.Universal
         protected virtual void Dispose(bool disposing) { }
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRenderer.cs")]
     public abstract partial class ScriptableRenderer : IDisposable
     {
         [OwnBehaviour] protected ScriptableRenderer() { }
@@ -36,11 +33,9 @@ namespace UnityEngine.Rendering.Universal
         public void Dispose() { }
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [Flags]
     public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0, Normal = 1 << 1, Color = 1 << 2 }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     public enum RenderPassEvent
     {
         AfterRenderingPrePasses = 200, BeforeRenderingGbuffer = 210, AfterRenderingGbuffer = 220,
@@ -50,39 +45,31 @@ namespace UnityEngine.Rendering.Universal
 
 namespace UnityEngine.Rendering.Universal
 {
-    [ReadFrom(At.Universal, "universal", "Runtime/ScriptableRendererData.cs")]
     public abstract partial class ScriptableRendererData : ScriptableObject
     {
         public List<ScriptableRendererFeature> rendererFeatures { get; } = new();
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
     public enum CameraRenderType { Base, Overlay }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRenderer.cs")]
     public enum RenderingMode { Forward = 0, Deferred = 1, ForwardPlus = 2 }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRenderer.cs")]
     public enum DepthPrimingMode { Disabled = 0, Auto = 1, Forced = 2 }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/UniversalRendererData.cs")]
     public partial class UniversalRendererData : ScriptableRendererData
     {
         public RenderingMode renderingMode { get; set; }
         public DepthPrimingMode depthPrimingMode { get; set; }
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/UniversalAdditionalLightData.cs")]
     public partial class UniversalAdditionalLightData
     {
         public bool usePipelineSettings { get; set; }
         public SoftShadowQuality softShadowQuality { get; set; }
     }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public enum SoftShadowQuality { UsePipelineSettings, Low, Medium, High }
 
-    [ReadFrom(At.Universal, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
     public partial class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
         // Unity serializes this field.
