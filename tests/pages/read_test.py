@@ -97,19 +97,22 @@ class Speed(unittest.TestCase):
             validating.figures_of_speed({**RAW, "benchmarks": RAW["benchmarks"][:1]})
 
 
-HALF = ("{} programs on 4 sets of inputs each, seeds from {} on, 3 more not run; differences: 0, "
+HALF = ("{} programs by {} on 4 sets of inputs each, seeds from {} on, 3 more not run, 1 refused; differences: 0, "
         "largest distance of two floats: {} ULP; device: llvmpipe\n")
 
 
 class RandomPrograms(unittest.TestCase):
-    def test_halves_are_added(self):
-        results = validating.figures_of_programs("[ RUN ]\n" + HALF.format(250, 1, 1) + HALF.format(250, 1000001, 2))
-        self.assertEqual((results["programs"], results["not_run"], results["most_ulps"]), (500, 6, 2))
+    def test_halves_of_each_compiler_are_added(self):
+        results = validating.figures_of_programs(
+            "[ RUN ]\n" + HALF.format(250, "glslang", 1, 1) + HALF.format(250, "FXC", 1, 1) +
+            HALF.format(250, "glslang", 1000001, 2) + HALF.format(251, "FXC", 1000001, 1))
+        self.assertEqual([(one["compiler"], one["programs"], one["not_run"], one["refused"], one["most_ulps"])
+                          for one in results["compilers"]], [("glslang", 500, 6, 2, 2), ("FXC", 501, 6, 2, 1)])
         self.assertEqual(results["first_seeds"], [1, 1000001])
 
     def test_half_a_run_is_refused(self):
         with self.assertRaises(Problem):
-            validating.figures_of_programs(HALF.format(250, 1, 1))
+            validating.figures_of_programs(HALF.format(250, "glslang", 1, 1))
 
 
 LINE = "half: {} | texels | 0.0625 | {} | 40000 cases, two directions of depth | {}\n"

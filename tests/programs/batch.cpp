@@ -45,8 +45,32 @@ struct Fit {
   std::vector<Words> answers;  // answers for each set of inputs
 };
 
-std::optional<Fit> fit_program(std::uint32_t seed) {
+void leave_to_glslang(std::vector<Expression>& expressions) {
+  for (Expression& one : expressions) {
+    if (one.name == "round") one.name = "floor";
+    if (one.name == "fmod" || (one.name == "%" && one.type.base == Base::real)) {
+      one.kind = Expression::Kind::intrinsic;
+      one.name = "min";
+    }
+    leave_to_glslang(one.parts);
+  }
+}
+
+// Takes out what FXC is free to compute in another way, and does. It rounds halves of constants upward, and
+// those of other values to the nearest even number; its remainder of two floats is made of a quotient that is
+// rounded.
+void leave_to_glslang(std::vector<Statement>& body) {
+  for (Statement& statement : body) {
+    if (statement.name == "%=" && statement.parts[0].type.base == Base::real) statement.name = "=";
+    leave_to_glslang(statement.parts);
+    for (std::vector<Statement>& inner : statement.bodies) leave_to_glslang(inner);
+  }
+}
+
+std::optional<Fit> fit_program(std::uint32_t seed, Compiler compiler) {
   Fit fit{seed, random_program(seed, "p" + std::to_string(seed) + "_"), {}};
+  if (compiler == Compiler::fxc)
+    for (Function& function : fit.program.functions) leave_to_glslang(function.body);
   try {
     for (int set = 0; set < kSets; ++set) {
       const auto first = inputs().begin() + set * kInputs;
@@ -64,10 +88,12 @@ std::string described(const Fit& fit, const std::string& what) {
 
 class Batch {
  public:
+  explicit Batch(Compiler compiler) : compiler_(compiler) {}
+
   BatchResult run(std::uint32_t first, int count) {
     std::vector<Fit> together;
     for (std::uint32_t seed = first; result_.programs + static_cast<int>(together.size()) < count; ++seed) {
-      std::optional<Fit> fit = fit_program(seed);
+      std::optional<Fit> fit = fit_program(seed, compiler_);
       if (!fit) {
         ++result_.unfit;
         continue;
@@ -92,10 +118,12 @@ class Batch {
   void compare(const std::vector<const Fit*>& fits) {
     std::vector<const Program*> programs;
     for (const Fit* fit : fits) programs.push_back(&fit->program);
-    const DeviceRun device = run_on_device(programs, inputs());
-    if (!device.error.empty() && fits.size() == 1) {
+    const DeviceRun device = run_on_device(programs, inputs(), compiler_);
+    if (!device.refusal.empty() && fits.size() == 1) {
+      result_.refusals.push_back(described(*fits[0], device.refusal));
+    } else if (!device.error.empty() && fits.size() == 1) {
       result_.differences.push_back(described(*fits[0], device.error));
-    } else if (!device.error.empty()) {
+    } else if (!device.error.empty() || !device.refusal.empty()) {
       const auto middle = fits.begin() + static_cast<std::ptrdiff_t>(fits.size() / 2);
       compare({fits.begin(), middle});
       compare({middle, fits.end()});
@@ -125,13 +153,14 @@ class Batch {
     }
   }
 
+  Compiler compiler_;
   BatchResult result_;
 };
 
 }  // namespace
 
-BatchResult run_batch(std::uint32_t first, int count) {
-  return Batch().run(first, count);
+BatchResult run_batch(std::uint32_t first, int count, Compiler compiler) {
+  return Batch(compiler).run(first, count);
 }
 
 }  // namespace penumbra::programs

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "programs/device_run.h"
+
 namespace penumbra::programs {
 
 struct BatchResult {
@@ -12,11 +14,12 @@ struct BatchResult {
   int unfit = 0;     // programs whose results the language leaves open
   std::int64_t most_ulps = 0;
   std::vector<std::string> differences;  // messages with the seed and the text of the program
+  std::vector<std::string> refusals;     // the same of programs that FXC does not compile
 };
 
 // Runs the programs of the seeds from `first` on until there are `count`, on kSets sets of inputs each. A
-// program that does not compile is a difference.
-BatchResult run_batch(std::uint32_t first, int count);
+// program that glslang does not compile is a difference.
+BatchResult run_batch(std::uint32_t first, int count, Compiler compiler);
 
 inline constexpr int kSets = 4;
 

@@ -156,31 +156,39 @@ def speed_summary(results):
     return f"{machine(results)}\n\n{table(head, rows, 1)}"
 
 
-HALF = re.compile(r"^(\d+) programs on (\d+) sets of inputs each, seeds from (\d+) on, (\d+) more not run; "
-                  r"differences: (\d+), largest distance of two floats: (\d+) ULP; device: (.+)$", re.MULTILINE)
+HALF = re.compile(r"^(\d+) programs by (\w+) on (\d+) sets of inputs each, seeds from (\d+) on, (\d+) more not run, "
+                  r"(\d+) refused; differences: (\d+), largest distance of two floats: (\d+) ULP; device: (.+)$",
+                  re.MULTILINE)
+
+
+def of_compiler(compiler, halves):
+    if len(halves) != 2:
+        raise Problem(f"{len(halves)} halves by {compiler} in it instead of 2: run all of '*Half*'")
+    programs, unfit, refused, differences = (sum(int(half[at]) for half in halves) for at in (0, 4, 5, 6))
+    return {"compiler": compiler, "programs": programs, "not_run": unfit, "refused": refused,
+            "differences": differences, "most_ulps": max(int(half[7]) for half in halves)}
 
 
 def figures_of_programs(text):
     found = HALF.findall(text)
-    if len(found) != 2:
-        raise Problem(f"{len(found)} halves in it instead of 2: run all of '*Half*'")
-    if len({(half[1], half[6]) for half in found}) != 1:
+    if len({(half[2], half[8]) for half in found}) != 1:
         raise Problem("the halves are of different runs")
-    programs, unfit, differences = (sum(int(half[at]) for half in found) for at in (0, 3, 4))
-    return {"programs": programs, "input_sets": int(found[0][1]), "first_seeds": [int(half[2]) for half in found],
-            "not_run": unfit, "differences": differences, "most_ulps": max(int(half[5]) for half in found),
-            "device": found[0][6]}
+    return {"input_sets": int(found[0][2]), "first_seeds": [int(seed) for seed in dict.fromkeys(half[3] for half in found)],
+            "device": found[0][8],
+            "compilers": [of_compiler(compiler, [half for half in found if half[1] == compiler])
+                          for compiler in dict.fromkeys(half[1] for half in found)]}
 
 
 def random_programs(results):
-    row = [f"{results['programs']:,}", results["input_sets"], results["not_run"], results["differences"],
-           f"{results['most_ulps']} ULP"]
+    rows = [["FXC, its bytecode" if one["compiler"] == "FXC" else one["compiler"], f"{one['programs']:,}",
+             results["input_sets"], one["not_run"], one["refused"], one["differences"], f"{one['most_ulps']} ULP"]
+            for one in results["compilers"]]
     return (f"{results['device']}, seeds from {' and '.join(map(str, results['first_seeds']))} on. Command:"
-            f" `PENUMBRA_RANDOM_PROGRAMS={results['programs']} build/release/penumbra_programs_tests"
+            f" `PENUMBRA_RANDOM_PROGRAMS={results['compilers'][0]['programs']} build/release/penumbra_programs_tests"
             f" --gtest_filter='*Half*' > TEXT;"
             " scripts/pages --take programs TEXT`\n\n"
-            + table(["programs", "sets of inputs each", "left out", "differences", "largest distance of two floats"],
-                    [row], 0))
+            + table(["compiler", "programs", "sets of inputs each", "left out", "refused", "differences",
+                     "largest distance of two floats"], rows, 1))
 
 
 def take_speed(file):

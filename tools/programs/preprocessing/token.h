@@ -41,7 +41,7 @@ struct Place {
 // An error of the source, thrown inside this folder. A place with line 0 is filled in by the reader.
 class Problem : public std::runtime_error {
  public:
-  explicit Problem(const std::string& message, Place place = {}) : runtime_error(message), place(place) {}
+  explicit Problem(const std::string& message, Place at = {}) : runtime_error(message), place(at) {}
 
   Place place;
 };
