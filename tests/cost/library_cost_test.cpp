@@ -89,7 +89,6 @@ TEST(LibraryCost, IsTheCommittedOne) {
         measured.report.rows.begin(), measured.report.rows.end(),
         [&row](const CostRow& other) { return other.variants == row.variants && other.entry == row.entry; });
     ASSERT_NE(same, measured.report.rows.end()) << row_name(row) << " shares its module with others now";
-    EXPECT_EQ(same->spirv, row.spirv) << row_name(row);
     EXPECT_EQ(same->measured.subgroup_size, row.measured.subgroup_size) << row_name(row);
   }
 }

@@ -15,7 +15,6 @@ inline CostRow row(const std::string& family, std::vector<CostVariant> variants,
   made.entry = "Fragment";
   made.stage = "fragment";
   made.variants = std::move(variants);
-  made.spirv = {100, 60, 4, 10, 6};
   made.measured.subgroup_size = 64;
   made.measured.statistics = {{"Driver pipeline hash", 12345},
                               {"Instructions", instructions},

@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cost/cost_report.h"
-#include "cost/families.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
 
@@ -31,12 +30,6 @@ Json row_json(const CostRow& row) {
     of_variant["keywords"] = variant.keywords;
     json["variants"].push_back(std::move(of_variant));
   }
-  if (row.family != direct3d_family.name)
-    json["spirv"] = {{"instructions", row.spirv.instructions},
-                     {"alu", row.spirv.alu},
-                     {"texture", row.spirv.texture},
-                     {"memory", row.spirv.memory},
-                     {"control", row.spirv.control}};
   if (!row.measured.failure.empty()) {
     json["failure"] = row.measured.failure;
     return json;
@@ -68,17 +61,6 @@ std::uint64_t read_count(JsonObject& json, const std::string& key) {
   return static_cast<std::uint64_t>(number);
 }
 
-SpirvCounts read_spirv(JsonObject json) {
-  SpirvCounts counts;
-  counts.instructions = read_count(json, "instructions");
-  counts.alu = read_count(json, "alu");
-  counts.texture = read_count(json, "texture");
-  counts.memory = read_count(json, "memory");
-  counts.control = read_count(json, "control");
-  json.finish();
-  return counts;
-}
-
 Figures read_figures(JsonObject json) {
   Figures figures;
   for (const FigureName& name : figure_names())
@@ -103,7 +85,6 @@ CostRow read_row(JsonObject json) {
   row.entry = json.text("entry", "");
   row.stage = json.text("stage", "");
   row.variants = read_variants(json.objects("variants"));
-  row.spirv = read_spirv(json.object("spirv"));
   row.measured.failure = json.text("failure", "");
   row.measured.subgroup_size = static_cast<std::uint32_t>(read_count(json, "subgroup_size"));
   row.measured.figures = read_figures(json.object("figures"));

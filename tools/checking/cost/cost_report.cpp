@@ -94,14 +94,12 @@ std::string figure_text(const Figure& figure) {
   return figure ? std::to_string(*figure) : "-";
 }
 
-// A family's columns are every figure but those that are 0 in all its rows, the lanes of a subgroup and the
-// counts of SPIR-V.
+// A family's columns are every figure but those that are 0 in all its rows, and the lanes of a subgroup.
 std::vector<std::string> column_heads(const CostReport& report, const std::string& family) {
   std::vector<std::string> heads{"shader"};
   for (const FigureName& name : figure_names())
     if (shown(report, family, name)) heads.emplace_back(name.heading);
-  if (family == direct3d_family.name) return heads;
-  for (const char* head : {"lanes", "SPIR-V", "ALU", "texture"}) heads.emplace_back(head);
+  if (family != direct3d_family.name) heads.emplace_back("lanes");
   return heads;
 }
 
@@ -109,10 +107,7 @@ std::vector<std::string> column_cells(const CostReport& report, const CostRow& r
   std::vector<std::string> cells{row_name(row)};
   for (const FigureName& name : figure_names())
     if (shown(report, row.family, name)) cells.push_back(figure_text(row.measured.figures.*name.value));
-  if (row.family == direct3d_family.name) return cells;
-  for (const std::size_t count :
-       {std::size_t{row.measured.subgroup_size}, row.spirv.instructions, row.spirv.alu, row.spirv.texture})
-    cells.push_back(std::to_string(count));
+  if (row.family != direct3d_family.name) cells.push_back(std::to_string(row.measured.subgroup_size));
   return cells;
 }
 
@@ -155,8 +150,7 @@ std::size_t CostReport::failures() const {
 std::string cost_csv(const CostReport& report) {
   std::string text = "family,techniques,file,entry,stage,keywords";
   for (const FigureName& name : figure_names()) text.append(",").append(name.key);
-  text +=
-      ",subgroup_size,spirv_instructions,spirv_alu,spirv_texture,spirv_memory,spirv_control,failure,driver\n";
+  text += ",subgroup_size,failure,driver\n";
   for (const CostRow& row : report.rows) {
     std::string names;
     for (const std::string& name : technique_names(row)) names += (names.empty() ? "" : " ") + name;
@@ -168,9 +162,8 @@ std::string cost_csv(const CostReport& report) {
       const Figure& figure = row.measured.figures.*name.value;
       text += (figure ? std::to_string(*figure) : "") + ",";
     }
-    text += fmt::format("{},{},{},{},{},{},", row.measured.subgroup_size, row.spirv.instructions,
-                        row.spirv.alu, row.spirv.texture, row.spirv.memory, row.spirv.control);
-    text += csv_cell(row.measured.failure) + "," + csv_cell(driver_of(report, row.family)) + "\n";
+    text += std::to_string(row.measured.subgroup_size) + "," + csv_cell(row.measured.failure) + "," +
+            csv_cell(driver_of(report, row.family)) + "\n";
   }
   return text;
 }

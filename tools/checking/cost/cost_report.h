@@ -1,10 +1,9 @@
 // The costs of shaders, row by row: one row per GPU family and distinct module.
 //
 // The JSON is {"command", "driver", "compiler", "families": [{name, device, driver}], "rows": [{family, file,
-// entry, stage, variants: [{technique, keywords}], spirv: {instructions, alu, texture, memory, control},
-// subgroup_size, figures: {...}, statistics: {driver's name: value}} or, without figures, {..., failure}]}.
-// Rows of Direct3D's bytecode have no `spirv`. The same shaders, families and driver give the same bytes: it
-// contains no time, path of a machine or hash.
+// entry, stage, variants: [{technique, keywords}], subgroup_size, figures: {...}, statistics: {driver's name:
+// value}} or, without figures, {..., failure}]}. The same shaders, families and driver give the same bytes:
+// it contains no time, path of a machine or hash.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,6 @@
 #include <vector>
 
 #include "cost/null_radv.h"
-#include "cost/spirv_counts.h"
 
 namespace penumbra::cost {
 
@@ -31,7 +29,6 @@ struct CostRow {
   std::string entry;
   std::string stage;
   std::vector<CostVariant> variants;  // all variants that compile to this one module
-  SpirvCounts spirv;                  // 0 for Direct3D's bytecode
   Measurement measured;
 };
 

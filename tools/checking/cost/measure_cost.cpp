@@ -179,13 +179,7 @@ std::vector<CostRow> empty_rows(const std::string& family, const std::vector<Cos
   std::vector<CostRow> rows;
   rows.reserve(modules.size());
   for (const CostModule& module : modules)
-    rows.push_back({family,
-                    module.file,
-                    module.entry,
-                    hlsl::stage_name(module.stage),
-                    module.variants,
-                    module.compiled.counts,
-                    {}});
+    rows.push_back({family, module.file, module.entry, hlsl::stage_name(module.stage), module.variants, {}});
   return rows;
 }
 

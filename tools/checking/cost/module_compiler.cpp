@@ -22,7 +22,6 @@ CompiledModule compiled_by_glslang(const shaders::CompileRequest& request) {
   shaders::CompileResult result = shaders::compile(request);
   module.spirv = std::move(result.spirv);
   module.diagnostics = std::move(result.diagnostics);
-  if (!module.spirv.empty()) module.counts = count_spirv(module.spirv);
   return module;
 }
 
@@ -136,7 +135,6 @@ class Requests final : public platform::WorkSource {
 std::string encode(const CompiledModule& module) {
   platform::ByteWriter out;
   out.values(module.spirv);
-  out.value(module.counts);
   out.text(module.bytecode);
   out.value(module.direct3d);
   shaders::write(out, module.diagnostics);
@@ -147,7 +145,6 @@ CompiledModule decode_module(const std::string& bytes) {
   platform::ByteReader in(bytes);
   CompiledModule module;
   module.spirv = in.values<std::uint32_t>();
-  module.counts = in.value<SpirvCounts>();
   module.bytecode = in.text();
   module.direct3d = in.value<fxc::BytecodeCost>();
   module.diagnostics = shaders::read_diagnostics(in);

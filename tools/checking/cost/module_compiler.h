@@ -1,12 +1,11 @@
-// Compiles sources in worker processes, and counts the instructions there. Internal to this folder, except
-// for the worker's side.
+// Compiles sources in worker processes, and counts the instructions of bytecode there. Internal to this
+// folder, except for the worker's side.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "cost/spirv_counts.h"
 #include "fxc/bytecode.h"
 #include "hlsl/diagnostic.h"
 #include "platform/worker_pool.h"
@@ -18,9 +17,8 @@ enum class Compiler : std::uint64_t { glslang, fxc };
 
 struct CompiledModule {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error, or for FXC
-  SpirvCounts counts;
-  std::string bytecode;          // FXC's; empty when a diagnostic is an error, or for glslang
-  fxc::BytecodeCost direct3d{};  // cost of the bytecode
+  std::string bytecode;              // FXC's; empty when a diagnostic is an error, or for glslang
+  fxc::BytecodeCost direct3d{};      // cost of the bytecode
   std::vector<hlsl::Diagnostic> diagnostics;
 
   bool is_compiled() const { return !spirv.empty() || !bytecode.empty(); }
