@@ -26,38 +26,9 @@ Value find_name(JsonObject& object, const std::string& key, const std::string& g
   object.fail(key, "'" + key + "' cannot be '" + given + "'", unknown_name_remedy(given, known));
 }
 
-void read(JsonObject& urp, const std::string& key, std::optional<bool>& setting) {
-  if (urp.has(key)) setting = urp.boolean(key, false);
-}
-
 template <typename Value>
 void read(JsonObject& urp, const std::string& key, std::optional<Value>& setting, const Names<Value>& names) {
   if (urp.has(key)) setting = find_name(urp, key, urp.text(key, ""), names);
-}
-
-void read_switches(JsonObject& urp, UrpSettings& settings) {
-  read(urp, "main_light_shadows", settings.main_light_shadows);
-  read(urp, "screen_space_shadows", settings.screen_space_shadows);
-  read(urp, "additional_light_shadows", settings.additional_light_shadows);
-  read(urp, "soft_shadows", settings.soft_shadows);
-  read(urp, "light_layers", settings.light_layers);
-  read(urp, "light_cookies", settings.light_cookies);
-  read(urp, "reflection_probe_blending", settings.reflection_probe_blending);
-  read(urp, "reflection_probe_box_projection", settings.reflection_probe_box_projection);
-  read(urp, "mixed_lighting", settings.mixed_lighting);
-  read(urp, "lightmaps", settings.lightmaps);
-  read(urp, "directional_lightmaps", settings.directional_lightmaps);
-  read(urp, "realtime_lightmaps", settings.realtime_lightmaps);
-  read(urp, "accurate_gbuffer_normals", settings.accurate_gbuffer_normals);
-  read(urp, "render_pass", settings.render_pass);
-  read(urp, "decal_layers", settings.decal_layers);
-  read(urp, "write_rendering_layers", settings.write_rendering_layers);
-  read(urp, "fast_srgb_conversion", settings.fast_srgb_conversion);
-  read(urp, "lod_cross_fade", settings.lod_cross_fade);
-  read(urp, "debug_display", settings.debug_display);
-  read(urp, "gpu_instancing", settings.gpu_instancing);
-  read(urp, "dots_instancing", settings.dots_instancing);
-  read(urp, "depth_normals", settings.depth_normals);
 }
 
 void read_choices(JsonObject& urp, UrpSettings& settings) {
@@ -89,7 +60,8 @@ void read_choices(JsonObject& urp, UrpSettings& settings) {
 
 UrpSettings read_urp(JsonObject urp) {
   UrpSettings settings;
-  read_switches(urp, settings);
+  for (const UrpSwitch& known : urp_switches())
+    if (urp.has(known.name)) settings.*known.setting = urp.boolean(known.name, false);
   read_choices(urp, settings);
   if (urp.has("shadow_cascades")) {
     settings.shadow_cascades = urp.integer("shadow_cascades", 1);

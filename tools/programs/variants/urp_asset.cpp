@@ -6,33 +6,14 @@
 namespace penumbra::variants {
 namespace {
 
-struct Flag {
-  std::string_view name;
-  std::optional<bool> UrpSettings::*setting;
-};
-
-constexpr Flag flags[] = {
-    {"m_MainLightShadowsSupported", &UrpSettings::main_light_shadows},
-    {"m_AdditionalLightShadowsSupported", &UrpSettings::additional_light_shadows},
-    {"m_SoftShadowsSupported", &UrpSettings::soft_shadows},
-    {"m_SupportsLightLayers", &UrpSettings::light_layers},
-    {"m_SupportsLightCookies", &UrpSettings::light_cookies},
-    {"m_ReflectionProbeBlending", &UrpSettings::reflection_probe_blending},
-    {"m_ReflectionProbeBoxProjection", &UrpSettings::reflection_probe_box_projection},
-    {"m_MixedLightingSupported", &UrpSettings::mixed_lighting},
-    {"m_UseFastSRGBLinearConversion", &UrpSettings::fast_srgb_conversion},
-    {"m_EnableLODCrossFade", &UrpSettings::lod_cross_fade},
-    {"m_AccurateGbufferNormals", &UrpSettings::accurate_gbuffer_normals},
-};
-
 // LightRenderingMode: Disabled 0, PerVertex 2, PerPixel 1. RenderingMode: Forward 0, Deferred 1, ForwardPlus
 // 2, and from URP 17.1 DeferredPlus 3, which lights like Deferred and Forward+ at once, so nothing is
 // decided.
 bool read_field(const AssetField& field, const std::string& file, UrpSettings& settings,
                 bool& no_main_light) {
-  for (const Flag& flag : flags) {
-    if (field.name != flag.name) continue;
-    settings.*flag.setting = number_in(field, 1, file) == 1;
+  for (const UrpSwitch& known : urp_switches()) {
+    if (field.name != known.field) continue;
+    settings.*known.setting = number_in(field, 1, file) == 1;
     return true;
   }
   if (field.name == "m_MainLightRenderingMode") {

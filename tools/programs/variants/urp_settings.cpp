@@ -6,52 +6,66 @@
 namespace penumbra::variants {
 namespace {
 
-enum class WhenOn { both, always };
-
-struct Switch {
-  std::optional<bool> UrpSettings::*setting;
-  Keywords keywords;
-  WhenOn when_on;
-};
-
-const std::vector<Switch>& switches() {
-  static const std::vector<Switch> known{
-      {&UrpSettings::main_light_shadows,
-       {"_MAIN_LIGHT_SHADOWS", "_MAIN_LIGHT_SHADOWS_CASCADE"},
-       WhenOn::both},
-      {&UrpSettings::screen_space_shadows, {"_MAIN_LIGHT_SHADOWS_SCREEN"}, WhenOn::both},
-      {&UrpSettings::additional_light_shadows,
-       {"_ADDITIONAL_LIGHT_SHADOWS", "_CASTING_PUNCTUAL_LIGHT_SHADOW"},
-       WhenOn::both},
-      {&UrpSettings::soft_shadows,
-       {"_SHADOWS_SOFT", "_SHADOWS_SOFT_LOW", "_SHADOWS_SOFT_MEDIUM", "_SHADOWS_SOFT_HIGH"},
-       WhenOn::both},
-      {&UrpSettings::light_layers, {"_LIGHT_LAYERS"}, WhenOn::always},
-      {&UrpSettings::light_cookies, {"_LIGHT_COOKIES"}, WhenOn::both},
-      {&UrpSettings::reflection_probe_blending, {"_REFLECTION_PROBE_BLENDING"}, WhenOn::always},
-      {&UrpSettings::reflection_probe_box_projection, {"_REFLECTION_PROBE_BOX_PROJECTION"}, WhenOn::always},
-      {&UrpSettings::mixed_lighting,
-       {"LIGHTMAP_SHADOW_MIXING", "SHADOWS_SHADOWMASK", "_MIXED_LIGHTING_SUBTRACTIVE"},
-       WhenOn::both},
-      {&UrpSettings::lightmaps, {"LIGHTMAP_ON"}, WhenOn::both},
-      {&UrpSettings::directional_lightmaps, {"DIRLIGHTMAP_COMBINED"}, WhenOn::both},
-      {&UrpSettings::realtime_lightmaps, {"DYNAMICLIGHTMAP_ON"}, WhenOn::both},
-      {&UrpSettings::accurate_gbuffer_normals, {"_GBUFFER_NORMALS_OCT"}, WhenOn::always},
-      {&UrpSettings::render_pass, {"_RENDER_PASS_ENABLED"}, WhenOn::both},
-      {&UrpSettings::decal_layers, {"_DECAL_LAYERS"}, WhenOn::always},
-      {&UrpSettings::write_rendering_layers, {"_WRITE_RENDERING_LAYERS"}, WhenOn::both},
-      {&UrpSettings::fast_srgb_conversion, {"_USE_FAST_SRGB_LINEAR_CONVERSION"}, WhenOn::always},
-      {&UrpSettings::lod_cross_fade, {"LOD_FADE_CROSSFADE"}, WhenOn::both},
-      {&UrpSettings::debug_display, {"DEBUG_DISPLAY"}, WhenOn::both},
-      {&UrpSettings::gpu_instancing, {"INSTANCING_ON", "PROCEDURAL_INSTANCING_ON"}, WhenOn::both},
-      {&UrpSettings::dots_instancing, {"DOTS_INSTANCING_ON"}, WhenOn::both},
-  };
-  return known;
-}
-
 const Keywords forward_plus_keywords{"_FORWARD_PLUS", "_CLUSTERED_RENDERING", "_CLUSTER_LIGHT_LOOP"};
 const Keywords soft_keywords{"_SHADOWS_SOFT", "_SHADOWS_SOFT_LOW", "_SHADOWS_SOFT_MEDIUM",
                              "_SHADOWS_SOFT_HIGH"};
+
+}  // namespace
+
+const std::vector<UrpSwitch>& urp_switches() {
+  static const std::vector<UrpSwitch> all{
+      {&UrpSettings::main_light_shadows,
+       "main_light_shadows",
+       "m_MainLightShadowsSupported",
+       {"_MAIN_LIGHT_SHADOWS", "_MAIN_LIGHT_SHADOWS_CASCADE"}},
+      {&UrpSettings::screen_space_shadows, "screen_space_shadows", "", {"_MAIN_LIGHT_SHADOWS_SCREEN"}},
+      {&UrpSettings::additional_light_shadows,
+       "additional_light_shadows",
+       "m_AdditionalLightShadowsSupported",
+       {"_ADDITIONAL_LIGHT_SHADOWS", "_CASTING_PUNCTUAL_LIGHT_SHADOW"}},
+      {&UrpSettings::soft_shadows, "soft_shadows", "m_SoftShadowsSupported", soft_keywords},
+      {&UrpSettings::light_layers, "light_layers", "m_SupportsLightLayers", {"_LIGHT_LAYERS"}, true},
+      {&UrpSettings::light_cookies, "light_cookies", "m_SupportsLightCookies", {"_LIGHT_COOKIES"}},
+      {&UrpSettings::reflection_probe_blending,
+       "reflection_probe_blending",
+       "m_ReflectionProbeBlending",
+       {"_REFLECTION_PROBE_BLENDING"},
+       true},
+      {&UrpSettings::reflection_probe_box_projection,
+       "reflection_probe_box_projection",
+       "m_ReflectionProbeBoxProjection",
+       {"_REFLECTION_PROBE_BOX_PROJECTION"},
+       true},
+      {&UrpSettings::mixed_lighting,
+       "mixed_lighting",
+       "m_MixedLightingSupported",
+       {"LIGHTMAP_SHADOW_MIXING", "SHADOWS_SHADOWMASK", "_MIXED_LIGHTING_SUBTRACTIVE"}},
+      {&UrpSettings::lightmaps, "lightmaps", "", {"LIGHTMAP_ON"}},
+      {&UrpSettings::directional_lightmaps, "directional_lightmaps", "", {"DIRLIGHTMAP_COMBINED"}},
+      {&UrpSettings::realtime_lightmaps, "realtime_lightmaps", "", {"DYNAMICLIGHTMAP_ON"}},
+      {&UrpSettings::accurate_gbuffer_normals,
+       "accurate_gbuffer_normals",
+       "m_AccurateGbufferNormals",
+       {"_GBUFFER_NORMALS_OCT"},
+       true},
+      {&UrpSettings::render_pass, "render_pass", "", {"_RENDER_PASS_ENABLED"}},
+      {&UrpSettings::decal_layers, "decal_layers", "", {"_DECAL_LAYERS"}, true},
+      {&UrpSettings::write_rendering_layers, "write_rendering_layers", "", {"_WRITE_RENDERING_LAYERS"}},
+      {&UrpSettings::fast_srgb_conversion,
+       "fast_srgb_conversion",
+       "m_UseFastSRGBLinearConversion",
+       {"_USE_FAST_SRGB_LINEAR_CONVERSION"},
+       true},
+      {&UrpSettings::lod_cross_fade, "lod_cross_fade", "m_EnableLODCrossFade", {"LOD_FADE_CROSSFADE"}},
+      {&UrpSettings::debug_display, "debug_display", "", {"DEBUG_DISPLAY"}},
+      {&UrpSettings::gpu_instancing, "gpu_instancing", "", {"INSTANCING_ON", "PROCEDURAL_INSTANCING_ON"}},
+      {&UrpSettings::dots_instancing, "dots_instancing", "", {"DOTS_INSTANCING_ON"}},
+      {&UrpSettings::depth_normals, "depth_normals", "", {}},
+  };
+  return all;
+}
+
+namespace {
 
 class Clauses {
  public:
@@ -128,18 +142,30 @@ void add_screen_effects(const UrpSettings& settings, Clauses& clauses) {
   }
 }
 
+// Calls visit(result, other) for every setting that may be absent.
+template <typename Visit>
+void for_each_setting(UrpSettings& result, const UrpSettings& other, Visit visit) {
+  for (const UrpSwitch& known : urp_switches()) visit(result.*known.setting, other.*known.setting);
+  visit(result.shadow_cascades, other.shadow_cascades);
+  visit(result.additional_lights, other.additional_lights);
+  visit(result.fog, other.fog);
+  visit(result.rendering_mode, other.rendering_mode);
+  visit(result.decals, other.decals);
+  visit(result.decal_normal_blend, other.decal_normal_blend);
+  visit(result.ssao, other.ssao);
+  for (const std::string& mode : other.xr)
+    if (!contains(result.xr, mode)) result.xr.push_back(mode);
+}
+
 }  // namespace
 
 std::vector<Clause> clauses_of(const UrpSettings& settings, const std::string& said_by) {
   Clauses clauses(said_by);
-  for (const Switch& known : switches()) {
+  for (const UrpSwitch& known : urp_switches()) {
     const std::optional<bool> on = settings.*known.setting;
-    if (!on) continue;
-    if (!*on) {
-      clauses.forbid(known.keywords);
-    } else if (known.when_on == WhenOn::always) {
+    if (on == false) clauses.forbid(known.keywords);
+    if (on == true && known.always_when_on)
       for (const std::string& keyword : known.keywords) clauses.demand(keyword);
-    }
   }
   add_lights(settings, clauses);
   add_shadows(settings, clauses);
@@ -167,6 +193,22 @@ std::vector<std::string> unused_passes(const UrpSettings& settings) {
   add(decals != Decals::screen_space, {"DecalScreenSpaceMesh", "DecalScreenSpaceProjector"});
   add(decals != Decals::gbuffer, {"DecalGBufferMesh", "DecalGBufferProjector"});
   return passes;
+}
+
+UrpSettings widest(const UrpSettings& a, const UrpSettings& b) {
+  UrpSettings result = a;
+  for_each_setting(result, b, [](auto& mine, const auto& theirs) {
+    if (mine != theirs) mine.reset();
+  });
+  return result;
+}
+
+UrpSettings combined(const UrpSettings& a, const UrpSettings& b) {
+  UrpSettings result = a;
+  for_each_setting(result, b, [](auto& mine, const auto& theirs) {
+    if (theirs) mine = theirs;
+  });
+  return result;
 }
 
 }  // namespace penumbra::variants

@@ -115,6 +115,16 @@ struct UrpSettings {
   Keywords xr;  // the stereo keywords of stereo_set()
 };
 
+// A setting that is true or false: its names, and the keywords that no variant has where it is false.
+struct UrpSwitch {
+  std::optional<bool> UrpSettings::*setting;
+  const char* name;        // the key in JSON
+  std::string_view field;  // the field of URP's assets that holds it; empty if none does
+  Keywords keywords;
+  bool always_when_on = false;  // all variants have the keywords where it is true
+};
+const std::vector<UrpSwitch>& urp_switches();
+
 // said_by is the origin that messages name: the file.
 std::vector<Clause> clauses_of(const UrpSettings& settings, const std::string& said_by);
 
