@@ -1,6 +1,7 @@
 #include "validation/report.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,16 @@
 
 namespace penumbra::validation {
 namespace {
+
+// The names are in the order of the enumerators.
+constexpr std::array status_names{"passed", "failed", "absent", "unreached", "unchecked"};
+constexpr std::array form_names{"text", "json", "sarif", "junit", "github"};
+
+template <typename Value, std::size_t count>
+std::optional<Value> named(std::string_view name, const std::array<const char*, count>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::optional(static_cast<Value>(found - names.begin()));
+}
 
 // The verdict of each compiler on a variant, where it is known.
 struct Verdicts {
@@ -43,48 +54,19 @@ bool is_from_bytecode(const std::vector<hlsl::Diagnostic>& said) {
 }
 
 const char* status_name(VariantStatus status) {
-  switch (status) {
-    case VariantStatus::passed:
-      return "passed";
-    case VariantStatus::failed:
-      return "failed";
-    case VariantStatus::absent:
-      return "absent";
-    case VariantStatus::unreached:
-      return "unreached";
-    case VariantStatus::unchecked:
-      break;
-  }
-  return "unchecked";
+  return status_names.at(static_cast<std::size_t>(status));
 }
 
 std::optional<VariantStatus> find_status(std::string_view name) {
-  for (const VariantStatus status : {VariantStatus::passed, VariantStatus::failed, VariantStatus::absent,
-                                     VariantStatus::unreached, VariantStatus::unchecked})
-    if (name == status_name(status)) return status;
-  return std::nullopt;
+  return named<VariantStatus>(name, status_names);
 }
 
 const char* form_name(ReportForm form) {
-  switch (form) {
-    case ReportForm::text:
-      return "text";
-    case ReportForm::json:
-      return "json";
-    case ReportForm::sarif:
-      return "sarif";
-    case ReportForm::junit:
-      return "junit";
-    case ReportForm::github:
-      break;
-  }
-  return "github";
+  return form_names.at(static_cast<std::size_t>(form));
 }
 
 std::optional<ReportForm> find_report_form(std::string_view name) {
-  for (const ReportForm form : all_report_forms)
-    if (name == form_name(form)) return form;
-  return std::nullopt;
+  return named<ReportForm>(name, form_names);
 }
 
 std::size_t ValidationReport::count(VariantStatus status) const {

@@ -15,23 +15,11 @@ namespace penumbra::techniques {
 
 namespace {
 
-std::string extent(ExtentOf extent) {
-  switch (extent) {
-    case ExtentOf::screen:
-      return "Screen";
-    case ExtentOf::map:
-      return "Map";
-    case ExtentOf::tile:
-      return "Tile";
-    case ExtentOf::fixed:
-      break;
-  }
-  return "Fixed";
-}
-
 std::string texture_row(const GraphTexture& texture) {
   TableRow row("texture");
-  row.add(texture.name).add(extent(texture.extent)).add(find_texel_format(texture.format)->unity);
+  row.add(texture.name)
+      .add(csharp_name(name_of(texture.extent)))
+      .add(find_texel_format(texture.format)->unity);
   row.option("divisor", texture.divisor, 1);
   if (texture.extent == ExtentOf::fixed)
     row.option("width", texture.size[0], 0)

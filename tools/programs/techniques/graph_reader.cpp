@@ -13,8 +13,9 @@ namespace {
 
 // Returns the value of that name: the schema lets no other name through.
 template <typename Value>
-Value of_name(const std::string& name, const std::vector<Value>& values) {
-  return *std::find_if(values.begin(), values.end(), [&](Value value) { return name == name_of(value); });
+Value of_name(const std::string& name) {
+  return static_cast<Value>(std::find(names_of<Value>.begin(), names_of<Value>.end(), name) -
+                            names_of<Value>.begin());
 }
 
 std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {
@@ -34,8 +35,7 @@ GraphTexture read_texture(JsonObject object) {
   texture.name = object.text("name", "");
   texture.where = object.where("name");
   texture.previous_of = object.text("previous_of", "");
-  texture.extent = of_name<ExtentOf>(object.text("extent", name_of(ExtentOf::screen)),
-                                     {ExtentOf::screen, ExtentOf::map, ExtentOf::tile, ExtentOf::fixed});
+  texture.extent = of_name<ExtentOf>(object.text("extent", name_of(ExtentOf::screen)));
   texture.divisor = object.integer("divisor", 1);
   read_numbers(object, "size", texture.size);
   texture.format = object.text("format", texture.format);
@@ -78,10 +78,8 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
   GraphPass pass;
   pass.name = object.text("name", "");
   pass.where = object.where("name");
-  pass.kind = of_name<PassKind>(object.text("kind", ""),
-                                {PassKind::filter, PassKind::raster, PassKind::casters, PassKind::compute});
-  pass.frequency = of_name<Frequency>(object.text("runs", name_of(Frequency::frame)),
-                                      {Frequency::frame, Frequency::cascade, Frequency::bake});
+  pass.kind = of_name<PassKind>(object.text("kind", ""));
+  pass.frequency = of_name<Frequency>(object.text("runs", name_of(Frequency::frame)));
   if (object.has("filter")) pass.filter = read_filter(object.object("filter"), list, files);
   if (pass.kind != PassKind::filter) {
     const bool kernel = pass.kind == PassKind::compute;
@@ -101,9 +99,7 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
     pass.stencil = object.text("stencil", "");
     pass.absent = read_absent(object, pass);
     pass.depth = object.text("depth", "");
-    pass.casters =
-        of_name<DrawnCasters>(object.text("casters", name_of(DrawnCasters::opaque)),
-                              {DrawnCasters::opaque, DrawnCasters::blended, DrawnCasters::volumes});
+    pass.casters = of_name<DrawnCasters>(object.text("casters", name_of(DrawnCasters::opaque)));
     pass.each_mip = object.boolean("each_mip", false);
     pass.groups = read_groups(object.object("groups"));
   }
@@ -141,7 +137,7 @@ void add_once(std::vector<Need>& needs, Need need) {
 }
 
 void read_needs(JsonObject& object, std::vector<Need>& needs) {
-  for (const std::string& name : object.texts("needs")) add_once(needs, of_name(name, all_needs()));
+  for (const std::string& name : object.texts("needs")) add_once(needs, of_name<Need>(name));
 }
 
 void add(PassGraph& graph, const PassGraph& part) {

@@ -83,74 +83,8 @@ bool changes(const GraphPass& pass, const std::string& name) {
   return std::find(pass.updates.begin(), pass.updates.end(), name) != pass.updates.end();
 }
 
-const char* name_of(Need need) {
-  switch (need) {
-    case Need::ground_heights:
-      return "groundHeights";
-    case Need::horizon_angles:
-      return "horizonAngles";
-    case Need::distance_fields:
-      return "distanceFields";
-    case Need::noise_mask:
-      break;
-  }
-  return "noiseMask";
-}
-
 std::vector<Need> all_needs() {
   return {Need::ground_heights, Need::horizon_angles, Need::distance_fields, Need::noise_mask};
-}
-
-const char* name_of(ExtentOf extent) {
-  switch (extent) {
-    case ExtentOf::screen:
-      return "screen";
-    case ExtentOf::map:
-      return "map";
-    case ExtentOf::tile:
-      return "tile";
-    case ExtentOf::fixed:
-      break;
-  }
-  return "fixed";
-}
-
-const char* name_of(Frequency frequency) {
-  switch (frequency) {
-    case Frequency::bake:
-      return "bake";
-    case Frequency::cascade:
-      return "cascade";
-    case Frequency::frame:
-      break;
-  }
-  return "frame";
-}
-
-const char* name_of(PassKind kind) {
-  switch (kind) {
-    case PassKind::filter:
-      return "filter";
-    case PassKind::raster:
-      return "raster";
-    case PassKind::casters:
-      return "casters";
-    case PassKind::compute:
-      break;
-  }
-  return "compute";
-}
-
-const char* name_of(DrawnCasters casters) {
-  switch (casters) {
-    case DrawnCasters::blended:
-      return "blended";
-    case DrawnCasters::volumes:
-      return "volumes";
-    case DrawnCasters::opaque:
-      break;
-  }
-  return "opaque";
 }
 
 bool FilterCall::takes(const std::string& argument) const {

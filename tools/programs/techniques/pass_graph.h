@@ -69,11 +69,6 @@ enum class DrawnCasters { opaque, blended, volumes };
 
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
 
-const char* name_of(ExtentOf extent);  // the name in manifests
-const char* name_of(Frequency frequency);
-const char* name_of(PassKind kind);
-const char* name_of(DrawnCasters casters);
-
 // The number of groups of threads with which a kernel is started.
 struct GroupCount {
   std::array<int, 3> fixed{};  // if all are 0, the number is not fixed
@@ -125,8 +120,26 @@ enum class Need {
   noise_mask,       // parameters/noise_mask.h: noise that is even over pixels and over frames
 };
 
-const char* name_of(Need need);  // the name in manifests
 std::vector<Need> all_needs();
+
+// The names in manifests, in the order of the enumerators.
+template <typename Value>
+inline constexpr std::nullptr_t names_of = nullptr;
+template <>
+inline constexpr std::array names_of<ExtentOf>{"screen", "map", "tile", "fixed"};
+template <>
+inline constexpr std::array names_of<PassKind>{"filter", "raster", "casters", "compute"};
+template <>
+inline constexpr std::array names_of<DrawnCasters>{"opaque", "blended", "volumes"};
+template <>
+inline constexpr std::array names_of<Frequency>{"bake", "cascade", "frame"};
+template <>
+inline constexpr std::array names_of<Need>{"groundHeights", "horizonAngles", "distanceFields", "noiseMask"};
+
+template <typename Value>
+requires(names_of<Value>.size() > 0) constexpr const char* name_of(Value value) {
+  return names_of<Value>.at(static_cast<std::size_t>(value));
+}
 
 struct PassGraph {
   std::vector<GraphTexture> textures;
