@@ -111,10 +111,10 @@ class StructureParser {
     } else if (cursor_.take_word("Dependency")) {
       dependency();
     } else if (cursor_.take_word("CustomEditor")) {
-      shader_.custom_editors.push_back({cursor_.expect_text("the name of the editor's class"), {}});
+      cursor_.expect_text("the name of the editor's class");
     } else if (cursor_.take_word("CustomEditorForRenderPipeline")) {
-      const Name editor = cursor_.expect_text("the name of the editor's class");
-      shader_.custom_editors.push_back({editor, cursor_.expect_text("the pipeline asset's class")});
+      cursor_.expect_text("the name of the editor's class");
+      cursor_.expect_text("the pipeline asset's class");
     } else {
       other(owner, {"Properties", "SubShader", "Category", "Fallback", "Dependency", "CustomEditor"});
     }
@@ -122,16 +122,14 @@ class StructureParser {
 
   void fallback() {
     if (cursor_.take_word("Off")) return;
-    shader_.fallback = cursor_.expect_text("Off or a shader's name");
+    cursor_.expect_text("Off or a shader's name");
     if (cursor_.take_punctuation(',')) cursor_.expect_number("the fallback's level of detail");
   }
 
   void dependency() {
-    Dependency dependency;
-    dependency.role = cursor_.expect_text("what the dependency is for");
-    cursor_.expect_mark('=', "after " + dependency.role.text);
-    dependency.shader = cursor_.expect_text("the shader depended on");
-    shader_.dependencies.push_back(std::move(dependency));
+    const Name role = cursor_.expect_text("what the dependency is for");
+    cursor_.expect_mark('=', "after " + role.text);
+    cursor_.expect_text("the shader depended on");
   }
 
   void category(int parent, int depth) {
@@ -215,9 +213,9 @@ class StructureParser {
     if (cursor_.take_word("Tags")) {
       tags(settings.tags);
     } else if (cursor_.take_word("LOD")) {
-      settings.lod = cursor_.expect_number("a number for LOD");
+      cursor_.expect_number("a number for LOD");
     } else if (cursor_.take_word("PackageRequirements")) {
-      requirements(settings.requirements);
+      requirements();
     } else if (cursor_.at_word("Name")) {  // Unity reads one here, too: shaders of TextMesh Pro have it
       cursor_.warn(cursor_.take().place, "this Name is in no Pass and names nothing");
       cursor_.expect_text("the name");
@@ -246,14 +244,12 @@ class StructureParser {
     }
   }
 
-  void requirements(std::vector<PackageRequirement>& requirements) {
+  void requirements() {
     cursor_.expect_mark('{', "after PackageRequirements");
     while (!cursor_.take_punctuation('}')) {
       if (!cursor_.at(Token::Kind::string)) cursor_.fail("a package in quotes or '}' in PackageRequirements");
-      PackageRequirement requirement{name_of(cursor_.take()), {}};
-      if (cursor_.take_punctuation(':'))
-        requirement.versions = cursor_.expect_text("the versions of " + requirement.package.text);
-      requirements.push_back(std::move(requirement));
+      const Name package = name_of(cursor_.take());
+      if (cursor_.take_punctuation(':')) cursor_.expect_text("the versions of " + package.text);
     }
   }
 

@@ -81,9 +81,9 @@ class PropertyParser {
 
   void range() {
     cursor_.expect_mark('(', "after Range");
-    property_.range_minimum = cursor_.expect_number("the least value of the Range");
+    cursor_.expect_number("the least value of the Range");
     cursor_.expect_mark(',', "between the values of the Range");
-    property_.range_maximum = cursor_.expect_number("the largest value of the Range");
+    cursor_.expect_number("the largest value of the Range");
     cursor_.expect_mark(')', "after the values of the Range");
   }
 
@@ -111,7 +111,7 @@ class PropertyParser {
 
   // In "white" {}, the braces once held options of fixed-function texturing.
   void texture() {
-    property_.default_texture = cursor_.expect_text("the default texture of " + property_.name.text).text;
+    cursor_.expect_text("the default texture of " + property_.name.text);
     if (!cursor_.at_punctuation('{')) return;
     const int line = cursor_.take().place.line;
     while (!cursor_.take_punctuation('}')) {

@@ -1,4 +1,5 @@
-// The syntax tree of a .shader file, with the location of everything in it.
+// The syntax tree of a .shader file, with the location of everything in it. Editors, dependencies, the
+// fallback and the requirements of packages are read and not kept: nothing here depends on them.
 //
 // Lines and columns are 1-based and count the bytes of the normalised text (hlsl::normalise_source); an
 // offset counts the same bytes from 0. Names keep the file's spelling. Based on Unity's ShaderLab reference,
@@ -59,18 +60,10 @@ struct Tag {
   Name value;
 };
 
-// An entry of PackageRequirements { "com.unity.render-pipelines.universal": "[10.2,10.4]" }.
-struct PackageRequirement {
-  Name package;
-  Name versions;  // empty when any version will do
-};
-
 // The settings that Pass, SubShader and Category have in common.
 struct Settings {
   std::vector<Tag> tags;
   std::vector<Command> commands;
-  std::vector<PackageRequirement> requirements;
-  std::optional<double> lod;
 };
 
 struct Pass {
@@ -108,24 +101,9 @@ struct Property {
   Name name;
   std::string display_name;
   PropertyType type = PropertyType::float_;
-  std::string type_name;  // "2D", "CubeArray", "Range", as written
-  double range_minimum = 0;
-  double range_maximum = 0;
+  std::string type_name;                // "2D", "CubeArray", "Range", as written
   std::vector<double> default_numbers;  // one for scalars, as many as written for Color and Vector
-  std::string default_texture;          // "white"
   std::vector<Attribute> attributes;
-};
-
-// A dependency: Dependency "BaseMapShader" = "Other/Shader".
-struct Dependency {
-  Name role;
-  Name shader;
-};
-
-// An editor: CustomEditorForRenderPipeline "Editor" "PipelineAsset"; CustomEditor has no pipeline.
-struct CustomEditor {
-  Name editor;
-  Name pipeline;
 };
 
 struct Shader {
@@ -136,9 +114,6 @@ struct Shader {
   std::vector<Category> categories;
   std::vector<SubShader> sub_shaders;
   std::vector<CodeBlock> includes;  // HLSLINCLUDE and similar blocks, wherever they are
-  Name fallback;                    // empty when there is none or it is Off
-  std::vector<Dependency> dependencies;
-  std::vector<CustomEditor> custom_editors;
 };
 
 // Returns the tag's value, or nullptr; keys are compared as Unity does, by case.
