@@ -78,14 +78,6 @@ TEST_F(MeasureSweep, AgesOfTheMapAreMeasuredSideBySide) {
   EXPECT_EQ(run(small({"--map-age", "11"})).exit_code, 2);
 }
 
-TEST_F(MeasureSweep, OptionsOfCascadesAreNotForSpotLights) {
-  for (const auto& [option, value] :
-       {std::pair("--map-age", "0.1"), {"--light-fit", "casters"}, {"--cascade-blend", "mix"}}) {
-    expect_bad_input({"measure", "--scene", "spot-table", option, value},
-                     HasSubstrs(option, "a scene with a spot light has no cascades"));
-  }
-}
-
 TEST_F(MeasureSweep, WhatCannotBeSetIsRefusedBeforeAnythingIsMeasured) {
   expect_bad_input(small({"--technique", "pcss-angular-24-16", "--set", "blockerSample=2"}),
                    HasSubstr("did you mean 'blockerSamples'?"));

@@ -123,11 +123,6 @@ TEST_F(LitFrames, WhatDoesNotFitIsRefused) {
   const scene::Frame frame = hand_made::frame_of(scene_, 9, 9);
   EXPECT_THROW(lit(frame, 2), InputError);
   EXPECT_THROW(lit(frame, 0), InputError);
-  scene::Scene lamp = scene_;
-  lamp.spot_light.emplace();
-  LitSettings single;
-  single.supersampling = 1;
-  EXPECT_THROW(LitFrame(lamp, frame, single, [](auto&&...) {}), InputError);
   EXPECT_THROW(lit(frame, 1).picture(std::vector<float>(80)), std::invalid_argument);
 }
 

@@ -271,11 +271,7 @@ class Classified : public testing::TestWithParam<bool> {
 };
 
 std::vector<std::string> drawable_scenes() {
-  std::vector<std::string> names;
-  for (const std::string& name : scene::all_built_in_names())
-    if (const std::vector<std::string> spots = scene::spot_scene_names();
-        std::find(spots.begin(), spots.end(), name) == spots.end())
-      names.push_back(name);
+  std::vector<std::string> names = scene::all_built_in_names();
   for (const scene::PackageModel& model : scene::package_models())
     if (std::filesystem::exists(std::filesystem::path("/usr/share") / model.file))
       names.push_back("package:" + model.name);

@@ -41,7 +41,7 @@ class FogScene {
   FogScene(const std::string& name, int cascades, bool reversed_z)
       : scene_(scene::built_in(name)),
         embree_(scene_),
-        tracer_(embree_, reference::LightSource(sun_centre(scene_)), 32, 1),
+        tracer_(embree_, sun_centre(scene_), 32, 1),
         reversed_z_(reversed_z) {
     scene::FrameSettings settings;
     settings.shadows.cascades = cascades;

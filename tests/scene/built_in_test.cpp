@@ -29,7 +29,6 @@ TEST_P(BuiltIn, IsTheSameToTheByteEverywhere) {
       {"colonnade", "d94d04e26d0482d9764c2b41bf00fa3f46f6fd9af24f6773ef354007c59caf94"},
       {"street", "b9e85a3580ae0e28f5dd4390ae4fc01b931d0e855e5a42e7e3c108c95c223da1"},
       {"garden", "49b06af10b503e49e1b7ae199d654ad2f4f585cf34a914bef63b25f7e6f3783d"},
-      {"spot-table", "7036c8ed6c27e2f7f886de8597257e939b7839b5306a0939e9863d7f9d460480"},
       {"overlaps", "efc34cebca352a9fbad7c5ad2f81915c63bda66fcc9027108b3dd703caeeed3f"},
       {"wires-and-smoke", "9fbabed107752ad0e99b9e0256d90efb4b09dc7d368905858f68116c56806577"},
   };
@@ -81,7 +80,6 @@ TEST_P(BuiltIn, IsOfASizeAPersonWouldExpectAndAffordable) {
   EXPECT_GE(bounds.minimum.y, -0.01) << "nothing lies below the ground";
   EXPECT_GT(bounds.maximum.y, 2.5);
   EXPECT_LT(bounds.maximum.y, 15.0);
-  if (scene.spot_light) return;  // a room is as deep as it is
   EXPECT_GE(bounds.maximum.z, scene.camera.position.z + scene.shadow_distance_metres);
 }
 
@@ -95,15 +93,7 @@ TEST_P(BuiltIn, LooksFromHumanHeightAboveWhatTheCameraStandsOn) {
   EXPECT_GT(first_hit(scene.mesh, eye, scene.camera.forward), 1.0) << "something stands before the lens";
 }
 
-TEST_P(BuiltIn, HasASunAboveTheHorizonOrALampAboveTheRoom) {
-  if (scene.spot_light) {
-    const parameters::SpotLight& lamp = *scene.spot_light;
-    EXPECT_NO_THROW(parameters::check_spot_light(lamp));
-    EXPECT_LT(lamp.direction.y, -0.3);
-    EXPECT_GT(first_hit(scene.mesh, lamp.position, glm::normalize(lamp.direction)), 1.0)
-        << "something hangs before the lamp";
-    return;
-  }
+TEST_P(BuiltIn, HasASunAboveTheHorizon) {
   EXPECT_NEAR(glm::length(scene.light_direction), 1.0, 1e-9);
   EXPECT_LT(scene.light_direction.y, -0.3);
 }
@@ -121,12 +111,7 @@ TEST_P(BuiltIn, ShowsLightAndShadow) {
     const double distance = first_hit(scene.mesh, scene.camera.position, ray);
     if (distance > scene.shadow_distance_metres) continue;
     const glm::dvec3 seen = scene.camera.position + (distance - 1e-3) * ray;
-    if (!scene.spot_light) {
-      (std::isinf(first_hit(scene.mesh, seen, -scene.light_direction)) ? lit : shadowed)++;
-      continue;
-    }
-    const glm::dvec3 way = scene.spot_light->position - seen;
-    (first_hit(scene.mesh, seen, glm::normalize(way)) > glm::length(way) ? lit : shadowed)++;
+    (std::isinf(first_hit(scene.mesh, seen, -scene.light_direction)) ? lit : shadowed)++;
   }
   EXPECT_GT(lit, 15);
   EXPECT_GT(shadowed, 15);
@@ -134,9 +119,8 @@ TEST_P(BuiltIn, ShowsLightAndShadow) {
 
 // landscape_test.cpp has the others.
 std::vector<std::string> names_with_near_shadows() {
-  std::vector<std::string> names = built_in_names();
-  for (const auto& more : {spot_scene_names(), blended_scene_names(), overlap_scene_names()})
-    names.insert(names.end(), more.begin(), more.end());
+  std::vector<std::string> names = all_built_in_names();
+  std::erase_if(names, [](const std::string& name) { return name.starts_with("valley"); });
   return names;
 }
 

@@ -115,31 +115,6 @@ TEST_F(RasterisedFrame, TheMapIsOpenWhereACutOutIs) {
   }
 }
 
-// The light's map is in perspective, so coordinates are interpolated by the depth.
-TEST_F(RasterisedFrame, ASpotLightsMapIsOpenWhereACutOutIs) {
-  for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
-    Scene scene = card_scene(one.cut_out);
-    scene.spot_light.emplace();
-    scene.spot_light->position = {-0.5, 4.5, 4.0};
-    scene.spot_light->direction = {0.2, -1.0, 0.8};
-    scene.spot_light->outer_angle_degrees = 90.0;
-    scene.spot_light->range_metres = 20.0;
-    const Frame frame = rasterise(*device, scene, unbiased_settings(false, DepthFormat::d32, 1));
-    const glm::dmat4 to_world = glm::inverse(frame.spot_shadow->world_to_shadow);
-    const glm::dvec3 light = scene.spot_light->position;
-    const auto caster = [&](int column, int row) {
-      const glm::dvec4 homogeneous =
-          to_world * glm::dvec4((column + 0.5) / frame.atlas.width, (row + 0.5) / frame.atlas.height,
-                                frame.atlas.depth[texel_index(row, frame.atlas.width, column)], 1.0);
-      return glm::dvec3(homogeneous) / homogeneous.w;
-    };
-    expect_card(
-        scene, one, frame.atlas.width, frame.atlas.height, 400, 400, 40,
-        [&](int column, int row) { return kCard.uv(light, caster(column, row) - light); },
-        [&](int column, int row) { return is_on_card(caster(column, row)); });
-  }
-}
-
 TEST_F(RasterisedFrame, TheCameraSeesThroughOpenings) {
   for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
     const Scene scene = card_scene(one.cut_out);

@@ -71,7 +71,8 @@ TEST_P(Landscape, LooksFromAboveTheGroundUnderASunOfItsElevation) {
   EXPECT_GT(scene.camera.far_plane, scene.seen_distance_metres);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Landscape, testing::ValuesIn(landscape_scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, Landscape,
+                         testing::Values("valley-5", "valley-20", "valley-20-clouds", "valley-45"),
                          [](const auto& test) { return as_identifier(test.param); });
 
 }  // namespace

@@ -31,7 +31,6 @@ TEST_F(SceneMessage, GivesBackAllOfAScene) {
   scene.materials[0].cut_out = CutOut{
       AlphaPattern::leaf, 0, TextureChannel::red, TextureWrap::mirror, TextureWrap::clamp, 0.75F, 0.25F,
       AlphaMode::blended};
-  scene.spot_light = parameters::SpotLight{.position = {1.0, 2.0, 3.0}, .source_radius_metres = 0.2};
   const Scene back = decode_scene(encode(scene));
   EXPECT_EQ(content_hash(back), content_hash(scene));
   EXPECT_EQ(back.name, scene.name);
@@ -117,8 +116,6 @@ TEST_F(SceneMessage, WhatNoImportSaysIsRefused) {
       {"a texture whose size is out of range", [](Scene& scene) { scene.textures[0].width = -2; }},
       {"a scene without materials", [](Scene& scene) { scene.materials.clear(); }},
       {"a position or direction that is not finite", [nan](Scene& scene) { scene.camera.position.x = nan; }},
-      {"the spot light's range is nan",
-       [nan](Scene& scene) { scene.spot_light.emplace().range_metres = nan; }},
       {"a camera value that is not positive and finite", [](Scene& scene) { scene.camera.far_plane = 0.0; }},
   };
   for (const auto& [problem, change] : changes) {

@@ -390,7 +390,6 @@ TEST(ShadowVolume, RefusesWhatHasNone) {
   EXPECT_THAT(with(as_it_is, {0, 0, 0}), HasSubstr("without a direction"));
   EXPECT_THAT(with(as_it_is, {nan, 1, 0}), HasSubstr("without a direction"));
   EXPECT_THAT(with(as_it_is, {0, -1e39, 0}), HasSubstr("range of a float"));
-  EXPECT_THAT(refused([] { (void)shadow_volume(built_in("spot-table")); }), HasSubstr("'spot-table'"));
 }
 
 TEST(ShadowVolume, OfEveryBuiltInSceneIsClosedAndLeavesItsBounds) {

@@ -31,69 +31,10 @@ TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
   EXPECT_EQ(technique_subject(library_techniques(), own, true).raster_bias, (scene::RasterBias{1.0, 0.5}));
 }
 
-TEST(OwnSettings, ALightOfTheOtherKindIsRefusedBeforeAnyWork) {
-  StudySettings settings = SmallStudy(scene::built_in("contact-boxes"), 2.0, 96, 54).settings;
-  settings.scenes[0].spot_light.emplace();
-  const auto run = [&] {
-    run_study(test_device(), {subject("tent-7", "a")}, settings, [](auto&&...) { FAIL() << "it began"; });
-  };
-  EXPECT_THAT(run, testing::ThrowsMessage<InputError>(testing::HasSubstr(
-                       "scene 'contact-boxes' is lit by a spot light, and 'a' runs for the sun")));
-  const auto make = [](const char* technique, techniques::LightKind light) {
-    return [technique, light] { library_subject(technique, light); };
-  };
-  EXPECT_THAT(make("pcss-angular-24-16", techniques::LightKind::spot),
+TEST(OwnSettings, ATechniqueForSpotLightsIsRefused) {
+  EXPECT_THAT([] { library_subject("pcss-spot-24-16"); },
               testing::ThrowsMessage<InputError>(
-                  testing::HasSubstr("the technique 'pcss-angular-24-16' is not for spot lights")));
-  EXPECT_THAT(make("pcss-spot-24-16", techniques::LightKind::directional),
-              testing::ThrowsMessage<InputError>(
-                  testing::HasSubstr("the technique 'pcss-spot-24-16' is not for the sun")));
-  settings.scenes.push_back(scene::built_in("trees"));
-  EXPECT_THAT(
-      [&] { light_kind(settings.scenes); },
-      testing::ThrowsMessage<InputError>(testing::HasSubstr("measure the two kinds of light in two runs")));
-  settings.scenes.pop_back();
-  settings.split_error = true;
-  const Subject spot = library_subject("tent-5", techniques::LightKind::spot);
-  EXPECT_THAT([&] { run_study(test_device(), {spot}, settings, [](auto&&...) {}); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("--no-split")));
-}
-
-TEST(OwnSettings, ASpotLightsSourceIsAsWideAsTheStudySays) {
-  SmallStudy study(scene::built_in("spot-table"), 1.0, 160, 90);
-  study.settings.light_degrees.push_back(8.0);
-  study.settings.frame.shadows.resolution = 512;
-  ASSERT_EQ(study.settings.frame.shadows.cascades, 4) << "the sun's maps; a spot light has one";
-  std::vector<Subject> subjects;
-  for (const char* name : {"hard", "tent-5-plane", "pcss-spot-24-16"})
-    subjects.push_back(library_subject(name, techniques::LightKind::spot));
-  const StudyOutcome outcome = study.run(subjects);
-  ASSERT_EQ(outcome.frames.size(), 2U);
-  ASSERT_EQ(outcome.records.size(), 6U);
-  EXPECT_NEAR(outcome.frames[0].source_radius_metres.value(), 0.008727, 1e-6);
-  EXPECT_NEAR(outcome.frames[1].source_radius_metres.value(), 0.069927, 1e-6);
-  for (const Record& record : outcome.records) {
-    EXPECT_THAT(record.reference.kind, testing::StartsWith("ray-traced spot light, source radius 0.0"));
-    EXPECT_EQ(record.cascades, 1);
-    EXPECT_TRUE(record.settings.splits.empty());
-    EXPECT_EQ(record.metrics.invalid, 0U);
-    EXPECT_GT(record.metrics.penumbra_pixels, 50U);
-  }
-  EXPECT_GT(outcome.records[3].metrics.penumbra_pixels, 2 * outcome.records[0].metrics.penumbra_pixels);
-  // PCSS knows of the wide source, and the others do not.
-  EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),
-            0.6 * outcome.records[3].metrics.rmse_penumbra.value());
-  EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),
-            0.6 * outcome.records[4].metrics.rmse_penumbra.value());
-
-  Results results;
-  results.frames = outcome.frames;
-  results.records = outcome.records;
-  results.records.resize(3);
-  results.frames.resize(1);
-  const Results read = parse_results(to_json(results), "results.json");
-  EXPECT_EQ(read.frames[0].source_radius_metres, results.frames[0].source_radius_metres);
-  EXPECT_EQ(read.records[2].reference.kind, results.records[2].reference.kind);
+                  testing::HasSubstr("the technique 'pcss-spot-24-16' is for spot lights")));
 }
 
 TEST(OwnSettings, SubjectsOfOneRunHaveTheirOwnCasters) {

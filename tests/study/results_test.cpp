@@ -44,7 +44,6 @@ class RandomResults {
     for (Record& record : results.records) vary(record);
     for (MeasuredFrame& frame : results.frames) {
       frame.sun_direction = {share(), -share(), share()};
-      if (coin()) frame.source_radius_metres = share();
       frame.camera.position = {1e5 * share(), share() / 3.0, -share()};
     }
     return results;

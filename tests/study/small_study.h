@@ -7,9 +7,8 @@
 
 namespace penumbra::study {
 
-inline Subject library_subject(const std::string& technique,
-                               techniques::LightKind light = techniques::LightKind::directional) {
-  return technique_subject(library_techniques(), library_techniques().find(technique), true, light);
+inline Subject library_subject(const std::string& technique) {
+  return technique_subject(library_techniques(), library_techniques().find(technique), true);
 }
 
 inline std::vector<Subject> library_subjects(const std::vector<std::string>& names) {

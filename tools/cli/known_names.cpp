@@ -24,22 +24,13 @@ struct KnownName {
   std::string description;  // may be empty
 };
 
-void described(std::vector<KnownName>& names, const std::string& name, const std::string& description) {
-  for (KnownName& known : names)
-    if (known.name == name) known.description = description;
-}
-
 std::vector<KnownName> scenes() {
   std::vector<KnownName> names;
-  for (const std::string& name : scene::scene_names()) names.push_back({name, ""});
-  for (const std::string& name : scene::built_in_names())
-    described(names, name, scene::built_in_description(name));
-  for (const auto& more : {scene::spot_scene_names(), scene::blended_scene_names(),
-                           scene::overlap_scene_names(), scene::landscape_scene_names()})
-    for (const std::string& name : more) names.push_back({name, scene::built_in_description(name)});
+  for (const std::string& name : scene::all_built_in_names())
+    names.push_back({name, scene::built_in_description(name)});
   for (const scene::PackageModel& model : scene::package_models())
-    described(names, "package:" + model.name,
-              model.description + ", from the Debian package " + model.debian_package);
+    names.push_back(
+        {"package:" + model.name, model.description + ", from the Debian package " + model.debian_package});
   return names;
 }
 

@@ -162,13 +162,13 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
-// Without a choice, every technique for the kind of light is taken, unless parameters are set, which most
+// Without a choice, every technique for the sun is taken, unless parameters are set, which most
 // techniques lack.
-std::vector<study::Subject> chosen_subjects(const MeasureOptions& options, techniques::LightKind light) {
+std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   StudyOptions choice = options;
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty())
     choice.techniques = {kAll};
-  return varied_subjects(choice, options.varied, light);
+  return varied_subjects(choice, options.varied);
 }
 
 // Two files with the same name would be two indistinguishable scenes.
@@ -238,7 +238,7 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
   settings.pictures = writes_report(options);
-  const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
+  const std::vector<study::Subject> subjects = chosen_subjects(options);
   refuse_idle_bake_options(command, subjects);
   refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   gpu::Device device = open_device(options);

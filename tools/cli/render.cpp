@@ -343,8 +343,7 @@ void render(const CLI::App& command, const RenderOptions& options, Context& cont
   if (options.sheet.file.empty()) check_output_folder(options.output);
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
-  const std::vector<study::Subject> subjects =
-      varied_subjects(options, options.varied, study::light_kind(settings.scenes));
+  const std::vector<study::Subject> subjects = varied_subjects(options, options.varied);
   refuse_idle_bake_options(command, subjects);
   refuse_idle(command, {"--fxc"}, options.front_end == "glslang", "without --front-end fxc");
   study::SheetOptions sheet;

@@ -17,7 +17,6 @@ namespace penumbra::cli {
 namespace {
 
 constexpr const char* kDefaultTechnique = "pcss-angular-24-16";
-constexpr const char* kDefaultSpotTechnique = "pcss-spot-24-16";
 
 struct Setting {
   std::string parameter;
@@ -170,17 +169,6 @@ void require_mixable(const study::Subject& subject, const scene::CascadeBlend& b
                    "choose dither, or techniques that are a filter");
 }
 
-// A spot light's map has no cascades that could be fitted, blended or kept.
-void require_no_cascades(const StudyOptions& options) {
-  const StudyOptions none;
-  const char* given = options.light_fits != none.light_fits           ? "--light-fit"
-                      : options.cascade_blends != none.cascade_blends ? "--cascade-blend"
-                      : options.map_ages != none.map_ages             ? "--map-age"
-                                                                      : nullptr;
-  if (given != nullptr)
-    throw InputError(given, "a scene with a spot light has no cascades", "measure it without this option");
-}
-
 struct NamedChoices {
   std::string text;  // the settings that vary; empty if none does
   scene::CascadeChoices choices;
@@ -254,15 +242,15 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
   }
 }
 
-// The names of all techniques for the kind of light replace `all`.
+// The names of all techniques for the sun replace `all`.
 std::vector<std::string> without_all(const std::vector<std::string>& given,
-                                     const techniques::TechniqueList& list, techniques::LightKind light) {
+                                     const techniques::TechniqueList& list) {
   std::vector<std::string> names;
   for (const std::string& name : given) {
     if (name != kAll) names.push_back(name);
     if (name != kAll) continue;
     for (const techniques::Technique& technique : list.techniques)
-      if (technique.is_for(light)) names.push_back(technique.name);
+      if (technique.is_for(techniques::LightKind::directional)) names.push_back(technique.name);
   }
   return names;
 }
@@ -311,18 +299,15 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
       ->group(group);
 }
 
-std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
-                                            techniques::LightKind light) {
+std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
   const bool reversed_z = options.reversed_z;
   const KnownTechniques known(options.technique_list);
-  std::vector<std::string> names = without_all(options.techniques, known.given(), light);
+  std::vector<std::string> names = without_all(options.techniques, known.given());
   drop_repetitions(names);
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);
   if (names.empty() && options.adapters.empty())
-    names.push_back(!options.technique_list.empty()        ? known.given().first().name
-                    : light == techniques::LightKind::spot ? kDefaultSpotTechnique
-                                                           : kDefaultTechnique);
+    names.push_back(options.technique_list.empty() ? kDefaultTechnique : known.given().first().name);
   if (names.empty() && !varied.set.empty()) {
     throw InputError("", "--set applies to techniques, and only adapters are given",
                      "set an adapter's uniforms with --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
@@ -342,7 +327,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
       for (const Setting& setting : combination) {
         technique = techniques::with_value(list, std::move(technique), setting.parameter, setting.value);
       }
-      study::Subject subject = study::technique_subject(list, technique, reversed_z, light);
+      study::Subject subject = study::technique_subject(list, technique, reversed_z);
       choose_bias(options, subject);
       subject.name = joined(name, text_of(combination));
       const std::string title = study::short_title(name, subject.title);
@@ -356,7 +341,6 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   const std::vector<parameters::LightFit> fits = chosen_light_fits(options);
   std::vector<double> ages = options.map_ages;
   drop_repetitions(ages);
-  if (light == techniques::LightKind::spot) require_no_cascades(options);
   subjects = with_cascades(subjects, cascade_choices(fits, chosen_cascade_blends(options), ages));
   std::vector<study::Subject> of_adapters;
   for (const resolve::Adapter& adapter : adapters) {

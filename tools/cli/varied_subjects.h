@@ -38,11 +38,10 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
 
 // Names are distinct: the technique's, with the settings that were made. For one technique under several
 // settings, captions are the settings that vary; otherwise they are the short title and
-// the settings that were made. Without a technique and an adapter, the subject is pcss-angular-24-16, or
-// pcss-spot-24-16 under spot lights. Throws InputError for an unknown technique, a parameter that a technique
+// the settings that were made. Without a technique and an adapter, the subject is pcss-angular-24-16.
+// Throws InputError for an unknown technique, a parameter that a technique
 // lacks, a value that is out of its range or no number, a title of what is not there, and two adapters of one
 // name.
-std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
-                                            techniques::LightKind light);
+std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied);
 
 }  // namespace penumbra::cli

@@ -72,10 +72,6 @@ std::vector<float> visibility_behind(const scene::Scene& scene, const SeenMateri
 LitFrame::LitFrame(const scene::Scene& scene, const scene::Frame& frame, const LitSettings& settings,
                    const LitProgress& progress)
     : supersampling_(settings.supersampling) {
-  if (scene.spot_light) {
-    throw InputError(
-        "", "scene '" + scene.name + "' is lit by a spot light; the lit view has a sun and its sky alone");
-  }
   check(frame.settings, supersampling_);
   width_ = frame.settings.width / supersampling_;
   height_ = frame.settings.height / supersampling_;

@@ -41,8 +41,8 @@ using LitProgress =
 class LitFrame {
  public:
   // The constructor prepares everything but the sun's visibility. Results that take long are kept on disk by
-  // content. Throws InputError for what seen_materials refuses, a spot light, and a supersampling that does
-  // not divide the frame; also throws platform::Interrupted.
+  // content. Throws InputError for what seen_materials refuses, and a supersampling that does not divide
+  // the frame; also throws platform::Interrupted.
   LitFrame(const scene::Scene& scene, const scene::Frame& frame, const LitSettings& settings,
            const LitProgress& progress);
 

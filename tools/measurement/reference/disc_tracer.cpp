@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <iterator>
+#include <limits>
 #include <numeric>
-#include <optional>
 
 namespace penumbra::reference {
 namespace {
@@ -20,13 +20,11 @@ struct TurnedDisc {
     centre = glm::vec3(light.to_light);
     right = glm::vec3(cosine * light.right + sine * light.up);
     up = glm::vec3(cosine * light.up - sine * light.right);
-    distance = static_cast<float>(light.distance);
   }
 
   glm::vec3 centre;
   glm::vec3 right;
   glm::vec3 up;
-  float distance;
 };
 
 // Sixteen rays from one origin. The fields that Embree does not change are written once.
@@ -54,7 +52,7 @@ class Packet {
       rays_.dir_x[lane] = disc.centre.x + x[lane] * disc.right.x + y[lane] * disc.up.x;
       rays_.dir_y[lane] = disc.centre.y + x[lane] * disc.right.y + y[lane] * disc.up.y;
       rays_.dir_z[lane] = disc.centre.z + x[lane] * disc.right.z + y[lane] * disc.up.z;
-      rays_.tfar[lane] = disc.distance;
+      rays_.tfar[lane] = std::numeric_limits<float>::infinity();
     }
     rtcOccluded16(valid_, scene, &context_, &rays_);
     for (int lane = 0; lane < DiscTracer::packet_size; ++lane) {
@@ -77,15 +75,13 @@ class Packet {
 
 }  // namespace
 
-DiscTracer::DiscTracer(const EmbreeScene& scene, const LightSource& light, int samples, std::uint64_t seed)
+DiscTracer::DiscTracer(const EmbreeScene& scene, const DiscLight& light, int samples, std::uint64_t seed)
     : scene_(scene), light_(light), samples_(samples), points_(static_cast<std::size_t>(samples), seed) {}
 
 HalfCounts DiscTracer::lit_points(const LitReceiver& receiver, std::size_t pixel) const {
-  const std::optional<DiscLight> light = light_.seen_from(receiver.position);
-  if (!light) return {};
-  if (light_.is_point()) return lit_by_point_light(receiver, *light);
+  if (light_.tan_half == 0.0) return lit_by_point_light(receiver);
   const PixelDraw draw = points_.draw(pixel);
-  const TurnedDisc disc(*light, draw.angle);
+  const TurnedDisc disc(light_, draw.angle);
   const float* x = points_.x(draw.pair);
   const float* y = points_.y(draw.pair);
   Packet packet{glm::vec3(receiver.position)};
@@ -95,12 +91,12 @@ HalfCounts DiscTracer::lit_points(const LitReceiver& receiver, std::size_t pixel
   return packet.lit();
 }
 
-HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver, const DiscLight& light) const {
+HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray{};
   const glm::vec3 origin(receiver.position);
-  const glm::vec3 direction(light.to_light);
+  const glm::vec3 direction(light_.to_light);
   ray.org_x = origin.x;
   ray.org_y = origin.y;
   ray.org_z = origin.z;
@@ -111,7 +107,7 @@ HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver, const Dis
   const int rays = rays_per_pixel();
   int lit[2] = {};  // visible points of each half
   for (int i = 0; i < rays; ++i) {
-    ray.tfar = static_cast<float>(light.distance);
+    ray.tfar = std::numeric_limits<float>::infinity();
     ray.id = static_cast<unsigned>(i);
     rtcOccluded1(scene_.handle(), &context, &ray);
     lit[2 * i / rays] += ray.tfar >= 0.0F ? 1 : 0;

@@ -19,19 +19,19 @@ class DiscTracer {
   static constexpr int packet_size = 16;
 
   // `samples` has the meaning of TraceOptions::samples. The scene must outlive the tracer.
-  DiscTracer(const EmbreeScene& scene, const LightSource& light, int samples, std::uint64_t seed);
+  DiscTracer(const EmbreeScene& scene, const DiscLight& light, int samples, std::uint64_t seed);
 
   // The halves are the two sets of the pair that the pixel's draw names. One ray to a point light decides
-  // both, unless blended triangles let some of its rays pass. A receiver without light sees none of it.
+  // both, unless blended triangles let some of its rays pass.
   HalfCounts lit_points(const LitReceiver& receiver, std::size_t pixel) const;
 
-  int rays_per_pixel() const { return light_.is_point() && !scene_.any_blended() ? 1 : samples_; }
+  int rays_per_pixel() const { return light_.tan_half == 0.0 && !scene_.any_blended() ? 1 : samples_; }
 
  private:
-  HalfCounts lit_by_point_light(const LitReceiver& receiver, const DiscLight& light) const;
+  HalfCounts lit_by_point_light(const LitReceiver& receiver) const;
 
   const EmbreeScene& scene_;
-  LightSource light_;
+  DiscLight light_;
   int samples_;
   DiscSamples points_;
 };

@@ -7,17 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "parameters/cascades.h"
-#include "parameters/spot_light.h"
 #include "scene/frame.h"
 
 namespace penumbra::reference {
 
-// The light seen from a receiver: unit direction to its centre, and its radius. A point s of the unit disc,
+// The sun: unit direction to its centre, and its radius. A point s of the unit disc,
 // uniform by area, is seen in direction to_light + tan_half * (s.x * right + s.y * up): uniform on a disc
 // perpendicular to the light, so that between planes perpendicular to it visibility is exactly the lit share
 // of a disc of radius tan_half * gap.
@@ -27,36 +25,11 @@ struct DiscLight {
   glm::dvec3 up{0.0, 0.0, 1.0};
   double sin_half = 0.0;
   double tan_half = 0.0;
-  // The distance to the light in metres along to_light; surfaces beyond it hide nothing.
-  double distance = std::numeric_limits<double>::infinity();
 };
 
 // Throws InputError if the direction is zero or not finite, or the angular diameter is outside 0 .. 30
 // degrees.
 DiscLight disc_light(const parameters::Light& light);
-
-// The light for receivers at any position: the sun, the same from everywhere, or a spot light.
-//
-// A spot light's source is a disc about its position that faces each receiver, so that from anywhere it is a
-// full disc and, far enough away, the sun's. A sphere of that radius R is seen at a distance d as a cone
-// wider by half of (R / d)^2 of its angle; URP's spot lights are points, so that there is no convention to
-// follow. The cone decides which pixels are receivers; its falloff is no part of visibility.
-class LightSource {
- public:
-  LightSource(const DiscLight& sun) : disc_(sun) {}
-  // The position is relative to the scene's origin. Throws InputError as parameters::check_spot_light() does.
-  explicit LightSource(const parameters::SpotLight& spot);
-
-  bool is_point() const { return spot_ ? spot_->source_radius_metres == 0.0 : disc_.tan_half == 0.0; }
-
-  // Returns nothing where there is no light: outside of the cone, beyond the range, within the source.
-  std::optional<DiscLight> seen_from(const glm::dvec3& position) const;
-
- private:
-  DiscLight disc_;  // the sun's disc
-  std::optional<parameters::SpotLight> spot_;
-  double cos_outer_ = 0.0;
-};
 
 // Returns the metres by which rays start above a surface at this position: 2^-15 of its largest coordinate,
 // which counts as at least a metre (0.03 mm within a metre, 1.5 mm at 50 m). That is 256 to 512 ULP of the
@@ -69,13 +42,13 @@ struct LitReceiver {
 };
 
 // Returns nothing where no surface was seen, where position or normal are not finite or the normal is no
-// direction, where there is no light, and where part of the disc is below the surface's horizon:
+// direction, and where part of the disc is below the surface's horizon:
 // normal . to_light <= sin_half.
 std::optional<LitReceiver> lit_receiver(const scene::Receivers& receivers, std::size_t pixel,
-                                        const LightSource& light);
+                                        const DiscLight& light);
 
 // Returns 1 where lit_receiver() has a value. Throws InputError when the buffers' sizes disagree with width x
 // height.
-std::vector<std::uint8_t> valid_receivers(const scene::Receivers& receivers, const LightSource& light);
+std::vector<std::uint8_t> valid_receivers(const scene::Receivers& receivers, const DiscLight& light);
 
 }  // namespace penumbra::reference

@@ -271,10 +271,7 @@ void check(const MapView& view) {
       atlas.depth.size() != static_cast<std::size_t>(atlas.width) * static_cast<std::size_t>(atlas.height)) {
     throw InputError("", "the shadow atlas does not hold width x height texels");
   }
-  if (view.cascades.cascades.empty()) {
-    throw InputError("", "there is no cascade",
-                     "the same-map estimate is of the sun's maps; a spot light's has none yet");
-  }
+  if (view.cascades.cascades.empty()) throw InputError("", "there is no cascade");
 }
 
 std::string key_of(const MapView& view) {

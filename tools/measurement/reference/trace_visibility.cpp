@@ -46,47 +46,12 @@ double passing(const scene::CloudLayer& layer, const glm::dvec3& from,
 
 constexpr int tracing_version = 1;  // increased whenever a change affects any result
 
-std::string hash_of_light(const parameters::Light& light) {
-  return platform::hash_of(light);
-}
-
-// Covers those properties of a spot light that decide visibility and the receivers.
-std::string hash_of_light(const parameters::SpotLight& light) {
-  return platform::hash_of("spot light", light.position, light.direction, light.outer_angle_degrees,
-                           light.source_radius_metres, light.range_metres);
-}
-
-template <typename Light>
-std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers, const Light& light,
-                   const TraceOptions& options) {
+std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers,
+                   const parameters::Light& light, const TraceOptions& options) {
   return platform::hash_of("T1", tracing_version, scene.mesh.positions, scene.mesh.indices,
                            scene::CutOuts(scene), receivers.width, receivers.height,
                            receivers.position_relative, receivers.position_ws, receivers.normal_ws,
-                           hash_of_light(light), options);
-}
-
-struct Traced {
-  const scene::Scene& scene;
-  const scene::Receivers& receivers;
-  LightSource light;
-  std::string key;
-};
-
-VisibilityImage trace(const Traced& traced, const TraceOptions& options, const RunOptions& run,
-                      const ReferenceCache* cache) {
-  RowJob job;
-  job.size = {traced.receivers.width, traced.receivers.height};
-  job.valid = valid_receivers(traced.receivers, traced.light);
-  job.key = traced.key;
-  job.samples = options.samples;
-  if (std::optional<VisibilityImage> kept = kept_image(job, cache)) return *std::move(kept);
-  const EmbreeScene embree(traced.scene);
-  const DiscTracer tracer(embree, traced.light, options.samples, options.seed);
-  job.rays_per_pixel = tracer.rays_per_pixel();
-  job.count = [&](std::size_t pixel) {
-    return tracer.lit_points(lit_receiver(traced.receivers, pixel, traced.light).value(), pixel);
-  };
-  return run_rows(job, run, cache);
+                           platform::hash_of(light), options);
 }
 
 }  // namespace
@@ -106,15 +71,19 @@ VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receive
                                  const RunOptions& run, const ReferenceCache* cache) {
   check_samples(options.samples);
   const DiscLight disc = disc_light(light);
-  return trace({scene, receivers, disc, key_of(scene, receivers, light, options)}, options, run, cache);
-}
-
-VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
-                                 const parameters::SpotLight& light, const TraceOptions& options,
-                                 const RunOptions& run, const ReferenceCache* cache) {
-  check_samples(options.samples);
-  const LightSource source(light);
-  return trace({scene, receivers, source, key_of(scene, receivers, light, options)}, options, run, cache);
+  RowJob job;
+  job.size = {receivers.width, receivers.height};
+  job.valid = valid_receivers(receivers, disc);
+  job.key = key_of(scene, receivers, light, options);
+  job.samples = options.samples;
+  if (std::optional<VisibilityImage> kept = kept_image(job, cache)) return *std::move(kept);
+  const EmbreeScene embree(scene);
+  const DiscTracer tracer(embree, disc, options.samples, options.seed);
+  job.rays_per_pixel = tracer.rays_per_pixel();
+  job.count = [&](std::size_t pixel) {
+    return tracer.lit_points(lit_receiver(receivers, pixel, disc).value(), pixel);
+  };
+  return run_rows(job, run, cache);
 }
 
 void shade_by_clouds(VisibilityImage& image, const scene::Scene& scene, const scene::Receivers& receivers,

@@ -1,4 +1,4 @@
-// T1: the visibility of a disc light, the sun or a spot light, ray-traced on the real geometry.
+// T1: the visibility of a disc light, the sun, ray-traced on the real geometry.
 //
 // Computes, for each receiver, the share of the light's disc that no triangle hides. Embree 3 (robust
 // intersection) traces a low-discrepancy set of points of the disc, uniform by area on the disc perpendicular
@@ -13,7 +13,6 @@
 #include <cstdint>
 
 #include "parameters/cascades.h"
-#include "parameters/spot_light.h"
 #include "reference/reference_cache.h"
 #include "reference/row_blocks.h"
 #include "reference/visibility_image.h"
@@ -37,12 +36,6 @@ struct TraceOptions {
 // and platform::Interrupted when cancelled.
 VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
                                  const parameters::Light& light, const TraceOptions& options = {},
-                                 const RunOptions& run = {}, const ReferenceCache* cache = nullptr);
-
-// Traces the same for a spot light, whose position is relative to the scene's origin. Receivers outside of
-// its cone or beyond its range are not valid; the cone's falloff is no part of visibility.
-VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
-                                 const parameters::SpotLight& light, const TraceOptions& options = {},
                                  const RunOptions& run = {}, const ReferenceCache* cache = nullptr);
 
 // Multiplies each pixel's visibility by the mean, over the sun's disc, of the transmittance of the scene's

@@ -1,5 +1,4 @@
 #include <array>
-#include <span>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
@@ -14,6 +13,8 @@ struct Entry {
   Scene (*build)();
 };
 
+// The first are a sample of what games draw; the others are measured only when they are named.
+constexpr std::size_t kSampleOfScenes = 7;
 constexpr std::array entries{
     Entry{"contact-boxes", "boxes that touch, lean on and hover over the ground, for contact shadows",
           contact_boxes},
@@ -26,32 +27,16 @@ constexpr std::array entries{
     Entry{"garden",
           "a walled garden with textured materials: stones, leaves, a wire fence, an awning, a laid table",
           garden_scene},
-};
-
-// These scenes have a spot light.
-constexpr std::array spot_entries{
-    Entry{"spot-table",
-          "a room under one lamp: a table, chairs, wires of 6 to 22 mm, slats half way to the lamp",
-          spot_table},
-};
-
-// These scenes have casters that blend.
-constexpr std::array blended_entries{
+    // Casters that blend.
     Entry{"wires-and-smoke",
           "a line of thin wires and puffs of smoke, which blend, over a yard with opaque things",
           wires_and_smoke},
-};
-
-// In these scenes shadows of low and of high casters lie over each other.
-constexpr std::array overlap_entries{
+    // Shadows of low and of high casters that lie over each other.
     Entry{"overlaps",
           "low casters in the shadow of high ones: a table and a rail under trees, poles before eaves, two "
           "fences",
           overlaps},
-};
-
-// These scenes have ground beyond the shadow distance.
-constexpr std::array landscape_entries{
+    // Ground beyond the shadow distance.
     Entry{"valley-5", "a valley of 10 km x 10 km under a sun 5 degrees high, with trees near the camera",
           valley_5},
     Entry{"valley-20", "the same under a sun 20 degrees high", valley_20},
@@ -59,21 +44,9 @@ constexpr std::array landscape_entries{
     Entry{"valley-45", "the same under a sun 45 degrees high", valley_45},
 };
 
-// All of them, in the order in which they are listed.
-constexpr std::array<std::span<const Entry>, 5> all_entries{entries, spot_entries, blended_entries,
-                                                            overlap_entries, landscape_entries};
-
-std::vector<std::string> names_of(std::span<const Entry> all) {
-  std::vector<std::string> names;
-  names.reserve(all.size());
-  for (const Entry& entry : all) names.emplace_back(entry.name);
-  return names;
-}
-
 const Entry& entry_of(std::string_view name) {
-  for (const std::span<const Entry> some : all_entries)
-    for (const Entry& entry : some)
-      if (name == entry.name) return entry;
+  for (const Entry& entry : entries)
+    if (name == entry.name) return entry;
   throw InputError("", "unknown scene '" + std::string(name) + "'",
                    unknown_name_remedy(name, all_built_in_names()));
 }
@@ -81,29 +54,14 @@ const Entry& entry_of(std::string_view name) {
 }  // namespace
 
 std::vector<std::string> built_in_names() {
-  return names_of(entries);
-}
-
-std::vector<std::string> spot_scene_names() {
-  return names_of(spot_entries);
-}
-
-std::vector<std::string> blended_scene_names() {
-  return names_of(blended_entries);
-}
-
-std::vector<std::string> overlap_scene_names() {
-  return names_of(overlap_entries);
-}
-
-std::vector<std::string> landscape_scene_names() {
-  return names_of(landscape_entries);
+  std::vector<std::string> names = all_built_in_names();
+  names.resize(kSampleOfScenes);
+  return names;
 }
 
 std::vector<std::string> all_built_in_names() {
   std::vector<std::string> names;
-  for (const std::span<const Entry> some : all_entries)
-    for (const Entry& entry : some) names.emplace_back(entry.name);
+  for (const Entry& entry : entries) names.emplace_back(entry.name);
   return names;
 }
 

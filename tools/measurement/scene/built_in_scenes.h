@@ -16,7 +16,6 @@ Scene slabs();
 Scene colonnade();
 Scene street();
 Scene garden_scene();
-Scene spot_table();
 Scene wires_and_smoke();
 Scene overlaps();
 Scene valley_5();

@@ -16,16 +16,6 @@ void update(ContentHash& hash, const glm::dvec3& vector) {
   hash.update(vector.x).update(vector.y).update(vector.z);
 }
 
-void update(ContentHash& hash, const parameters::SpotLight& light) {
-  const auto& [position, direction, inner_angle, outer_angle, source_radius, range, near_plane, guard] =
-      light;
-  hash.update(std::string_view("spot light"));
-  update(hash, position);
-  update(hash, direction);
-  for (const double number : {inner_angle, outer_angle, source_radius, range, near_plane, guard})
-    hash.update(number);
-}
-
 void update(ContentHash& hash, const CloudLayer& layer) {
   const auto& [altitude, feature, coverage, density] = layer;
   hash.update(std::string_view("clouds"));
@@ -52,7 +42,6 @@ std::string content_hash(const Scene& scene) {
   if (scene.seen_distance_metres > 0.0) hash.update(scene.seen_distance_metres);
   if (scene.clouds) update(hash, *scene.clouds);
   add_fields(hash, CutOuts(scene));
-  if (scene.spot_light) update(hash, *scene.spot_light);
   return hash.hex();
 }
 

@@ -16,8 +16,8 @@
 
 namespace penumbra::scene {
 
-// The passes by format, kind of light, reversed Z, and the rasteriser's constant and slope bias. Each is made
-// when first needed.
+// The passes by format, reversed Z, and the rasteriser's constant and slope bias. Each is made when first
+// needed.
 class ShadowMapPasses {
  public:
   ShadowMapPasses(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
@@ -25,21 +25,11 @@ class ShadowMapPasses {
   // `origin` is the world position of the mesh's own origin.
   ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
                    const FrameSettings& settings);
-  ShadowAtlas draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
-                   const FrameSettings& settings);
 
  private:
-  struct Target {
-    int width;
-    int height;
-    bool reversed_z;
-    bool spot_light;
-  };
-  using Key = std::tuple<DepthFormat, bool, bool, double, double>;
+  using Key = std::tuple<DepthFormat, bool, double, double>;
 
   gpu::RasterPass& pass(const Key& key);
-  ShadowAtlas draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
-                   const FrameSettings& settings);
 
   const gpu::Device& device_;
   const MeshOnDevice& mesh_;
@@ -69,13 +59,6 @@ struct CasterTile {
   glm::vec4 bias;
 };
 
-// The same uniforms with PENUMBRA_SPOT_LIGHT.
-struct SpotTile {
-  glm::vec4 shadow_row[4];
-  glm::vec4 light_position;
-  glm::vec4 bias;
-};
-
 gpu::Format gpu_format(DepthFormat format) {
   if (format == DepthFormat::d16) return gpu::Format::depth16;
   return format == DepthFormat::d24 ? gpu::Format::depth24 : gpu::Format::depth32;
@@ -91,13 +74,6 @@ glm::vec4 clip_row(const glm::dvec4& uv_row, double offset, double scale) {
   glm::dvec4 row = uv_row * (2.0 / scale);
   row.w -= 2.0 * offset / scale + 1.0;
   return glm::vec4(row);
-}
-
-template <typename Constants>
-std::vector<std::byte> bytes_of(const Constants& constants) {
-  std::vector<std::byte> bytes(sizeof(constants));
-  std::memcpy(bytes.data(), &constants, sizeof(constants));
-  return bytes;
 }
 
 gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cascade& cascade,
@@ -116,27 +92,8 @@ gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cas
   tile.y = static_cast<int>(std::lround(place.y * set.atlas_height));
   tile.width = tile.height = set.tile_resolution;
   tile.vertex_count = vertex_count;
-  tile.push_constants = bytes_of(constants);
-  return tile;
-}
-
-// The rows map UV times w to clip space: 2 uv - 1, times w.
-gpu::RasterTile tile_of(const parameters::SpotShadow& spot, const glm::dvec3& origin,
-                        std::uint32_t vertex_count) {
-  glm::dvec4 rows[4];
-  for (int row = 0; row < 4; ++row) rows[row] = row_from_origin(spot.world_to_shadow, row, origin);
-  SpotTile constants;
-  constants.shadow_row[0] = glm::vec4(2.0 * rows[0] - rows[3]);
-  constants.shadow_row[1] = glm::vec4(2.0 * rows[1] - rows[3]);
-  constants.shadow_row[2] = glm::vec4(rows[2]);
-  constants.shadow_row[3] = glm::vec4(rows[3]);
-  constants.light_position = glm::vec4(glm::vec3(spot.light.position - origin), 0.0F);
-  constants.bias = {float(spot.depth_bias_metres), float(spot.normal_bias_metres), 0.0F, 0.0F};
-
-  gpu::RasterTile tile;
-  tile.width = tile.height = spot.resolution;
-  tile.vertex_count = vertex_count;
-  tile.push_constants = bytes_of(constants);
+  tile.push_constants.resize(sizeof(constants));
+  std::memcpy(tile.push_constants.data(), &constants, sizeof(constants));
   return tile;
 }
 
@@ -285,33 +242,16 @@ std::vector<glm::dvec3> seen_positions(const Receivers& receivers, const Scene& 
   return positions;
 }
 
-parameters::SpotShadow spot_shadow_of(const Scene& scene, const parameters::ShadowSettings& shadows) {
-  parameters::SpotLight light = scene.spot_light.value();
-  light.position += scene.origin;
-  return parameters::spot_shadow(light, shadows);
-}
-
-parameters::CascadeSet conventions_of(const parameters::SpotShadow& shadow) {
-  parameters::CascadeSet set;
-  set.reversed_z = shadow.reversed_z;
-  set.clip_depth = shadow.clip_depth;
-  set.angular_diameter_degrees = 0.0;
-  set.light_direction = shadow.light.direction;
-  set.atlas_width = set.atlas_height = set.tile_resolution = shadow.resolution;
-  set.depth_range_source = "the spot light's near plane and range";
-  return set;
-}
-
 }  // namespace
 
 gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
   const auto found = passes_.find(key);
   if (found != passes_.end()) return found->second;
-  const auto [format, spot_light, reversed_z, constant_bias, slope_bias] = key;
+  const auto [format, reversed_z, constant_bias, slope_bias] = key;
   const float away_from_light = reversed_z ? -1.0F : 1.0F;
   gpu::RasterShaders shaders;
-  SceneShader shader{"ShadowCaster.hlsl",        "Main",    hlsl::Stage::vertex, reversed_z,
-                     mesh_.cut_outs.has_value(), spot_light};
+  SceneShader shader{"ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z,
+                     mesh_.cut_outs.has_value()};
   shaders.vertex = compile_scene_shader(shader);
   if (shader.cut_outs) {
     shader.entry = shaders.fragment_entry = "Fragment";
@@ -333,28 +273,17 @@ ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const 
   for (const parameters::Cascade& cascade : cascades.cascades) {
     tiles.push_back(tile_of(cascades, cascade, origin, mesh_.vertex_count));
   }
-  return draw({cascades.atlas_width, cascades.atlas_height, cascades.reversed_z, false}, tiles, settings);
-}
-
-ShadowAtlas ShadowMapPasses::draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
-                                  const FrameSettings& settings) {
-  return draw({spot.resolution, spot.resolution, spot.reversed_z, true},
-              {tile_of(spot, origin, mesh_.vertex_count)}, settings);
-}
-
-ShadowAtlas ShadowMapPasses::draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
-                                  const FrameSettings& settings) {
   const DepthFormat format = settings.format;
-  const gpu::Image image(device_, gpu_format(format), target.width, target.height);
+  const gpu::Image image(device_, gpu_format(format), cascades.atlas_width, cascades.atlas_height);
   gpu::RasterTargets targets;
   targets.depth = &image;
-  targets.clear_depth = target.reversed_z ? 0.0F : 1.0F;
+  targets.clear_depth = cascades.reversed_z ? 0.0F : 1.0F;
   const RasterBias& bias = settings.raster_bias;
-  pass({format, target.spot_light, target.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
+  pass({format, cascades.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
 
   ShadowAtlas atlas;
-  atlas.width = target.width;
-  atlas.height = target.height;
+  atlas.width = cascades.atlas_width;
+  atlas.height = cascades.atlas_height;
   atlas.format = format;
   atlas.texels = image.download<std::byte>();
   const std::size_t stride = gpu::texel_bytes(image.format());
@@ -414,19 +343,13 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   frame.receivers = state_->seen.draw(scene, settings);
   frame.ground_metres = state_->ground_metres;
   frame.balls = state_->balls;
-  if (scene.spot_light) {
-    frame.spot_shadow = spot_shadow_of(scene, settings.shadows);
-    frame.cascades = conventions_of(*frame.spot_shadow);
-    frame.atlas = state_->shadow_map.draw(*frame.spot_shadow, scene.origin, settings);
-  } else {
-    const CascadeChoices& choices = settings.cascade_choices;
-    const parameters::Light light{sun_before(scene.light_direction, choices.map_age_degrees),
-                                  settings.angular_diameter_degrees};
-    frame.cascades = parameters::fit_cascades(
-        frame.camera, light, with_caster_bounds(settings.shadows, scene), choices.light_fit,
-        seen_positions(frame.receivers, scene, settings.shadows.distance_metres));
-    frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
-  }
+  const CascadeChoices& choices = settings.cascade_choices;
+  const parameters::Light light{sun_before(scene.light_direction, choices.map_age_degrees),
+                                settings.angular_diameter_degrees};
+  frame.cascades = parameters::fit_cascades(
+      frame.camera, light, with_caster_bounds(settings.shadows, scene), choices.light_fit,
+      seen_positions(frame.receivers, scene, settings.shadows.distance_metres));
+  frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
   return frame;
 }
 

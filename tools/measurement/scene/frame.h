@@ -104,10 +104,10 @@ inline constexpr std::size_t kMostBalls = 16;
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
-  // light_direction is that of the light in which the map was drawn. With a spot light the set has no
-  // cascade, but the size of the map, its conventions and the light's direction.
+  // light_direction is that of the light in which the map was drawn.
   parameters::CascadeSet cascades;
-  std::optional<parameters::SpotShadow> spot_shadow;  // world space (origin added)
+  // A spot light's map in world space, in place of the cascades; no scene has one, and tests of filters do.
+  std::optional<parameters::SpotShadow> spot_shadow;
   FrameSettings settings;
   ShadowAtlas atlas;
   Receivers receivers;
@@ -127,10 +127,6 @@ struct Frame {
 // caster is clamped to the near plane, so that no blocker's depth gap is cut short.
 //
 // Where a material is cut out (CutOut, material.h), neither the map nor the camera sees the surface.
-//
-// A spot light's map is one tile of shadows.resolution texels (parameters/spot_light.h); of the settings it
-// has biases, depth direction and format. Its casters are biased along the way to its position and, as URP
-// does it, not clamped to the near plane: what is nearer casts no shadow.
 //
 // Receivers lie on their triangle's plane to the rounding of the float. The shadow distance is measured from
 // the camera, as URP fades by it.

@@ -74,10 +74,7 @@ Scene load(std::string_view name_or_file, const ImportOptions& options) {
     return package_model(name_or_file.substr(kPackagePrefix.size()), options);
   }
   std::vector<std::string> known = scene_names();
-  for (const std::string& name : spot_scene_names()) known.push_back(name);
-  for (const std::string& name : blended_scene_names()) known.push_back(name);
-  for (const std::string& name : overlap_scene_names()) known.push_back(name);
-  for (const std::string& name : landscape_scene_names()) known.push_back(name);
+  known.insert(known.end(), names.begin(), names.end());
   if (looks_like_a_file(name_or_file)) return import_apart(std::filesystem::path(name_or_file), options);
   throw InputError("", "'" + std::string(name_or_file) + "' is neither a known scene nor a file",
                    unknown_name_remedy(name_or_file, known));

@@ -52,8 +52,7 @@ std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader) {
   request.entry = shader.entry;
   request.stage = shader.stage;
   request.defines = {{"UNITY_REVERSED_Z", flag(shader.reversed_z)},
-                     {"PENUMBRA_CUT_OUTS", flag(shader.cut_outs)},
-                     {"PENUMBRA_SPOT_LIGHT", flag(shader.spot_light)}};
+                     {"PENUMBRA_CUT_OUTS", flag(shader.cut_outs)}};
   request.include_directories = {root / "ShaderLibrary"};
   shaders::CompileResult result = shaders::compile(request);
   if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);

@@ -41,8 +41,7 @@ struct SceneShader {
   std::string entry;
   hlsl::Stage stage;
   bool reversed_z;
-  bool cut_outs = false;    // the scene has cut-outs
-  bool spot_light = false;  // the light is a spot light
+  bool cut_outs = false;  // the scene has cut-outs
 };
 
 // Throws EnvironmentError with the compiler's messages, because these files are ours and not the user's.

@@ -1,4 +1,4 @@
-// A scene: triangles in metres, a camera at human height, a sun or a spot light.
+// A scene: triangles in metres, a camera at human height, a sun.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "parameters/cascades.h"
-#include "parameters/spot_light.h"
 #include "scene/material.h"
 #include "scene/reading_process.h"
 
@@ -57,8 +56,6 @@ struct Scene {
   glm::dvec3 origin{0.0};                       // world position of the mesh's own origin
   parameters::Camera camera;                    // position relative to origin, like the mesh
   glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the direction in which the sun's light travels
-  // A spot light in place of the sun; its position is relative to origin, like the mesh.
-  std::optional<parameters::SpotLight> spot_light{};
   double shadow_distance_metres = 50.0;
   // The distance from the camera up to which surfaces are receivers, where that is farther than the shadow
   // distance: in scenes with far shadows.
@@ -85,30 +82,15 @@ glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees);
 // `target`.
 parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target);
 
-// Returns the names of built-in scenes that the sun lights, in the order in which reports list them.
+// Returns the names of the built-in scenes that stand for those of games, in the order in which reports list
+// them.
 std::vector<std::string> built_in_names();
 
-// Returns the names of built-in scenes with a spot light. They are measured only when they are named, because
-// most techniques do not support spot lights.
-std::vector<std::string> spot_scene_names();
-
-// Returns the names of built-in scenes under the sun with casters that blend. They are measured only when
-// they are named, because most techniques do not draw such casters.
-std::vector<std::string> blended_scene_names();
-
-// Returns the names of built-in scenes of a landscape whose shadows reach beyond the cascades, under the sun
-// at several elevations. They are measured only when they are named, because most techniques end at the
-// shadow distance.
-std::vector<std::string> landscape_scene_names();
-
-// Returns the names of built-in scenes in which shadows of low and of high casters lie over each other. They
-// are measured only when they are named: they are a hard case, and no sample of scenes.
-std::vector<std::string> overlap_scene_names();
-
-// Returns the names of all five kinds.
+// Returns the names of all built-in scenes. Those that are not above are measured only when they are named:
+// their casters blend, their shadows lie over each other, or their ground reaches beyond the shadow distance.
 std::vector<std::string> all_built_in_names();
 
-// Returns a built-in scene of any kind; throws InputError naming the nearest known name otherwise. The same
+// Returns a built-in scene; throws InputError naming the nearest known name otherwise. The same
 // name gives the same bytes on every machine.
 Scene built_in(std::string_view name);
 

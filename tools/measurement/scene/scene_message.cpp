@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "input/input_error.h"
 #include "scene/image_file.h"
 
 namespace penumbra::scene {
@@ -161,11 +160,6 @@ void check(const Scene& scene) {
   for (const double number : {camera.fov_y_degrees, camera.aspect, camera.near_plane, camera.far_plane,
                               scene.shadow_distance_metres})
     require(std::isfinite(number) && number > 0.0, "a camera value that is not positive and finite");
-  try {
-    if (scene.spot_light) parameters::check_spot_light(*scene.spot_light);
-  } catch (const InputError& error) {
-    throw std::invalid_argument(error.what());
-  }
 }
 
 }  // namespace
@@ -199,7 +193,7 @@ std::string encode(const Texture& texture) {
 
 std::string encode(const Scene& scene) {
   const auto& [name, description, notes, mesh, materials, textures, origin, camera, light_direction,
-               spot_light, shadow_distance_metres, seen_distance_metres, ground_triangles, clouds] = scene;
+               shadow_distance_metres, seen_distance_metres, ground_triangles, clouds] = scene;
   ByteWriter out;
   out.text(name);
   out.text(description);
@@ -210,8 +204,6 @@ std::string encode(const Scene& scene) {
   out.value(origin);
   out.value(camera);
   out.value(light_direction);
-  out.number(spot_light ? 1 : 0);
-  if (spot_light) out.value(*spot_light);
   out.value(shadow_distance_metres);
   out.value(seen_distance_metres);
   out.value(static_cast<std::uint64_t>(ground_triangles));
@@ -261,7 +253,6 @@ Scene decode_scene(std::string_view bytes) {
   scene.origin = in.value<glm::dvec3>();
   scene.camera = in.value<parameters::Camera>();
   scene.light_direction = in.value<glm::dvec3>();
-  if (in.flag()) scene.spot_light = in.value<parameters::SpotLight>();
   scene.shadow_distance_metres = in.value<double>();
   scene.seen_distance_metres = in.value<double>();
   scene.ground_triangles = in.value<std::uint64_t>();

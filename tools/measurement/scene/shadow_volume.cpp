@@ -213,9 +213,6 @@ ShadowVolume shadow_volume(const std::vector<glm::vec3>& positions,
 }
 
 ShadowVolume shadow_volume(const Scene& scene) {
-  if (scene.spot_light)
-    throw InputError("",
-                     "scene '" + scene.name + "' has a spot light, and shadow volumes are those of a sun");
   std::vector<std::uint32_t> triangles;
   for (std::size_t triangle = 0; triangle < scene.mesh.triangle_count(); ++triangle) {
     const std::optional<CutOut>& cut_out = scene.materials.at(scene.mesh.material_of(triangle)).cut_out;

@@ -49,8 +49,8 @@ ShadowVolume shadow_volume(const std::vector<glm::vec3>& positions,
                            const std::vector<std::uint32_t>& triangles, const glm::dvec3& way);
 
 // Makes the volume of all of a scene's triangles but those that blend, which shadow maps do not hold either;
-// cut-out ones cast as if they had no holes. It ends beyond the scene's bounds. Throws InputError, naming the
-// scene, where it has a spot light, and as above.
+// cut-out ones cast as if they had no holes. It ends beyond the scene's bounds. Throws InputError as
+// above.
 ShadowVolume shadow_volume(const Scene& scene);
 
 }  // namespace penumbra::scene

@@ -64,10 +64,6 @@ constexpr double kPilotMargin =
 
 }  // namespace
 
-double source_radius_metres(double degrees) {
-  return parameters::tan_half(degrees);
-}
-
 std::size_t penumbra_pixels(const reference::VisibilityImage& image) {
   std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < image.visibility.size(); ++pixel) {
@@ -133,8 +129,6 @@ reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const sce
                                                int samples, const std::string& work) const {
   const reference::TraceOptions trace{samples, settings_.seed};
   const reference::RunOptions run = run_options(work, " rays");
-  if (setup.scene.spot_light)
-    return reference::trace_visibility(setup.scene, receivers, *setup.scene.spot_light, trace, run, &cache_);
   const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
   reference::VisibilityImage image =
       reference::trace_visibility(setup.scene, receivers, light, trace, run, &cache_);

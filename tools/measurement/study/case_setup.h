@@ -111,9 +111,6 @@ class CaseBuilder {
   platform::CacheStore bakes_;  // finished rows of bakes, which the next run reads
 };
 
-// Returns the radius of a spot light's source that has this angular diameter, seen from one metre.
-double source_radius_metres(double degrees);
-
 // Counts the pixels that are neither lit nor dark.
 std::size_t penumbra_pixels(const reference::VisibilityImage& image);
 

@@ -257,7 +257,6 @@ void fields(Archive& archive, Field<Archive, MeasuredFrame>& frame) {
   archive.count("height", frame.height);
   archive.number("shadow_distance_metres", frame.shadow_distance_metres, 0.0, kAnything);
   archive.object("camera", frame.camera);
-  archive.optional("source_radius_metres", frame.source_radius_metres, 0.0, kAnything);
 }
 
 template <typename Archive>

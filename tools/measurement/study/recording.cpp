@@ -79,7 +79,6 @@ RunSettings run_settings(const View& view) {
   settings.slope_bias = view.frame.settings.raster_bias.slope;
   settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
-  if (view.frame.spot_shadow) return settings;  // a spot light has one map, without cascades
   settings.cascade_choices = view.request.cascade_choices;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
@@ -220,14 +219,9 @@ std::optional<Timing> timing_of(std::vector<double> nanoseconds) {
   return summarise(std::move(nanoseconds));
 }
 
-// The kind also states whether a record's light is a spot light.
-std::string reference_kind(const scene::Frame& frame, int edge_samples) {
-  if (!frame.spot_shadow)
-    return edge_samples == 0
-               ? "ray-traced disc light"
-               : fmt::format("ray-traced disc light, mean of {} samples at edges", edge_samples);
-  return fmt::format("ray-traced spot light, source radius {:.4g} m",
-                     frame.spot_shadow->light.source_radius_metres);
+std::string reference_kind(int edge_samples) {
+  return edge_samples == 0 ? "ray-traced disc light"
+                           : fmt::format("ray-traced disc light, mean of {} samples at edges", edge_samples);
 }
 
 }  // namespace
@@ -238,9 +232,7 @@ MeasuredFrame measured_frame(const CaseSetup& setup) {
   note.scene = setup.scene.name;
   note.light_degrees = setup.light_degrees;
   // The direction is that of the light of the case, whatever the age of the maps.
-  note.sun_direction =
-      frame.spot_shadow ? frame.cascades.light_direction : glm::normalize(setup.scene.light_direction);
-  if (frame.spot_shadow) note.source_radius_metres = frame.spot_shadow->light.source_radius_metres;
+  note.sun_direction = glm::normalize(setup.scene.light_direction);
   note.width = setup.t1.width;
   note.height = setup.t1.height;
   note.shadow_distance_metres = frame.settings.shadows.distance_metres;
@@ -290,7 +282,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
       if (const std::optional<Timing> time = timing_of(answer.pass_times_ns[i]))
         record.passes[i].time_ms_median = time->median_ms;
   record.time = timing_of(answer.time_ns);
-  record.reference = {reference_kind(view.frame, setup.edge_samples), setup.t1.samples, setup.t1.noise_floor};
+  record.reference = {reference_kind(setup.edge_samples), setup.t1.samples, setup.t1.noise_floor};
   return record;
 }
 

@@ -202,10 +202,7 @@ void add_frame(Group& group, const Results& results, const Record& record) {
   };
   group.add_text("picture", fmt::format("{} × {} pixels", found->width, found->height));
   group.add_text("shadow distance", fmt::format("{} m", found->shadow_distance_metres));
-  if (found->source_radius_metres)
-    group.add_text("spot light's source radius", fmt::format("{:.4g} m", *found->source_radius_metres));
-  group.add_text(found->source_radius_metres ? "spot light's axis" : "sun's direction",
-                 vector(found->sun_direction));
+  group.add_text("sun's direction", vector(found->sun_direction));
   group.add_text("camera position", vector(found->camera.position));
   group.add_text("camera direction", vector(found->camera.forward));
 }

@@ -17,9 +17,9 @@ double quantile(const std::vector<double>& sorted, double fraction) {
 
 auto members(const MeasuredFrame& frame) {
   const parameters::Camera& camera = frame.camera;
-  return std::tie(frame.scene, frame.light_degrees, frame.sun_direction, frame.source_radius_metres,
-                  frame.width, frame.height, frame.shadow_distance_metres, camera.position, camera.forward,
-                  camera.up, camera.fov_y_degrees, camera.near_plane, camera.far_plane);
+  return std::tie(frame.scene, frame.light_degrees, frame.sun_direction, frame.width, frame.height,
+                  frame.shadow_distance_metres, camera.position, camera.forward, camera.up,
+                  camera.fov_y_degrees, camera.near_plane, camera.far_plane);
 }
 
 }  // namespace

@@ -63,10 +63,8 @@ struct RunSettings {
 struct MeasuredFrame {
   std::string scene;
   double light_degrees = 0.0;
-  glm::dvec3 sun_direction{0.0, -1.0, 0.0};  // unit, the way the light travels; a spot light's axis
-  // The radius of a spot light's source, seen from one metre under light_degrees; absent for the sun.
-  std::optional<double> source_radius_metres{};
-  int width = 0;  // size of the picture in pixels
+  glm::dvec3 sun_direction{0.0, -1.0, 0.0};  // unit, the way the light travels
+  int width = 0;                             // size of the picture in pixels
   int height = 0;
   double shadow_distance_metres = 0.0;
   parameters::Camera camera;  // world space
@@ -154,7 +152,7 @@ struct Record {
   std::string technique;
   std::string title;  // the technique's name for tables
   std::map<std::string, std::vector<double>> parameters;
-  double light_degrees = 0.0;  // full angular diameter of the disc; of a spot light seen from one metre
+  double light_degrees = 0.0;  // full angular diameter of the disc
   int map_size = 0;            // width of the atlas in texels
   std::string map_format;      // D16, D24 or D32
   int cascades = 1;

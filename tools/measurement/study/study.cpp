@@ -38,40 +38,13 @@ int frames_between(double share) {
   return share == 1.0 ? 1 : kFramesBetween;
 }
 
-techniques::LightKind kind_of(const scene::Scene& scene) {
-  return scene.spot_light ? techniques::LightKind::spot : techniques::LightKind::directional;
-}
-
-std::string light_of(const scene::Scene& scene) {
-  return "scene '" + scene.name + "' is lit by " + (scene.spot_light ? "a spot light" : "the sun");
-}
-
-void check_lights(const std::vector<scene::Scene>& scenes, const std::vector<Subject>& subjects,
-                  const StudySettings& settings) {
-  for (const scene::Scene& scene : scenes) {
-    for (const Subject& subject : subjects) {
-      if (subject.light == kind_of(scene)) continue;
-      throw InputError("",
-                       light_of(scene) + ", and '" + subject.name + "' runs for " +
-                           (scene.spot_light ? "the sun" : "a spot light"),
-                       "choose techniques for that kind of light, or other scenes");
-    }
-    if (scene.spot_light && settings.edge_samples > 0)
-      throw InputError("", light_of(scene) + ", and edges are measured under the sun alone");
-    if (!scene.spot_light || !settings.split_error) continue;
-    throw InputError("", light_of(scene) + ", for whose maps there is no same-map estimate",
-                     "leave out the split of the error: --no-split");
-  }
-}
-
 // Checked before the first picture: the last subject may be the one that the map does not fit.
 void check_map(const std::vector<Subject>& subjects, const StudySettings& settings) {
   const parameters::ShadowSettings& shadows = settings.frame.shadows;
   const parameters::AtlasLayout atlas = parameters::atlas_layout(shadows.resolution, shadows.cascades);
   for (const Subject& subject : subjects)
-    if (subject.light == techniques::LightKind::directional)
-      resolve::require_whole_tiles(subject.graph.graph, subject.name, atlas.tile_resolution,
-                                   atlas.width / atlas.tile_resolution);
+    resolve::require_whole_tiles(subject.graph.graph, subject.name, atlas.tile_resolution,
+                                 atlas.width / atlas.tile_resolution);
 }
 
 // A GPU lowers its clock while it waits for the CPU to evaluate a picture, and needs tenths of a second of
@@ -100,17 +73,14 @@ class Study {
         cache_(settings.cache),
         kept_(std::make_shared<KeptRecords>(settings.cache)),
         cases_(device, subjects, settings, progress, cache_) {
-    check_lights(settings.scenes, subjects, settings);
     check_map(subjects, settings);
     prepare(subjects);
   }
 
   StudyOutcome run() {
-    for (const scene::Scene& given : settings_.scenes) {
-      scene::Scene scene = given;
+    for (const scene::Scene& scene : settings_.scenes) {
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
-        if (scene.spot_light) scene.spot_light->source_radius_metres = source_radius_metres(degrees);
         const CaseSetup setup = cases_.build(scene, rasteriser, degrees);
         lit_.reset();
         overlaps_.reset();
@@ -265,15 +235,6 @@ class Study {
 
 }  // namespace
 
-techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes) {
-  for (const scene::Scene& scene : scenes) {
-    if (kind_of(scene) == kind_of(scenes.front())) continue;
-    throw InputError("", light_of(scenes.front()) + ", and " + light_of(scene),
-                     "measure the two kinds of light in two runs");
-  }
-  return scenes.empty() ? techniques::LightKind::directional : kind_of(scenes.front());
-}
-
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress) {
   return Study(device, subjects, settings, progress).run();
@@ -302,15 +263,11 @@ std::vector<std::vector<float>> histories(const std::vector<std::vector<float>>&
 }
 
 Subject technique_subject(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                          bool reversed_z, techniques::LightKind light) {
-  if (!technique.is_for(light)) {
-    const bool spot = light == techniques::LightKind::spot;
-    throw InputError(
-        "", "the technique '" + technique.name + "' is not for " + (spot ? "spot lights" : "the sun"),
-        spot ? "choose others, or scenes that the sun lights" : "choose others, or scenes with a spot light");
-  }
+                          bool reversed_z) {
+  if (!technique.is_for(techniques::LightKind::directional))
+    throw InputError("", "the technique '" + technique.name + "' is for spot lights, and scenes have a sun",
+                     "choose others; 'penumbra validate' and 'cost' know this one");
   Subject subject;
-  subject.light = light;
   subject.name = technique.name;
   subject.title = technique.title;
   subject.parameters = technique.values;
@@ -318,10 +275,9 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
   subject.bias = {technique.bias.depth, technique.bias.normal,
                   parameters::soft_quality_named(technique.bias.soft_quality)};
   subject.raster_bias.slope = technique.bias.slope;
-  subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z, light);
+  subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z);
   if (technique.is_sampled()) {
-    subject.unlimited =
-        resolve::technique_graph(list, technique, resolve::Taps::unlimited, reversed_z, light);
+    subject.unlimited = resolve::technique_graph(list, technique, resolve::Taps::unlimited, reversed_z);
   }
   return subject;
 }

@@ -47,13 +47,11 @@ struct Subject {
   // The share of the newest of the frames with different noise whose exponential mean is the subject's result
   // (histories()); not with averaged_frames. With 1, each frame stands alone.
   double history = 1.0;
-  // The kind of light of the scenes in which it runs. A technique for both kinds is a subject for each.
-  techniques::LightKind light = techniques::LightKind::directional;
 };
 
-// Throws InputError for a technique that is not for the kind of light.
+// Throws InputError for a technique that is not for the sun.
 Subject technique_subject(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                          bool reversed_z, techniques::LightKind light = techniques::LightKind::directional);
+                          bool reversed_z);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
 // The result of one subject in one frame. It is valid during the callback.
@@ -67,9 +65,7 @@ struct SubjectAnswer {
 
 struct StudySettings {
   std::vector<scene::Scene> scenes;
-  // The angular diameters; for a spot light those of its source, seen from one metre: the radius is tan(a /
-  // 2) metres.
-  std::vector<double> light_degrees;
+  std::vector<double> light_degrees;  // the sun's angular diameters
   // The light, the shadow distance and both biases of the casters are set per scene, light and subject.
   scene::FrameSettings frame;
   // The minimum number of penumbra pixels in T1 of each scene and light. The picture grows from frame.width x
@@ -121,12 +117,8 @@ struct StudyOutcome {
   std::shared_ptr<KeptRecords> kept;
 };
 
-// Returns the kind of light that lights the scenes. Throws InputError where there are both.
-techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes);
-
-// Throws InputError for shaders that do not compile and for a scene whose light is not of the subjects' kind,
-// and platform::Interrupted if the user interrupts. Finished results are kept in either case, until
-// StudyOutcome::kept is dropped.
+// Throws InputError for shaders that do not compile, and platform::Interrupted if the user interrupts.
+// Finished results are kept in either case, until StudyOutcome::kept is dropped.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 
