@@ -160,7 +160,6 @@ std::string checked_in(const std::string& path) {
 TEST(DiskTables, CheckedInCopiesAreWhatIsEmitted) {
   const DiskSet set = disk_set(false);
   EXPECT_EQ(checked_in("ShaderLibrary/Core/DiskTables.hlsl"), disks_source(set, Language::hlsl));
-  EXPECT_EQ(checked_in("tools/base/parameters/disk_tables.h"), disks_source(set, Language::cpp));
   EXPECT_NE(disks_source(set, Language::csharp).find("public static readonly float[] Poisson128 ="),
             std::string::npos);
 }

@@ -1,8 +1,8 @@
 // The test emitted_source_compiles builds this from freshly emitted headers: they compile and hold the
 // figures.
 #include "constants.h"
+#include "disk_tables.h"
 #include "expected.h"
-#include "parameters/disk_tables.h"
 
 int main() {
   namespace constants = penumbra::cascade_constants;

@@ -15,13 +15,11 @@
 #include "parameters/matrices_input.h"
 #include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
-#include "parameters/verify.h"
 
 namespace penumbra::cli {
 
 namespace {
 
-using parameters::CascadeErrors;
 using parameters::CascadeSet;
 using parameters::FitInput;
 
@@ -94,26 +92,23 @@ void apply_flags(const ConstantsOptions& options, FitInput& input) {
   if (options.splits) apply_splits(*options.splits, input.shadows);
 }
 
-std::string print(const CascadeSet& set, const std::vector<CascadeErrors>& errors,
-                  const std::string& format) {
-  if (format == "json") return parameters::constants_json(set, errors);
+std::string print(const CascadeSet& set, const std::string& format) {
+  if (format == "json") return parameters::constants_json(set);
   if (format == "hlsl") return parameters::constants_source(set, parameters::Language::hlsl);
   if (format == "csharp") return parameters::constants_source(set, parameters::Language::csharp);
   if (format == "cpp") return parameters::constants_source(set, parameters::Language::cpp);
-  return parameters::constants_table(set, errors);
+  return parameters::constants_table(set);
 }
 
 std::string constants_from_settings(const ConstantsOptions& options) {
   FitInput input;
   if (!options.config.empty()) input = parameters::read_settings(LocatedJson::read(options.config));
   apply_flags(options, input);
-  const CascadeSet set = parameters::fit_cascades(input.camera, input.light, input.shadows);
-  return print(set, parameters::verify_fit(input.camera, input.light, input.shadows, set), options.format);
+  return print(parameters::fit_cascades(input.camera, input.light, input.shadows), options.format);
 }
 
 std::string constants_from_matrices(const ConstantsOptions& options) {
-  const auto dump = parameters::read_matrices(LocatedJson::read(options.matrices));
-  return print(dump.set, parameters::verify_dump(dump.settings, dump.set), options.format);
+  return print(parameters::read_matrices(LocatedJson::read(options.matrices)).set, options.format);
 }
 
 // The bounds are exclusive.

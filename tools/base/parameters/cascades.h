@@ -2,8 +2,8 @@
 //
 // Spaces: world space in metres, +Y up by habit but not by need. View space looks down -Z, as Unity's view
 // matrices do. Matrices multiply column vectors; GLM stores them column-major, emitters write row-major. All
-// mathematics here is in double precision; verify() compares every figure that is emitted as a float with the
-// same derivation in long double and reports the difference in ULP of that float.
+// mathematics here is in double precision; a test compares every figure that is emitted as a float with
+// another derivation in long double.
 #pragma once
 
 #include <array>

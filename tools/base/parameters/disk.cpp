@@ -1,14 +1,16 @@
 #include "parameters/disk.h"
 
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-
-#include "parameters/disk_tables.h"
 
 namespace penumbra::parameters {
 
 namespace {
+
+// The tables that shaders read are C++, too.
+using float2 = glm::vec2;
+#include "DiskTables.hlsl"
 
 // The points are computed in long double, so that the float is the same whichever mathematics library rounds
 // the last double bit.
@@ -24,10 +26,8 @@ DiskPoints golden_spiral(int count, bool scaled) {
 }
 
 template <std::size_t count>
-DiskPoints as_points(const std::array<std::array<float, 2>, count>& table) {
-  DiskPoints points;
-  for (const auto& entry : table) points.emplace_back(entry[0], entry[1]);
-  return points;
+DiskPoints as_points(const float2 (&table)[count]) {
+  return {std::begin(table), std::end(table)};
 }
 
 }  // namespace
@@ -42,15 +42,15 @@ DiskPoints vogel_disk(int count) {
 DiskPoints poisson_disk(int count) {
   switch (count) {
     case 25:
-      return as_points(disk_tables::kPoisson25);
+      return as_points(kPenumbraPoisson25);
     case 32:
-      return as_points(disk_tables::kPoisson32);
+      return as_points(kPenumbraPoisson32);
     case 64:
-      return as_points(disk_tables::kPoisson64);
+      return as_points(kPenumbraPoisson64);
     case 100:
-      return as_points(disk_tables::kPoisson100);
+      return as_points(kPenumbraPoisson100);
     case 128:
-      return as_points(disk_tables::kPoisson128);
+      return as_points(kPenumbraPoisson128);
     default:
       return {};
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "parameters/settings_input.h"
@@ -10,22 +12,24 @@ namespace penumbra::parameters {
 
 namespace {
 
-using Floats = std::vector<float>;
+using Values = std::vector<double>;
 
-Floats row_major(const glm::dmat4& matrix) {
-  Floats values;
+Values row_major(const glm::dmat4& matrix) {
+  Values values;
   for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) values.push_back(static_cast<float>(matrix[column][row]));
+    for (int column = 0; column < 4; ++column) values.push_back(matrix[column][row]);
   }
   return values;
 }
 
-Floats four(const glm::dvec4& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(v.w)};
+Values four(const glm::dvec4& v) {
+  return {v.x, v.y, v.z, v.w};
 }
 
-Floats one(double value) {
-  return {static_cast<float>(value)};
+std::vector<float> floats(const Values& values) {
+  std::vector<float> rounded;
+  for (const double value : values) rounded.push_back(static_cast<float>(value));
+  return rounded;
 }
 
 // The list has every value of a cascade once: JSON keys, source names and descriptions all come from it.
@@ -34,7 +38,7 @@ struct Figure {
   const char* name;
   const char* meaning;
   int columns;
-  std::function<Floats(const Cascade&)> values;
+  std::function<Values(const Cascade&)> values;
 };
 
 const std::vector<Figure>& figures() {
@@ -50,53 +54,59 @@ const std::vector<Figure>& figures() {
       {"split_sphere", "SplitSphere", "World centre and radius in metres.", 4,
        [](const Cascade& c) { return four(c.split_sphere); }},
       {"uv_per_metre", "UvPerMetre", "Tile UV per metre across the light.", 1,
-       [](const Cascade& c) { return one(c.uv_per_metre); }},
+       [](const Cascade& c) { return Values{c.uv_per_metre}; }},
       {"depth_per_metre", "DepthPerMetre", "Stored depth per metre along the light.", 1,
-       [](const Cascade& c) { return one(c.depth_per_metre); }},
+       [](const Cascade& c) { return Values{c.depth_per_metre}; }},
       {"depth_to_radial", "DepthToRadial", "Penumbra radius in tile UV per unit of stored depth gap.", 1,
-       [](const Cascade& c) { return one(c.depth_to_radial); }},
+       [](const Cascade& c) { return Values{c.depth_to_radial}; }},
       {"radial_to_depth", "RadialToDepth", "Its inverse; 0 at angular diameter 0, where there is none.", 1,
-       [](const Cascade& c) { return one(c.radial_to_depth.value_or(0.0)); }},
+       [](const Cascade& c) { return Values{c.radial_to_depth.value_or(0.0)}; }},
       {"depth_to_radial_hdrp", "DepthToRadialHdrp",
        "HDRP's m00/m22 of the device projection: twice the geometric radius.", 1,
-       [](const Cascade& c) { return one(c.depth_to_radial_hdrp); }},
+       [](const Cascade& c) { return Values{c.depth_to_radial_hdrp}; }},
       {"texel_size_metres", "TexelSizeMetres", "Side of a shadow-map texel in metres.", 1,
-       [](const Cascade& c) { return one(c.texel_size_metres); }},
+       [](const Cascade& c) { return Values{c.texel_size_metres}; }},
       {"max_penumbra_texels", "MaxPenumbraTexels", "Penumbra radius over the whole depth range, in texels.",
-       1, [](const Cascade& c) { return one(c.max_penumbra_texels); }},
+       1, [](const Cascade& c) { return Values{c.max_penumbra_texels}; }},
   };
   return list;
 }
 
-Floats bias(const Cascade& cascade) {
-  return {static_cast<float>(cascade.depth_bias_metres), static_cast<float>(cascade.normal_bias_metres)};
+Values bias(const Cascade& cascade) {
+  return {cascade.depth_bias_metres, cascade.normal_bias_metres};
+}
+
+// The largest difference of a printed float from its double, in the spacing of floats there. Tests compare
+// the doubles with a second derivation in long double.
+double worst_ulp(const Cascade& cascade) {
+  double worst = 0.0;
+  const auto compare = [&worst](const Values& values) {
+    for (const double value : values) {
+      const auto at = static_cast<float>(value);
+      const float spacing = std::nextafter(std::abs(at), HUGE_VALF) - std::abs(at);
+      worst = std::max(worst, std::abs(static_cast<double>(at) - value) / static_cast<double>(spacing));
+    }
+  };
+  for (const Figure& figure : figures()) compare(figure.values(cascade));
+  compare(bias(cascade));
+  return worst;
 }
 
 std::string json_value(const Figure& figure, const Cascade& cascade) {
   if (std::string_view(figure.key) == "radial_to_depth" && !cascade.radial_to_depth) return "null";
-  const Floats values = figure.values(cascade);
+  const std::vector<float> values = floats(figure.values(cascade));
   if (figure.columns == 1) return fmt::format("{}", values.front());
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-std::string json_errors(const CascadeErrors& errors) {
-  std::string text;
-  for (const FieldError& error : errors) {
-    text += fmt::format("{}\"{}\": {:.4f}", text.empty() ? "" : ", ", error.field, error.ulp);
-  }
-  return text;
-}
-
-std::string json_cascade(const Cascade& cascade, const CascadeErrors& errors) {
+std::string json_cascade(const Cascade& cascade) {
   std::string text = fmt::format("    {{\n      \"index\": {},\n", cascade.index);
   for (const Figure& figure : figures()) {
     text += fmt::format("      \"{}\": {},\n", figure.key, json_value(figure, cascade));
   }
-  const Floats biases = bias(cascade);
+  const std::vector<float> biases = floats(bias(cascade));
   text += fmt::format("      \"bias\": {{\"depth\": {}, \"normal\": {}}},\n", biases[0], biases[1]);
-  text += fmt::format("      \"ulp\": {:.4f},\n      \"ulp_by_field\": {{{}}}\n    }}", worst_ulp(errors),
-                      json_errors(errors));
-  return text;
+  return text + fmt::format("      \"ulp\": {:.4f}\n    }}", worst_ulp(cascade));
 }
 
 // A row of the table for people.
@@ -138,7 +148,7 @@ const std::vector<TableRow>& table_rows() {
 
 }  // namespace
 
-std::string constants_table(const CascadeSet& set, const std::vector<CascadeErrors>& errors) {
+std::string constants_table(const CascadeSet& set) {
   std::string text = fmt::format(
       "light {:.6g} {:.6g} {:.6g}, angular diameter {:.6g} degrees\natlas {} x {}, tiles of {}, {} Z, "
       "projections {}\ndepth range: {}\n\n{:<26}",
@@ -151,11 +161,11 @@ std::string constants_table(const CascadeSet& set, const std::vector<CascadeErro
     for (const Cascade& cascade : set.cascades) text += fmt::format(" {:>14}", row.text(cascade));
   }
   text += fmt::format("\n{:<26}", "largest error (ULP)");
-  for (const CascadeErrors& list : errors) text += fmt::format(" {:>14.4f}", worst_ulp(list));
+  for (const Cascade& cascade : set.cascades) text += fmt::format(" {:>14.4f}", worst_ulp(cascade));
   return text + "\n";
 }
 
-std::string constants_json(const CascadeSet& set, const std::vector<CascadeErrors>& errors) {
+std::string constants_json(const CascadeSet& set) {
   std::string text = fmt::format(
       "{{\n  \"angular_diameter_degrees\": {},\n  \"matrix_order\": \"row-major\",\n  \"reversed_z\": {},\n"
       "  \"clip_depth\": \"{}\",\n  \"light_direction\": [{}, {}, {}],\n  \"atlas\": [{}, {}],\n"
@@ -164,7 +174,7 @@ std::string constants_json(const CascadeSet& set, const std::vector<CascadeError
       set.light_direction.y, set.light_direction.z, set.atlas_width, set.atlas_height, set.tile_resolution,
       set.depth_range_source);
   for (std::size_t i = 0; i < set.cascades.size(); ++i) {
-    text += json_cascade(set.cascades[i], errors[i]) + (i + 1 < set.cascades.size() ? ",\n" : "\n");
+    text += json_cascade(set.cascades[i]) + (i + 1 < set.cascades.size() ? ",\n" : "\n");
   }
   return text + "  ]\n}\n";
 }
@@ -184,7 +194,7 @@ std::string constants_source(const CascadeSet& set, Language language) {
   const auto add = [&](const char* name, const char* meaning, int columns, const auto& values_of) {
     FloatTable table{name, meaning, columns, {}};
     for (const Cascade& cascade : set.cascades) {
-      const Floats values = values_of(cascade);
+      const std::vector<float> values = floats(values_of(cascade));
       table.values.insert(table.values.end(), values.begin(), values.end());
     }
     file.tables.push_back(std::move(table));

@@ -1,5 +1,5 @@
-// The disk tables as a table to read, JSON, or source. The checked-in ShaderLibrary/Core/DiskTables.hlsl and
-// tools/base/parameters/disk_tables.h are these texts.
+// The disk tables as a table to read, JSON, or source. The checked-in ShaderLibrary/Core/DiskTables.hlsl is
+// this text.
 #pragma once
 
 #include <functional>
