@@ -58,10 +58,10 @@ TEST(MapMebibytes, CountMipLevelsAndSamples) {
 }
 
 TEST(TechniqueRows, HaveNoShadowMapWhereVolumesAreDrawn) {
-  for (const auto& [name, fact] : facts_of(techniques::read_own_techniques()).techniques)
+  for (const auto& [name, fact] : facts_of(techniques::read_own_techniques()))
     EXPECT_EQ(fact.has_shadow_map, name != "shadow-volume") << name;
   FactsOfTechniques facts;
-  facts.techniques["bilinear"].has_shadow_map = false;
+  facts["bilinear"].has_shadow_map = false;
   for (const TechniqueRow& row : technique_rows(synthetic::results(), facts))
     EXPECT_EQ(row.map_mebibytes == 0.0, row.choice.technique == "bilinear");
 }
@@ -70,7 +70,7 @@ TEST(TechniqueRows, HaveTheErrorUnderEachLightInRecordOrder) {
   const Results results = synthetic::results();
   EXPECT_TRUE(technique_rows(results, {}).empty());
   FactsOfTechniques facts;
-  facts.techniques["bilinear"].use_when = "always";
+  facts["bilinear"].use_when = "always";
   const std::vector<TechniqueRow> rows = technique_rows(results, facts);
   ASSERT_EQ(rows.size(), choices(results).size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

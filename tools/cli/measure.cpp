@@ -15,17 +15,14 @@
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
-#include "cli/static_cycles.h"
 #include "cli/study_messages.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
-#include "cost/cost_report.h"
 #include "input/input_error.h"
 #include "input/visible_text.h"
 #include "platform/atomic_file.h"
 #include "platform/cache_store.h"
-#include "platform/data_directory.h"
 #include "platform/processor.h"
 #include "platform/source_commit.h"
 #include "reference/trace_visibility.h"
@@ -129,7 +126,6 @@ struct MeasureOptions : StudyOptions {
   std::string from;                       // earlier results, JSON or a table; if given, nothing is measured
   std::string earlier;                    // results from which rows are added to the measured ones
   std::vector<std::string> earlier_rows;  // techniques of those rows
-  std::string costs;                      // JSON of `penumbra cost`; empty means the library's own
 };
 
 // Returns NAME=FOLDER of a package root without the folder, which is the user's own.
@@ -145,7 +141,7 @@ std::string shown(const std::string& option, const std::string& value) {
 
 // Returns the command that gives these results again, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
-  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--cost"};
+  static const std::set<std::string> kPlaces{"-o", "--output", "--cache"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& given = arguments[i];
@@ -268,22 +264,10 @@ Measured measure(const CLI::App& command, const MeasureOptions& options, Context
   return measured;
 }
 
-// These are the library's own figures, with which it ships.
-std::filesystem::path own_costs() {
-  return platform::data_directory() / "Documentation~" / "results" / "cost.json";
-}
-
-// Reads the facts that the manifests and a compiler state about techniques, where something shows them.
+// Reads the facts that the manifests state about techniques, where something shows them.
 study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
-  if (!writes_report(options) && options.costs.empty()) return {};
-  const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
-  study::FactsOfTechniques facts = study::facts_of(list);
-  std::error_code ignored;
-  const bool has_library = std::filesystem::equivalent(list.package, platform::data_directory(), ignored);
-  if (has_library && std::filesystem::exists(own_costs(), ignored))
-    add_cycles(facts, list, cost::read_cost_report(own_costs()));
-  if (!options.costs.empty()) add_cycles(facts, list, cost::read_cost_report(options.costs));
-  return facts;
+  if (!writes_report(options)) return {};
+  return study::facts_of(chosen_technique_list(options.technique_list));
 }
 
 // They are read before the measuring, so that a mistake in the file loses no results.
@@ -430,11 +414,6 @@ void add_measure(CLI::App& app, Context& context) {
   earlier_rows->type_name("NAME")->default_str("none")->needs(earlier)->group("What to measure");
   earlier->needs(earlier_rows);
   command
-      ->add_option("--cost", options->costs,
-                   "JSON of penumbra cost, for the cycles of each technique's programs")
-      ->type_name("FILE")
-      ->default_str("the library's own");
-  command
       ->add_option("-o,--output", options->output,
                    "Folder for results.json and results.tsv, report.html, charts and pictures")
       ->type_name("FOLDER")
@@ -449,7 +428,7 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
        {"penumbra measure --from report/results.json -o again", "the same report again, without measuring"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(*command, {"--cost", "--technique-list", "--output"});
+    refuse_beside_from(*command, {"--technique-list", "--output"});
     run(*command, *options, context);
   });
 }

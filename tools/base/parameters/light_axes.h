@@ -17,9 +17,6 @@ struct LightAxes {
   glm::dvec3 into(const glm::dvec3& world) const {
     return {glm::dot(right, world), glm::dot(up, world), glm::dot(forward, world)};
   }
-  glm::dvec3 out_of(const glm::dvec3& light) const {
-    return right * light.x + up * light.y + forward * light.z;
-  }
 };
 
 inline LightAxes axes_of(const glm::dvec3& direction) {

@@ -37,10 +37,6 @@ bool stdout_is_terminal() {
 #endif
 }
 
-bool colour_wanted() {
-  return stderr_is_terminal() && environment("NO_COLOR").empty();
-}
-
 bool colour_wanted_on_stdout() {
   return stdout_is_terminal() && environment("NO_COLOR").empty();
 }

@@ -8,7 +8,6 @@ namespace penumbra::platform {
 
 bool stderr_is_terminal();
 bool stdout_is_terminal();
-bool colour_wanted();                         // stderr is a terminal, and NO_COLOR unset or empty
 bool colour_wanted_on_stdout();               // standard output is a terminal, and NO_COLOR unset or empty
 std::filesystem::path program_path();         // the running executable
 std::filesystem::path program_directory();    // the folder of the executable

@@ -324,7 +324,6 @@ std::string technique_table(const ReportContent& content) {
   for (const double light : light_sizes(content.results))
     heads += head("Penumbra RMSE", fmt::format("{}°", light));
   heads += head("Fetches per pixel", fmt::format("{}°", middle_light(content.results))) + head("Maps", "MiB");
-  if (!content.facts.cycles_of.empty()) heads += head("Cycles", content.facts.cycles_of);
   const bool advice = has_advice(rows);
   std::string body;
   for (const TechniqueRow& row : rows) {
@@ -332,7 +331,6 @@ std::string technique_table(const ReportContent& content) {
             escape_html(row.choice.title.empty() ? row.choice.label : row.choice.title) + "</th>";
     for (const std::optional<Estimate>& rmse : row.rmse_penumbra) body += figure_cell(figure_text(rmse));
     body += figure_cell(fetches_text(row.fetches)) + figure_cell(fmt::format("{:.1f}", row.map_mebibytes));
-    if (!content.facts.cycles_of.empty()) body += figure_cell(cycles_text(row.cycles));
     if (advice)
       body += "<td class=\"name\">" + escape_html(row.use_when) + "</td><td class=\"name\">" +
               escape_html(row.not_when) + "</td>";
@@ -341,7 +339,7 @@ std::string technique_table(const ReportContent& content) {
   if (advice)
     heads +=
         "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>";
-  return "<p>" + escape_html(rows_explained(rows, content.facts)) +
+  return "<p>" + escape_html(rows_explained(rows)) +
          "</p>\n<div class=\"scroll\" role=\"region\" aria-label=\"One row for each technique\" "
          "tabindex=\"0\">"
          "<table class=\"plain\">\n<thead><tr>" +

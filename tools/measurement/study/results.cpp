@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <tuple>
 
 namespace penumbra::study {
@@ -32,15 +31,6 @@ std::optional<Timing> summarise(std::vector<double> milliseconds) {
 
 bool MeasuredFrame::operator==(const MeasuredFrame& other) const {
   return members(*this) == members(other);
-}
-
-const MeasuredFrame& frame_of(const Results& results, const Record& record) {
-  const auto found =
-      std::find_if(results.frames.begin(), results.frames.end(), [&](const MeasuredFrame& frame) {
-        return frame.scene == record.scene && frame.light_degrees == record.light_degrees;
-      });
-  if (found == results.frames.end()) throw std::invalid_argument("no frame of the record's scene and light");
-  return *found;
 }
 
 bool has_invalid_values(const Results& results) {

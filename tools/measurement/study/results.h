@@ -222,10 +222,6 @@ bool has_invalid_values(const Results& results);
 // Returns "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
 
-// Returns the frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a
-// file that was read.
-const MeasuredFrame& frame_of(const Results& results, const Record& record);
-
 std::string to_json(const Results& results);
 
 // Returns the same as a table (input/json_table.h) with a line for each record. Figures have seven

@@ -1,7 +1,5 @@
 #include "study/technique_facts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -43,11 +41,8 @@ double bytes_of(const techniques::GraphTexture& texture, const resolve::GraphExt
 FactsOfTechniques facts_of(const techniques::TechniqueList& list) {
   FactsOfTechniques facts;
   for (const techniques::Technique& technique : list.techniques)
-    facts.techniques[technique.name] = {technique.use_when,
-                                        technique.not_when,
-                                        technique.graph.textures,
-                                        {},
-                                        !technique.graph.draws(techniques::DrawnCasters::volumes)};
+    facts[technique.name] = {technique.use_when, technique.not_when, technique.graph.textures,
+                             !technique.graph.draws(techniques::DrawnCasters::volumes)};
   return facts;
 }
 
@@ -67,7 +62,7 @@ bool has_advice(const std::vector<TechniqueRow>& rows) {
                      [](const TechniqueRow& row) { return !row.use_when.empty() || !row.not_when.empty(); });
 }
 
-std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts) {
+std::string rows_explained(const std::vector<TechniqueRow>& rows) {
   const bool baked = std::any_of(rows.begin(), rows.end(), [](const TechniqueRow& row) { return row.baked; });
   std::string text =
       baked
@@ -75,20 +70,9 @@ std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfT
             "without those of the picture's size."
           : "Maps: the shadow map and the textures that are made of it, without those of the "
             "picture's size.";
-  if (!facts.cycles_of.empty())
-    text +=
-        " Cycles: a compiler's static estimate per 64 threads, of the program that gives the visibility + of "
-        "its "
-        "other passes; it assumes eight iterations of every loop, however many samples a technique takes.";
   if (has_advice(rows))
     text += " When to use it: the library's advice, from its own measurements and not from the figures here.";
   return text;
-}
-
-std::string cycles_text(const std::optional<ProgramCycles>& cycles) {
-  if (!cycles) return "–";
-  return fmt::format("{:.0f}", cycles->visibility) +
-         (cycles->others > 0.0 ? fmt::format(" + {:.0f}", cycles->others) : "");
 }
 
 double middle_light(const Results& results) {
@@ -98,7 +82,7 @@ double middle_light(const Results& results) {
 
 std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTechniques& facts) {
   std::vector<TechniqueRow> rows;
-  if (facts.techniques.empty()) return rows;
+  if (facts.empty()) return rows;
   const std::vector<double> lights = light_sizes(results);
   const std::vector<SummaryLine> lines = summarise(results);
   for (const Choice& choice : choices(results)) {
@@ -111,15 +95,14 @@ std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTe
       row.rmse_penumbra[static_cast<std::size_t>(light)] = line.rmse_penumbra;
       if (line.light_degrees == middle_light(results)) row.fetches = line.fetches;
     }
-    const auto known = facts.techniques.find(choice.technique);
-    const TechniqueFacts fact = known == facts.techniques.end() ? TechniqueFacts{} : known->second;
+    const auto known = facts.find(choice.technique);
+    const TechniqueFacts fact = known == facts.end() ? TechniqueFacts{} : known->second;
     const auto record = std::find_if(results.records.begin(), results.records.end(), [&](const Record& each) {
       return each.technique == choice.technique && choice_of(results, each) == choice;
     });
     row.map_mebibytes = map_mebibytes(*record, fact.textures);
     row.baked = record->baked_mebibytes.has_value();
     if (!fact.has_shadow_map) row.map_mebibytes -= map_mebibytes(*record, {});
-    row.cycles = fact.cycles;
     row.use_when = fact.use_when;
     row.not_when = fact.not_when;
     rows.push_back(std::move(row));

@@ -1,6 +1,5 @@
-// The facts about a technique besides its measurements: the use for which its manifest recommends it, the
-// textures that its passes make, and a compiler's figures for its programs; and with them one row for each
-// technique.
+// The facts about a technique besides its measurements: the use for which its manifest recommends it
+// and the textures that its passes make; and with them one row for each technique.
 #pragma once
 
 #include <map>
@@ -14,26 +13,16 @@
 
 namespace penumbra::study {
 
-// Cycles of a GPU that is fully occupied, per 64 threads; static estimates (docs/cost.md).
-struct ProgramCycles {
-  double visibility = 0.0;  // the program that gives the visibility
-  double others = 0.0;      // the sum over its other passes
-};
-
 struct TechniqueFacts {
   std::string use_when{};  // one line each, may be empty
   std::string not_when{};
   std::vector<techniques::GraphTexture> textures{};
-  std::optional<ProgramCycles> cycles{};
   bool has_shadow_map = true;  // shadow volumes have none
 };
 
 // The lines and textures are the manifests' as they are now, not as they were when the figures were measured:
 // lines are written after the figures.
-struct FactsOfTechniques {
-  std::map<std::string, TechniqueFacts> techniques{};
-  std::string cycles_of{};  // the compiler and the GPU, for a table's head; empty without cycles
-};
+using FactsOfTechniques = std::map<std::string, TechniqueFacts>;
 
 FactsOfTechniques facts_of(const techniques::TechniqueList& list);
 
@@ -47,7 +36,6 @@ struct TechniqueRow {
   std::optional<Estimate> fetches{};                     // under the middle light
   double map_mebibytes = 0.0;
   bool baked = false;  // some of it is baked from the scene
-  std::optional<ProgramCycles> cycles{};
   std::string use_when{};
   std::string not_when{};
 };
@@ -58,9 +46,7 @@ std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTe
 // rows_explained() says in sentences what the table of these rows shows; its columns of lines are left out
 // where no row has one.
 bool has_advice(const std::vector<TechniqueRow>& rows);
-std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts);
-
-std::string cycles_text(const std::optional<ProgramCycles>& cycles);  // "420 + 992", "–"
+std::string rows_explained(const std::vector<TechniqueRow>& rows);
 
 double middle_light(const Results& results);  // the one in the middle of light_sizes(), in degrees
 
