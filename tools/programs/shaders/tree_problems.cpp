@@ -197,6 +197,78 @@ class MatrixSearch final : public glslang::TIntermTraverser {
   std::set<std::tuple<std::string, int, int>> products_;  // file, line and column of each '*'
 };
 
+constexpr int register_words = 4;
+constexpr int word_bytes = 4;
+
+int rounded_up(int words) {
+  return (words + register_words - 1) / register_words * register_words;
+}
+
+// What a value takes in a constant buffer.
+struct Extent {
+  int words = 0;
+  bool of_registers = false;  // it begins at a register, as a matrix, an array or a struct does
+};
+
+// Places the members of cbuffers by HLSL's rules
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules).
+class CbufferLayouts final : public glslang::TIntermTraverser {
+ public:
+  void visitSymbol(glslang::TIntermSymbol* node) override {
+    const glslang::TType& type = node->getType();
+    const bool is_cbuffer = type.getBasicType() == glslang::EbtBlock &&
+                            type.getQualifier().storage == glslang::EvqUniform &&
+                            type.getTypeName() != "$Global";
+    if (is_cbuffer && seen_.insert(node->getId()).second)
+      extent_of_members(type, type.getQualifier().layoutMatrix, glslang::IsAnonymous(node->getName()));
+  }
+
+  std::vector<hlsl::Diagnostic> found;
+
+ private:
+  // `owns`: no buffer has elements of these members, as it may have of a struct.
+  int extent_of_members(const glslang::TType& of, glslang::TLayoutMatrix layout, bool owns) {
+    int next = 0;
+    bool behind_registers = false;
+    for (const glslang::TTypeLoc& member : *of.getStruct()) {
+      glslang::TQualifier& qualifier = member.type->getQualifier();
+      const Extent extent = extent_of(*member.type, layout);
+      const bool fits = !extent.of_registers && next % register_words + extent.words <= register_words;
+      next = qualifier.hasOffset() ? qualifier.layoutOffset / word_bytes : fits ? next : rounded_up(next);
+      if (behind_registers && next % register_words != 0) {
+        if (!owns) tell(member);
+        qualifier.layoutOffset = next * word_bytes;
+      }
+      next += extent.words;
+      behind_registers = extent.of_registers;
+    }
+    return next;
+  }
+
+  Extent extent_of(const glslang::TType& type, glslang::TLayoutMatrix layout) {
+    if (type.getQualifier().layoutMatrix != glslang::ElmNone) layout = type.getQualifier().layoutMatrix;
+    if (type.isArray()) {
+      const int words = extent_of(glslang::TType(type, 0), layout).words;
+      return {rounded_up(words) * (type.getOuterArraySize() - 1) + words, true};
+    }
+    if (type.isStruct()) return {extent_of_members(type, layout, false), true};
+    const int words = type.computeNumComponents() * (type.getBasicType() == glslang::EbtDouble ? 2 : 1);
+    if (!type.isMatrix()) return {words, false};
+    const int vectors = layout == glslang::ElmRowMajor ? type.getMatrixRows() : type.getMatrixCols();
+    return {register_words * (vectors - 1) + words / vectors, true};
+  }
+
+  void tell(const glslang::TTypeLoc& member) {
+    const char* file = member.loc.getFilename();
+    found.push_back(error_at(SourcePlace{file == nullptr ? "" : file, member.loc.line},
+                             "not supported here: '" + std::string(member.type->getFieldName()) +
+                                 "' shares the last register of the member before it, in a struct of a "
+                                 "cbuffer; put a float4 or a larger member after that one"));
+  }
+
+  std::set<long long> seen_;  // symbols
+};
+
 template <typename Search>
 std::vector<hlsl::Diagnostic> found_by(const glslang::TIntermediate& tree) {
   Search search;
@@ -272,6 +344,10 @@ std::vector<hlsl::Diagnostic> reads_without_comparing(const glslang::TIntermedia
 
 std::vector<hlsl::Diagnostic> converted_arguments(const glslang::TIntermediate& tree) {
   return found_by<ArgumentSearch>(tree);
+}
+
+std::vector<hlsl::Diagnostic> lay_out_cbuffers(glslang::TIntermediate& tree) {
+  return found_by<CbufferLayouts>(tree);
 }
 
 std::vector<hlsl::Diagnostic> operations_on_matrices(const glslang::TIntermediate& tree,

@@ -40,4 +40,10 @@ void correct_operations(glslang::TIntermediate& tree);
 // offsets of GL's std430, in which `float a; float3 b;` leaves 12 bytes between the two.
 void lay_out_buffers(glslang::TIntermediate& tree);
 
+// Constant buffers: Direct3D packs a member into the last register of the matrix, array or struct before it
+// where it fits (`float3x3 m; float g;` has g at word 11), and glslang begins a new register. Such a member
+// gets the offset of Direct3D; inside of a struct it is an error. Variables at file scope keep the offsets of
+// glslang: Unity sets them by their names.
+std::vector<hlsl::Diagnostic> lay_out_cbuffers(glslang::TIntermediate& tree);
+
 }  // namespace penumbra::shaders
