@@ -182,6 +182,8 @@ LightSample sample_of(const Results& results, double light_degrees) {
   }
   LightSample sample;
   for (const auto& [scene, count] : pixels) {
+    sample.smallest_penumbra_pixels =
+        sample.scenes == 0 ? count : std::min(sample.smallest_penumbra_pixels, count);
     sample.penumbra_pixels += count;
     ++sample.scenes;
   }

@@ -41,8 +41,9 @@ struct SummaryLine {
 
 // The sample behind the means of one light.
 struct LightSample {
-  std::size_t scenes = 0;           // scenes with a penumbra to measure
-  std::size_t penumbra_pixels = 0;  // sum over all scenes
+  std::size_t scenes = 0;                    // scenes with a penumbra to measure
+  std::size_t smallest_penumbra_pixels = 0;  // the smallest number of those scenes
+  std::size_t penumbra_pixels = 0;           // sum over all scenes
 };
 LightSample sample_of(const Results& results, double light_degrees);
 
