@@ -16,7 +16,7 @@ TEST(PreparationDocumentation, NamesEveryPassInItsOrder) {
   std::vector<std::string> documented;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("## ")) inside = line == "## Preparation";
+    if (line.starts_with("##")) inside = line == "## Preparation";
     if (!inside || !line.starts_with("| `")) continue;
     documented.push_back(line.substr(3, line.find('`', 3) - 3));
     EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 5) << line;

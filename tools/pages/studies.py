@@ -279,6 +279,8 @@ measure("tiled-pcss-overlaps", TILED_PCSS, "--overlaps --light 0.53,2,5 --size 9
         "--scene overlaps,garden,trees,street", PEERS + ",unreal-smrt-7-8")
 measure("tiled-pcss-full-hd", TILED_PCSS, "--light 0.53,2,5 --size 1920x1080 --reference-samples 64 --seeds 1",
         ALL_SCENES, FEW_PEERS)
+measure("tiled-pcss-large-map", "--front-end fxc --cascades 4 --map-size 4096 --timing-repeats 0 --no-split"
+        " --light 0.53,2,5 --size 960x540 --reference-samples 128 --seeds 2", SCENES, FEW_PEERS)
 measure("tiled-pcss-kept", TILED_PCSS, "--light 0.53,2,5 --size 960x540 --reference-samples 256 --seeds 2 --height 3"
         " --scene /usr/share/assimp/models/OBJ/WusonOBJ.obj,/usr/share/assimp/models/Collada/duck.dae,"
         "/usr/share/assimp/models/STL/Spider_ascii.stl,/usr/share/glmark2/models/asteroid-high.3ds", PEERS)
@@ -313,7 +315,8 @@ BRIEF = {"equal-bias": "filters.md", "equal-bias-urp": "filters.md", "equal-fetc
          "far-origin": "pipelines.md", "planar-and-blob": "other-shadows.md",
          "distance-field-scenes": "other-shadows.md",
          "wires": "other-shadows.md", "tiled-pcss-full-hd": "tiled-pcss.md", "tiled-pcss-low-sun": "tiled-pcss.md",
-         "tiled-pcss-wide-lights": "tiled-pcss.md", "tiled-pcss-overlaps": "tiled-pcss.md", "tiled-pcss-kept": "tiled-pcss.md"}
+         "tiled-pcss-wide-lights": "tiled-pcss.md", "tiled-pcss-overlaps": "tiled-pcss.md", "tiled-pcss-kept": "tiled-pcss.md",
+         "tiled-pcss-large-map": "tiled-pcss.md"}
 
 # The techniques of a block, where it does not have all of its study: disks of other sizes have the same errors.
 ROWS = {"techniques": [name for name in NAMES if name not in {f"pcss-poisson-{samples}" for samples in (32, 100, 128)}],

@@ -147,7 +147,8 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (report(source, sources, reads_without_comparing(tree), result)) return false;
   if (report(source, sources, converted_arguments(tree), result)) return false;
   if (report(source, sources, operations_on_matrices(tree, source.text, source.name), result)) return false;
-  if (report(source, sources, lay_out_cbuffers(tree), result)) return false;
+  // finish_module() makes such layouts valid in what it optimises.
+  if (source.request.optimise && report(source, sources, lay_out_cbuffers(tree), result)) return false;
   correct_operations(tree);
   lay_out_buffers(tree);
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;

@@ -19,6 +19,7 @@ struct SpirvReader {
   Code& code;
   std::size_t at = 5;  // the first word behind the header
   Place place;
+  bool in_function = false;
 
   void read(const spv_parsed_instruction_t& parsed) {
     Instruction instruction;
@@ -90,6 +91,7 @@ struct SpirvReader {
       case spv::OpFunction:
         code.function_index_[instruction.result] = code.functions_.size();
         code.functions_.emplace_back();
+        in_function = true;
         break;
       case spv::OpFunctionParameter:
         if (!code.functions_.empty()) code.functions_.back().parameters.push_back(instruction.result);
@@ -99,6 +101,7 @@ struct SpirvReader {
           code.functions_.back().blocks.push_back({instruction.result, after, after});
         break;
       case spv::OpFunctionEnd:
+        in_function = false;
         break;
       default:
         if (!code.functions_.empty() && !code.functions_.back().blocks.empty())
@@ -124,6 +127,7 @@ Code::Code(std::vector<std::uint32_t> words) : words_(std::move(words)) {
   const std::string reason = diagnostic == nullptr ? "not a SPIR-V module" : diagnostic->error;
   spvDiagnosticDestroy(diagnostic);
   if (result != SPV_SUCCESS) throw std::invalid_argument(reason);
+  if (reader.in_function) throw std::invalid_argument("a function of the SPIR-V module has no end");
 }
 
 const Instruction* Code::definition(Id id) const {
