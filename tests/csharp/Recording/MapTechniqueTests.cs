@@ -246,9 +246,10 @@ public sealed class MapTechniqueTests : FeatureTests
     public void OfTheTechniquesStructsItsOwnValuesWin(ShadowTechnique technique)
     {
         feature.Settings.custom.blockerSamples = 5;
+        feature.Settings.custom.filterSamples = 7;
         bool dpcf = technique == ShadowTechnique.DpcfFilament;
         var filament = Vector(Resolve(technique), "_PenumbraFilamentParameters0");
         Assert.That(filament.x, Is.EqualTo(5.0f));
-        Assert.That(filament.y, Is.EqualTo(dpcf ? 16.0f : feature.Settings.custom.filterSamples));
+        Assert.That(filament.y, Is.EqualTo(dpcf ? 16.0f : 7.0f));
     }
 }
