@@ -71,9 +71,8 @@ float4 Main(float4 p : SV_Position) : SV_Target {
 }
 
 TEST(ExecutedResources, CbuffersGiveTheirResourcesAway) {
-  PENUMBRA_NEEDS_FXC();
-  expect_from_bytecode({R"(
-cbuffer C : register(b0) { float first; Texture2D T; SamplerState Point; float4 second; }
+  expect_only_prepared({R"(
+cbuffer C : register(b0) { float first; Texture2D T : register(t0); SamplerState Point; float4 second : packoffset(c1); }
 float4 Main(float4 p : SV_Position) : SV_Target { return T.Sample(Point, p.xy / 4) * first + second; })",
                         {{"T", 10}},
                         {{"C", {2, 0, 0, 0, 1, 2, 3, 4}}}},

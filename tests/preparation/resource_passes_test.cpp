@@ -111,10 +111,14 @@ TEST(BufferAliases, OfTwoBuffersAreAnError) {
                "rename that one");
 }
 
-TEST(CbufferStatics, StandBeforeTheirCbuffer) {
-  expect(move_statics_of_cbuffers, "cbuffer C { uint a; static const int b[2] = {3, 4}, c = 4; float d; };",
+TEST(CbufferResources, StandBeforeTheirCbuffer) {
+  expect(move_out_of_cbuffers, "cbuffer C { uint a; static const int b[2] = {3, 4}, c = 4; float d; };",
          "static const int b[2] = {3, 4}, c = 4; cbuffer C { uint a; float d; };");
-  expect_untouched(move_statics_of_cbuffers, "static int a; struct S { static const int b = 1; };");
+  expect(move_out_of_cbuffers, "cbuffer C { float a; Texture2D t; SamplerState s; };",
+         "Texture2D t; SamplerState s; cbuffer C { float a; };");
+  expect(move_out_of_cbuffers, "cbuffer C { Texture2D t; SamplerState s; }; float b;",
+         "Texture2D t; SamplerState s; ; float b;");
+  expect_untouched(move_out_of_cbuffers, "static int a; struct S { static const int b = 1; };");
 }
 
 TEST(Dx9Samplers, DeclarationsBecomeTwo) {

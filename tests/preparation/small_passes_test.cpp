@@ -66,5 +66,17 @@ TEST(Preparation, PassesHaveNamesOfTheirOwn) {
     for (const Pass& b : passes()) EXPECT_EQ(&a == &b, std::string(a.name) == b.name);
 }
 
+TEST(MissingReturns, OnlyFunctionsWithoutAnyReturnGetOne) {
+  const auto run = after<return_from_empty_functions>;
+  EXPECT_EQ(run("static float2 f(float x) { x += 1; }"),
+            "static float2 f(float x) { x += 1; return (float2)0; }");
+  for (const char* text : {"void f() { }", "float f() { if (a) return 1; }", "float f();",
+                           "struct S { float a; };", "float f() { a); return 1; }"})
+    EXPECT_EQ(run(text), text);
+  EXPECT_EQ(run("SamplerState f() { } Texture2D<float4> g(int i) { } float h();"), "float h();");
+  const std::string called = "SamplerState f() { } float4 h(Texture2D t) { return t.Sample(f(), 0); }";
+  EXPECT_EQ(run(called), called);
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -7,17 +7,18 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 20> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 21> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"uniform-parameters", drop_uniform_of_parameters},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"storage-order", put_static_first},
                                              {"plain-registers", plain_registers},
-                                             {"cbuffer-statics", move_statics_of_cbuffers},
+                                             {"cbuffer-resources", move_out_of_cbuffers},
                                              {"dx9-samplers", separate_dx9_samplers},
                                              {"buffer-aliases", resolve_buffer_aliases},
                                              {"texture-reads", separate_texture_reads},
+                                             {"missing-returns", return_from_empty_functions},
                                              {"precision-overloads", merge_precision_overloads},
                                              {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},

@@ -33,4 +33,8 @@ bool is_buffer(std::string_view type) {
   return buffers.contains(without(without(type, "RasterizerOrdered"), "RW"));
 }
 
+bool is_resource(std::string_view type) {
+  return is_texture(type) || is_sampler(type) || is_buffer(type) || type == "Buffer" || type == "RWBuffer";
+}
+
 }  // namespace penumbra::preparation

@@ -12,4 +12,6 @@ bool is_sampler(std::string_view type);  // SamplerState, SamplerComparisonState
 bool is_buffer(
     std::string_view type);  // StructuredBuffer, ByteAddressBuffer, ...: buffers with a memory layout
 
+bool is_resource(std::string_view type);  // any of these types, and Buffer
+
 }  // namespace penumbra::preparation

@@ -3,6 +3,7 @@
 #include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/passes.h"
+#include "preparation/resource_types.h"
 #include "preparation/value_types.h"
 #include "preparation/written_values.h"
 
@@ -188,22 +189,29 @@ void make_constants_uniforms(TokenText& text) {
   ConstantUniforms(text).run();
 }
 
-// `cbuffer C { static const int a = 3; }`, as URP's DOTS_INSTANCED_PROP writes it: glslang makes it a member
-// of the block, which silently loses its value. Such a declaration is moved before the cbuffer, with its
-// line.
-void move_statics_of_cbuffers(TokenText& text) {
+// Static variables, textures, samplers and buffers that are declared in a cbuffer, the first as URP's
+// DOTS_INSTANCED_PROP writes them. In HLSL they are not part of its layout. glslang makes them members of the
+// block: a static one silently loses its value, and no Vulkan driver accepts the others. They are moved
+// before the cbuffer, with their line; a cbuffer without other members is removed.
+void move_out_of_cbuffers(TokenText& text) {
   for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != Kind::buffer) continue;
     std::size_t first = declaration.open + 1;
+    std::size_t staying = 0;
     for (std::size_t at = first; at < declaration.close; at = text.after(at)) {
       if (!text.is(at, ";")) continue;
       const std::size_t count = at + 1 - first;
-      if (text.has(first, at, "static")) {
+      if (text.has(first, at, "static") || is_resource(text.word(first))) {
         text.insert_from(first, declaration.first, text.spelled(first, count));
         text.erase(first, count);
+      } else {
+        ++staying;
       }
       first = at + 1;
     }
+    if (staying > 0 || first == declaration.open + 1) continue;
+    text.erase(declaration.first, declaration.open - declaration.first + 1);
+    text.erase(declaration.close, declaration.last - declaration.close + 1);
   }
   text.apply();
 }
