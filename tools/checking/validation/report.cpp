@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "input/enumerator.h"
 #include "validation/report_findings.h"
 #include "validation/spirv_target.h"
 
@@ -14,12 +15,6 @@ namespace {
 // The names are in the order of the enumerators.
 constexpr std::array status_names{"passed", "failed", "absent", "unreached", "unchecked"};
 constexpr std::array form_names{"text", "json", "sarif", "junit", "github"};
-
-template <typename Value, std::size_t count>
-std::optional<Value> named(std::string_view name, const std::array<const char*, count>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt : std::optional(static_cast<Value>(found - names.begin()));
-}
 
 // The verdict of each compiler on a variant, where it is known.
 struct Verdicts {
@@ -58,7 +53,7 @@ const char* status_name(VariantStatus status) {
 }
 
 std::optional<VariantStatus> find_status(std::string_view name) {
-  return named<VariantStatus>(name, status_names);
+  return enumerator_named<VariantStatus>(name, status_names);
 }
 
 const char* form_name(ReportForm form) {
@@ -66,7 +61,7 @@ const char* form_name(ReportForm form) {
 }
 
 std::optional<ReportForm> find_report_form(std::string_view name) {
-  return named<ReportForm>(name, form_names);
+  return enumerator_named<ReportForm>(name, form_names);
 }
 
 std::size_t ValidationReport::count(VariantStatus status) const {

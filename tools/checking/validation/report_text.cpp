@@ -65,9 +65,7 @@ class TextReport {
   std::string verdict() const {
     const Verdict verdict = verdict_of(findings_, style_);
     // "passed" above variants of which none was compiled would look like a check.
-    const bool checked = std::any_of(report_.records.begin(), report_.records.end(), [](const auto& record) {
-      return record.status == VariantStatus::passed || record.status == VariantStatus::failed;
-    });
+    const bool checked = report_.count(VariantStatus::passed) + report_.count(VariantStatus::failed) > 0;
     if (!verdict.failed && !checked && !report_.records.empty())
       return painted("nothing was checked", bold, style_) + "\n";
     return painted(verdict.text, verdict.failed ? colour_of(hlsl::Severity::error) : bold, style_) + "\n";

@@ -1,5 +1,7 @@
 #include "shaders/tree_problems.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <tuple>
@@ -204,11 +206,19 @@ int rounded_up(int words) {
   return (words + register_words - 1) / register_words * register_words;
 }
 
-// What a value takes in a constant buffer.
+// More words than any constant buffer of Direct3D may have (4096 registers). Sizes are cut off here, so that
+// those of hostile arrays do not overflow; the limits of registers are checked elsewhere.
+constexpr std::int64_t most_words = 1 << 20;
+
+// The words that a value takes in a constant buffer.
 struct Extent {
   int words = 0;
   bool of_registers = false;  // it begins at a register, as a matrix, an array or a struct does
 };
+
+int cut_off(std::int64_t words) {
+  return static_cast<int>(std::min(words, most_words));
+}
 
 // Places the members of cbuffers by HLSL's rules
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules).
@@ -239,7 +249,7 @@ class CbufferLayouts final : public glslang::TIntermTraverser {
         if (!owns) tell(member);
         qualifier.layoutOffset = next * word_bytes;
       }
-      next += extent.words;
+      next = cut_off(next + extent.words);
       behind_registers = extent.of_registers;
     }
     return next;
@@ -249,7 +259,7 @@ class CbufferLayouts final : public glslang::TIntermTraverser {
     if (type.getQualifier().layoutMatrix != glslang::ElmNone) layout = type.getQualifier().layoutMatrix;
     if (type.isArray()) {
       const int words = extent_of(glslang::TType(type, 0), layout).words;
-      return {rounded_up(words) * (type.getOuterArraySize() - 1) + words, true};
+      return {cut_off(std::int64_t{rounded_up(words)} * (type.getOuterArraySize() - 1) + words), true};
     }
     if (type.isStruct()) return {extent_of_members(type, layout, false), true};
     const int words = type.computeNumComponents() * (type.getBasicType() == glslang::EbtDouble ? 2 : 1);

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "input/enumerator.h"
 #include "input/input_error.h"
 #include "input/text_line.h"
 
@@ -14,8 +15,7 @@ namespace {
 // Returns the value of that name: the schema lets no other name through.
 template <typename Value>
 Value of_name(const std::string& name) {
-  return static_cast<Value>(std::find(names_of<Value>.begin(), names_of<Value>.end(), name) -
-                            names_of<Value>.begin());
+  return enumerator_named<Value>(name, names_of<Value>).value();
 }
 
 std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {

@@ -8,7 +8,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, IReadOnlyS
     public void Compare(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         var comparison = new TypeComparison(match);
-        // Of a partial type the files of its compared members count, where it has any.
+        // A partial type has several files; those of its compared members count, where it has any.
         if (!declared.GetMembers().Any(Signature.IsCompared)) NoteFile(real);
         foreach (var difference in comparison.Differences(declared, real)) findings.Add(declared, difference, real);
         Note(declared, real);
