@@ -106,6 +106,15 @@ TEST(ExecutedTails, HoldThroughEveryTarget) {
     EXPECT_THAT(run_through(execution, target), expected);
 }
 
+// OpenGL allows no member there either, also where the matrix is the only one with a tail.
+TEST(ExecutedTails, OfAMatrixAloneHoldThroughEveryTarget) {
+  const Execution execution = reads("cbuffer C { float3x3 m; float g; };", {"m[1][0]", "g"});
+  EXPECT_THAT(run_prepared(execution), ElementsAre(1, 11));
+  for (const shaders::Target target :
+       {shaders::Target::hlsl51, shaders::Target::glsl450, shaders::Target::essl310})
+    EXPECT_THAT(run_through(execution, target), ElementsAre(1, 11));
+}
+
 TEST(ExecutedTails, InStructsOfBuffersAreAnError) {
   EXPECT_THAT(
       [] { run_prepared(reads("struct S { float3x3 m; float g; }; cbuffer C { S s; };", {"s.g"})); },

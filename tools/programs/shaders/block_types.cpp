@@ -89,13 +89,14 @@ bool BlockTypes::fits(std::uint32_t id, BlockRule rule) const {
   return structure(id, rule).fits;
 }
 
-bool BlockTypes::fills_tails(std::uint32_t id) const {
-  std::uint32_t end = 0;  // end of the last array or struct, including its padding
+bool BlockTypes::fills_tails(std::uint32_t id, bool of_rows) const {
+  std::uint32_t end = 0;  // end of the last array, struct or matrix, including its padding
   for (const BlockMember& member : find(id)->members) {
     if (member.offset < end) return true;
     const BlockType* type = find(member.type);
-    const bool has_tail = type != nullptr && (type->op == spv::OpTypeArray || type->op == spv::OpTypeStruct ||
-                                              (type->op == spv::OpTypeMatrix && !member.row_major));
+    const bool has_tail =
+        type != nullptr && (type->op == spv::OpTypeArray || type->op == spv::OpTypeStruct ||
+                            (type->op == spv::OpTypeMatrix && (of_rows || !member.row_major)));
     if (has_tail) end = member.offset + extent(member, BlockRule::std140).size;
   }
   return false;

@@ -40,9 +40,9 @@ class BlockTypes {
   // Returns whether every member has exactly the offset that the rule gives it.
   bool fits(std::uint32_t structure, BlockRule rule) const;
   // Returns whether a member begins in the padding after the last element of the array or struct before it,
-  // as in HLSL's cbuffers; Vulkan allows that only for matrices (specification, "Offset and Stride
-  // Assignment").
-  bool fills_tails(std::uint32_t structure) const;
+  // as in HLSL's cbuffers, or of the matrix. Vulkan allows that only for matrices by rows (specification,
+  // "Offset and Stride Assignment"), and OpenGL for none.
+  bool fills_tails(std::uint32_t structure, bool of_rows) const;
   // Returns the size of a uniform block in registers of four words.
   std::uint32_t registers(std::uint32_t structure) const;
 

@@ -185,6 +185,9 @@ CrossCompileResult CrossCompiler::to(Target target) {
 }
 
 std::string CrossCompiler::emit(Target target) {
+  if (target == Target::glsl450)
+    if (const std::optional<SpirvModule> words = with_word_blocks(spirv_, BlocksAsWords::overlapping_in_gl))
+      return emit_amended(SpirvCrossModule(*words), *words, target);
   if (!module_) module_ = std::make_unique<SpirvCrossModule>(spirv_);
   try {
     return emit_amended(*module_, spirv_, target);

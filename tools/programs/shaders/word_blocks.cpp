@@ -148,14 +148,22 @@ class WordBlocks {
     const BlockType* type = types_.find(structure);
     if (type == nullptr || type->op != spv::OpTypeStruct) return;
     if (!buffer && block_types_.count(structure) == 0) return;
-    const bool fits =
-        which_ == BlocksAsWords::not_for_vulkan
-            ? (buffer ? types_.fits(structure, BlockRule::std430) : !types_.fills_tails(structure))
-            : types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
-    if (fits) return;
+    if (fits(structure, buffer)) return;
     const std::uint32_t id = spirv::operand(variable, 2);
     blocks_[id] = {structure, storage, !buffer};
     places_[id] = {id, {structure, 0, 0, false}, 0, 1, {}};
+  }
+
+  bool fits(std::uint32_t structure, bool buffer) const {
+    switch (which_) {
+      case BlocksAsWords::not_for_gl:
+        return types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
+      case BlocksAsWords::overlapping_in_gl:
+        return buffer || !types_.fills_tails(structure, true);
+      case BlocksAsWords::not_for_vulkan:
+        break;
+    }
+    return buffer ? types_.fits(structure, BlockRule::std430) : !types_.fills_tails(structure, false);
   }
 
   // The second pass checks how the pointers into them are used.

@@ -14,10 +14,12 @@
 
 namespace penumbra::shaders {
 
-// not_for_gl means blocks that are neither std140 nor, for storage buffers, std430. not_for_vulkan means
-// storage buffers that are not std430, which need VK_EXT_scalar_block_layout, and uniform blocks with a
-// member in the padding of an array or struct before it, which is never valid SPIR-V.
-enum class BlocksAsWords { not_for_gl, not_for_vulkan };
+// not_for_gl means blocks that are neither std140 nor, for storage buffers, std430. overlapping_in_gl means
+// uniform blocks with a member in the padding of an array, struct or matrix before it, which explicit offsets
+// of GLSL 4.40 do not allow either. not_for_vulkan means storage buffers that are not std430, which need
+// VK_EXT_scalar_block_layout, and uniform blocks with a member in the padding of an array or struct before
+// it, which is never valid SPIR-V.
+enum class BlocksAsWords { not_for_gl, overlapping_in_gl, not_for_vulkan };
 
 // Returns the module with those blocks as words, or nothing if there are none, or if one is used in a way
 // that words do not support: atomics on a member, numbers that do not have 32 bits. The module must be
