@@ -114,7 +114,7 @@ measure("preset-operations", "--front-end fxc --cascades 4 --map-size 2048 --tim
         SCENES,
         "--size 960x540 --reference-samples 32 --seeds 1", PRESETS, "--technique screen-pcss-angular-24-16")
 
-# The cost and the savings of the masks, with the samples of High.
+# The cost and the savings of the masks.
 measure("masks", VARIANTS, COMMON, LIGHTS, "--set blockerSamples=12 --set filterSamples=24 --technique screen-pcss-angular-24-16"
         " --technique screen-pcss-angular-24-16-masked --technique screen-pcss-angular-24-16-conservative")
 
